@@ -1,0 +1,19 @@
+# What the arithmetic rests on. Directed rounding dies silently without -frounding-math, and an enclosure
+# is wrong after contraction to FMA; both flags are part of the interface of every library here.
+add_library(delcert_rigour INTERFACE)
+target_compile_options(delcert_rigour INTERFACE -frounding-math -ffp-contract=off)
+target_compile_features(delcert_rigour INTERFACE cxx_std_20)
+
+# What we ask of our own code only.
+add_library(delcert_warnings INTERFACE)
+target_compile_options(delcert_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Werror)
+if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+  # clang 14 honours -frounding-math but warns that it may not; the start-up self-test decides.
+  target_compile_options(delcert_warnings INTERFACE -Wno-unknown-warning-option)
+endif()
+
+if(DELCERT_CLANG_TIDY)
+  find_program(DELCERT_CLANG_TIDY_PROGRAM clang-tidy REQUIRED)
+  set(CMAKE_CXX_CLANG_TIDY ${DELCERT_CLANG_TIDY_PROGRAM})
+endif()
