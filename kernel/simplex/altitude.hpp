@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "kernel/simplex/edge_gram.hpp"
+#include "kernel/simplex/gram_elimination.hpp"
+#include "kernel/simplex/partial.hpp"
+
+namespace delcert {
+
+/// D(p, σ)², the squared distance of vertex p from the affine hull of the opposite facet, by projection. It exists for
+/// every simplex of dimension at least 1, degenerate or not; on intervals it is absent where the facet may be
+/// degenerate.
+template <Scalar S>
+[[nodiscard]] Partial<S> squared_altitude(const EdgeGram<S>& simplex, std::size_t p) {
+  if (simplex.dimension() == 0) throw std::invalid_argument("a vertex has no altitude");
+  const EdgeGram<S> facet = simplex.opposite_facet(p);
+  const std::size_t base = p == 0 ? 1 : 0;
+  std::vector<S> shadow;  // ⟨p_i − p_base, p − p_base⟩ over the other vertices i of the facet
+  for (std::size_t i = 0; i < simplex.vertex_count(); ++i) {
+    if (i != p && i != base) shadow.push_back(simplex.product(base, i, p));
+  }
+  const auto projection = GramElimination<S>(facet.gram()).solve(std::move(shadow));
+  if (!projection) return Partial<S>::absent(projection.exists());
+  return S(simplex.squared_edge(p, base) - projection->energy);
+}
+
+/// D(p, σ), on the rungs that have square roots; absent as `squared_altitude`.
+template <Scalar S>
+[[nodiscard]] Partial<S> altitude(const EdgeGram<S>& simplex, std::size_t p) {
+  const Partial<S> squared = squared_altitude(simplex, p);
+  return squared ? Partial<S>(square_root(*squared)) : squared;
+}
+
+/// All D(p, σ)⁻² from the dual basis (lem:bound.skP): the rows of the pseudo-inverse of P have the lengths 1/D(p_i, σ)
+/// for i ≥ 1, and minus their sum has length 1/D(p_0, σ). Absent unless the simplex is certainly non-degenerate;
+/// refuted if it is degenerate.
+template <Scalar S>
+[[nodiscard]] Partial<std::vector<S>> squared_dual_lengths(const EdgeGram<S>& simplex) {
+  const GramElimination<S> elimination(simplex.gram());
+  if (!is_proved(elimination.definite())) return Partial<std::vector<S>>::absent(elimination.definite());
+  const std::size_t k = simplex.dimension();
+  std::vector<S> result(k + 1, S(0));
+  const auto energy_of = [&elimination](std::vector<S> b) { return elimination.solve(std::move(b))->energy; };
+  result[0] = energy_of(std::vector<S>(k, S(1)));
+  for (std::size_t i = 0; i < k; ++i) {
+    std::vector<S> unit(k, S(0));
+    unit[i] = S(1);
+    result[i + 1] = energy_of(std::move(unit));
+  }
+  return result;
+}
+
+}  // namespace delcert
