@@ -1,0 +1,80 @@
+#pragma once
+
+#include "kernel/number/rational.hpp"
+#include "kernel/number/strong.hpp"
+#include "proofs/constants/power_product.hpp"
+
+namespace delcert {
+
+/// The largest dimension of a ledger: the sample size that Theorem 3 asks for already has a million binary digits
+/// there.
+inline constexpr Dimension largest_ledger_dimension{16};
+
+/// What the paper derives from the dimension m, the separation μ₀, the perturbation ρ₀, the radius variation ε₀ and the
+/// distortion ξ₀ of an input. Every value is exact; lengths are relative to the sampling radius ε unless said.
+struct Ledger {
+  Dimension dimension;
+  Rational separation;
+  Rational perturbation;
+  Rational radius_variation;
+  Rational distortion;
+
+  /// ρ̃₀ = (1 + ε₀)(1 + ξ₀)ρ₀ (hyps:param.bnds).
+  Rational perturbation_tilde;
+  /// μ₀′ = (μ₀ − 2ρ̃₀)/(1 + ρ̃₀) and ε′/ε = 1 + ρ̃₀ (lem:loc.eucl.protect).
+  Rational perturbed_separation;
+  Rational perturbed_radius_ratio;
+
+  /// C = m^{3/2}(2/μ₀)^{4m²+5m+21} (hyps:param.bnds).
+  PowerProduct flake_divisor;
+  /// Γ₀ = ρ₀/C (lem:loc.eucl.protect).
+  PowerProduct flake_parameter;
+  /// δ₀ = Γ₀^{m+1}: Delaunay simplices become δ₀μ₀′ε′-protected (lem:loc.eucl.protect).
+  PowerProduct protection_parameter;
+  /// α₀ = 2¹³Γ₀/μ₀³ (lem:prop.forbid.cfg, P1).
+  PowerProduct hoop_bound;
+  /// α̃₀ = 2¹⁶m^{3/2}Γ₀/μ₀³ (lem:hoop.distort). Rational, since m^{3/2} cancels.
+  PowerProduct hoop_bound_tilde;
+  /// 2α̃₀: a perturbation is good when farther than this from every candidate sphere (def:extended.good.pert). Rational.
+  PowerProduct tolerance;
+  /// An upper bound of (5/2)(1 + δ₀μ₀/2), the longest edge of a forbidden configuration (lem:prop.forbid.cfg, P3); at
+  /// most 2⁻¹²⁶ above it.
+  Rational longest_edge_upper;
+  /// (14/μ₀)^{m²+m} > the number of simplices tested for a label (eq:bnd.nbr.cplx).
+  PowerProduct candidates_bound;
+
+  /// ε₀ ≤ (1 − ξ₀)/(1 + ξ₀) (hyps:param.bnds).
+  Rational radius_variation_bound;
+  /// ξ₀ ≤ 2⁻⁴(ρ₀/C)^{4m+2} (hyps:param.bnds). Rational.
+  PowerProduct distortion_bound;
+  /// ξ₀ ≤ Γ₀^{2m+1}μ₀²/2¹² (lem:stable.stars).
+  PowerProduct stable_stars_distortion_bound;
+  /// ξ₀ ≤ (Γ₀^{2m+1}/4)² (lem:hoop.distort). Rational.
+  PowerProduct hoop_distortion_bound;
+  /// η ≤ (μ₀²/2¹²)(ρ₀/C)^{2m+1} (thm:output.del.cplx).
+  PowerProduct metric_distortion_bound;
+
+  /// ε_i ≤ Γ₀^{2m+1}/2⁶, the bound (eq:locsam.curv.bnd) under exponential charts of a manifold whose sectional
+  /// curvatures are within [−1, 1]. A length on the manifold.
+  PowerProduct chart_sampling_radius;
+  /// Theorem 3 asks for ρ₀ ≤ μ₀/5: the smaller of ρ₀ and μ₀/5.
+  Rational riemannian_perturbation;
+  /// C̃ = m^{3/2}(2/μ₀)^{5m²+5m+21} (thm:riem.del.tri).
+  PowerProduct riemannian_flake_divisor;
+  /// The riemannian_perturbation divided by C̃.
+  PowerProduct riemannian_flake_parameter;
+  /// ε ≤ 2⁻⁶(ρ₀/C̃)^{2m+1} at the riemannian_perturbation (thm:riem.del.tri), for sectional curvatures within [−1, 1];
+  /// the other bound of Theorem 3, a quarter of the injectivity radius, is not in it. A length on the manifold.
+  PowerProduct riemannian_sampling_radius;
+};
+
+/// The ledger of the paper. Throws InputError, naming the parameter, its value and its range, unless
+/// 1 ≤ m ≤ largest_ledger_dimension, 0 < μ₀ ≤ 1, 0 ≤ ξ₀ < 1, 0 ≤ ε₀ ≤ (1 − ξ₀)/(1 + ξ₀), 0 < ρ₀ and ρ̃₀ ≤ μ₀/4.
+[[nodiscard]] Ledger constants_for(Dimension dimension, const Rational& separation, const Rational& perturbation,
+                                   const Rational& radius_variation = Rational(0),
+                                   const Rational& distortion = Rational(0));
+
+/// Whether Hypotheses 2 hold (hyps:param.bnds): beyond what constants_for requires, ξ₀ ≤ distortion_bound.
+[[nodiscard]] bool satisfies_parameter_constraints(const Ledger& ledger);
+
+}  // namespace delcert

@@ -1,0 +1,100 @@
+#include "proofs/constants/ledger_entries.hpp"
+
+#include "kernel/number/exact_text.hpp"
+#include "proofs/constants/sphere_sample_size.hpp"
+
+namespace delcert {
+
+namespace {
+
+struct Heading {
+  const char* name;
+  const char* symbol;
+  const char* latex_symbol;
+  const char* source;
+};
+
+std::string fraction_latex(const Rational& x) {
+  if (x.denominator() == 1) return x.numerator().str();
+  const bool negative = x < Rational(0);
+  const Rational size = absolute(x);
+  return std::string(negative ? "-" : "") + "\\frac{" + size.numerator().str() + "}{" + size.denominator().str() + "}";
+}
+
+LedgerEntry entry(const Heading& heading, std::string exact, std::string exact_latex, Bounds value,
+                  std::optional<Bounds> log2) {
+  return {.name = heading.name,
+          .symbol = heading.symbol,
+          .latex_symbol = heading.latex_symbol,
+          .exact = std::move(exact),
+          .exact_latex = std::move(exact_latex),
+          .value = std::move(value),
+          .log2 = std::move(log2),
+          .source = heading.source};
+}
+
+LedgerEntry entry(const Heading& heading, const PowerProduct& x) {
+  Bounds value = x.bounds();
+  if (x.is_rational()) value = {x.rational(), x.rational()};
+  return entry(heading, x.text(), x.latex(), value, x.log2());
+}
+
+LedgerEntry entry(const Heading& heading, const Rational& x) {
+  std::optional<Bounds> log2;
+  if (x > Rational(0)) log2 = PowerProduct(x).log2();
+  return entry(heading, exact_text(x), fraction_latex(x), {x, x}, log2);
+}
+
+LedgerEntry entry(const Heading& heading, const Bounds& value) { return entry(heading, "", "", value, std::nullopt); }
+
+}  // namespace
+
+std::vector<LedgerEntry> ledger_entries(const Ledger& ledger) {
+  const SphereSampleSize sphere = sphere_sample_size(ledger.dimension, ledger.riemannian_sampling_radius);
+
+  std::vector<LedgerEntry> entries{
+      entry({"dimension", "m", "m", "input"}, Rational(ledger.dimension.value)),
+      entry({"separation", "μ₀", "\\mu_0", "input"}, ledger.separation),
+      entry({"perturbation", "ρ₀", "\\rho_0", "input"}, ledger.perturbation),
+      entry({"radius_variation", "ε₀", "\\epsilon_0", "input"}, ledger.radius_variation),
+      entry({"distortion", "ξ₀", "\\xi_0", "input"}, ledger.distortion),
+      entry({"perturbation_tilde", "ρ̃₀", "\\tilde\\rho_0", "hyps:param.bnds"}, ledger.perturbation_tilde),
+      entry({"perturbed_separation", "μ₀′", "\\mu_0'", "lem:loc.eucl.protect"}, ledger.perturbed_separation),
+      entry({"perturbed_radius_ratio", "ε′/ε", "\\epsilon'/\\epsilon", "lem:loc.eucl.protect"},
+            ledger.perturbed_radius_ratio),
+      entry({"flake_divisor", "C", "C", "hyps:param.bnds"}, ledger.flake_divisor),
+      entry({"flake_parameter", "Γ₀", "\\Gamma_0", "lem:loc.eucl.protect"}, ledger.flake_parameter),
+      entry({"flake_parameter_squared", "Γ₀²", "\\Gamma_0^2", "lem:loc.eucl.protect"},
+            power(ledger.flake_parameter, 2)),
+      entry({"protection_parameter", "δ₀", "\\delta_0", "lem:loc.eucl.protect"}, ledger.protection_parameter),
+      entry({"protection_parameter_squared", "δ₀²", "\\delta_0^2", "lem:loc.eucl.protect"},
+            power(ledger.protection_parameter, 2)),
+      entry({"hoop_bound", "α₀", "\\alpha_0", "lem:prop.forbid.cfg"}, ledger.hoop_bound),
+      entry({"hoop_bound_squared", "α₀²", "\\alpha_0^2", "lem:prop.forbid.cfg"}, power(ledger.hoop_bound, 2)),
+      entry({"hoop_bound_tilde", "α̃₀", "\\tilde\\alpha_0", "lem:hoop.distort"}, ledger.hoop_bound_tilde),
+      entry({"tolerance", "2α̃₀", "2\\tilde\\alpha_0", "def:extended.good.pert"}, ledger.tolerance),
+      entry({"longest_edge", "(5/2)(1+δ₀μ₀/2)", "\\frac52(1+\\frac12\\delta_0\\mu_0)", "lem:prop.forbid.cfg"},
+            Bounds{Rational(5) / Rational(2), ledger.longest_edge_upper}),
+      entry({"candidates_bound", "|S_i| <", "|\\mathcal{S}_i| <", "eq:bnd.nbr.cplx"}, ledger.candidates_bound),
+      entry({"radius_variation_bound", "ε₀ ≤", "\\epsilon_0 \\le", "hyps:param.bnds"}, ledger.radius_variation_bound),
+      entry({"distortion_bound", "ξ₀ ≤", "\\xi_0 \\le", "hyps:param.bnds"}, ledger.distortion_bound),
+      entry({"stable_stars_distortion_bound", "ξ₀ ≤", "\\xi_0 \\le", "lem:stable.stars"},
+            ledger.stable_stars_distortion_bound),
+      entry({"hoop_distortion_bound", "ξ₀ ≤", "\\xi_0 \\le", "lem:hoop.distort"}, ledger.hoop_distortion_bound),
+      entry({"metric_distortion_bound", "η ≤", "\\eta \\le", "thm:output.del.cplx"}, ledger.metric_distortion_bound),
+      entry({"chart_sampling_radius", "ε_i ≤ (Λ = 1)", "\\epsilon_i \\le", "eq:locsam.curv.bnd"},
+            ledger.chart_sampling_radius),
+      entry({"riemannian_perturbation", "min(ρ₀, μ₀/5)", "\\min(\\rho_0, \\mu_0/5)", "thm:riem.del.tri"},
+            ledger.riemannian_perturbation),
+      entry({"riemannian_flake_divisor", "C̃", "\\tilde C", "thm:riem.del.tri"}, ledger.riemannian_flake_divisor),
+      entry({"riemannian_sampling_radius", "ε ≤ (Λ = 1)", "\\epsilon \\le", "thm:riem.del.tri"},
+            ledger.riemannian_sampling_radius),
+      entry({"sphere_sample_size_at_least", "n ≥ on S^m", "n \\ge", "volume of geodesic balls"}, sphere.at_least)};
+  if (sphere.measured_estimate)
+    entries.push_back(
+        entry({"sphere_sample_size_estimate", "n ≈ on S^m", "n \\approx", "measured on Poisson-disk nets, not proved"},
+              *sphere.measured_estimate));
+  return entries;
+}
+
+}  // namespace delcert

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "proofs/constants/bounds.hpp"
+#include "proofs/constants/ledger.hpp"
+
+namespace delcert {
+
+/// One line of the ledger, ready to be shown.
+struct LedgerEntry {
+  /// The English name, for JSON keys and tables.
+  std::string name;
+  /// The paper's letter, in plain text and in LaTeX's math mode.
+  std::string symbol;
+  std::string latex_symbol;
+  /// Exact, in plain text and in LaTeX's math mode; empty where there is only an enclosure.
+  std::string exact;
+  std::string exact_latex;
+  /// Where the value lies.
+  Bounds value;
+  /// Where its binary logarithm lies; empty for 0 and where the exact form is no product of powers.
+  std::optional<Bounds> log2;
+  /// The paper's label, or how the value came about.
+  std::string source;
+};
+
+/// The lines of the ledger in the order of the paper's argument: input, parameters, hypotheses, Theorem 3.
+[[nodiscard]] std::vector<LedgerEntry> ledger_entries(const Ledger& ledger);
+
+}  // namespace delcert
