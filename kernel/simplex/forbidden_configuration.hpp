@@ -15,6 +15,13 @@ struct ForbiddenConfigurationParameters {
   S squared_flake_parameter;  ///< Γ₀², in (0, 1]
   S squared_sampling_radius;  ///< ε′² of the perturbed set
   S squared_protection;       ///< δ² = (δ₀μ₀′ε′)²
+
+  /// The same parameters on another rung, for use with simplices of that rung.
+  template <Scalar T>
+  [[nodiscard]] ForbiddenConfigurationParameters<T> on() const {
+    return {scalar_from<T>(squared_flake_parameter), scalar_from<T>(squared_sampling_radius),
+            scalar_from<T>(squared_protection)};
+  }
 };
 
 /// A forbidden configuration in ℝᵐ (Definition 2, def:forbidden.config): a (k+1)-simplex τ, k ≤ m, that is a Γ₀-flake
