@@ -25,7 +25,9 @@ TEST(LedgerEntries, have_distinct_names_and_ordered_bounds) {
     EXPECT_LE(entry.value.lower, entry.value.upper) << entry.name;
     EXPECT_FALSE(entry.source.empty()) << entry.name;
     EXPECT_EQ(entry.exact.empty(), entry.exact_latex.empty()) << entry.name;
-    if (entry.log2) EXPECT_LE(entry.log2->lower, entry.log2->upper) << entry.name;
+    if (entry.log2) {
+      EXPECT_LE(entry.log2->lower, entry.log2->upper) << entry.name;
+    }
   }
 }
 
