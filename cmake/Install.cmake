@@ -1,1 +1,32 @@
-# Filled by the install rules.
+# cmake --install: the two programs, the libraries with their headers, the manifolds of the examples, the docs, and
+# what find_package(delcert) reads.
+include(CMakePackageConfigHelpers)
+set(DELCERT_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/delcert)
+
+set_target_properties(delcert_rigour PROPERTIES EXPORT_NAME rigour)
+set_target_properties(delcert_kernel PROPERTIES EXPORT_NAME kernel)
+set_target_properties(delcert_proofs PROPERTIES EXPORT_NAME proofs)
+install(TARGETS delcert_rigour delcert_kernel delcert_proofs EXPORT delcert
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS delcert delcert-check RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+
+# Below include/delcert/, so that consumers write the same includes as we do.
+foreach(folder kernel proofs/constants proofs/certificate)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/delcert/${folder}
+    FILES_MATCHING PATTERN "*.hpp")
+endforeach()
+install(FILES ${PROJECT_BINARY_DIR}/generated/delcert_version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/delcert)
+
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/manifolds DESTINATION ${CMAKE_INSTALL_DATADIR}/delcert)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
+  ${PROJECT_SOURCE_DIR}/CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+install(EXPORT delcert NAMESPACE delcert:: FILE delcertTargets.cmake DESTINATION ${DELCERT_PACKAGE_DIR})
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/delcertConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/generated/delcertConfig.cmake INSTALL_DESTINATION ${DELCERT_PACKAGE_DIR})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/generated/delcertConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/generated/delcertConfig.cmake
+  ${PROJECT_BINARY_DIR}/generated/delcertConfigVersion.cmake ${PROJECT_SOURCE_DIR}/cmake/Libraries.cmake
+  DESTINATION ${DELCERT_PACKAGE_DIR})

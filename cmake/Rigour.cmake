@@ -12,8 +12,3 @@ if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
   # clang 14 honours -frounding-math but warns that it may not; the start-up self-test decides.
   target_compile_options(delcert_warnings INTERFACE -Wno-unknown-warning-option)
 endif()
-
-if(DELCERT_CLANG_TIDY)
-  find_program(DELCERT_CLANG_TIDY_PROGRAM clang-tidy REQUIRED)
-  set(CMAKE_CXX_CLANG_TIDY ${DELCERT_CLANG_TIDY_PROGRAM})
-endif()

@@ -1,0 +1,125 @@
+# shellcheck shell=bash
+# What ./run and ./test share: install what is missing, configure, build. What is there already is passed over in
+# silence and nothing is done twice. All messages go to standard error, so that ./run ARGS… can be piped.
+# Expects $root, the project's folder.
+
+build=${root:?}/build/release
+
+say() { printf '%s\n' "$*" >&2; }
+
+# packages_for run | test: the packages needed for it, one a line. What the tests need includes what a run needs.
+packages_for() {
+  local purpose package what
+  while read -r purpose package what; do
+    if [[ $purpose == run || $purpose == "$1" ]]; then echo "$package"; fi
+  done <"$root/cmake/debian-packages.txt"
+}
+
+# Status 69: something that only the user can provide is missing.
+stop_for_packages() {
+  local purpose package what
+  say "$1"
+  shift
+  while read -r purpose package what; do
+    if [[ " $* " == *" $package "* ]]; then say "$(printf '  %-19s %s' "$package" "$what")"; fi
+  done <"$root/cmake/debian-packages.txt"
+  say "If they are there by other means: DELCERT_SKIP_PACKAGES=1 ./${0##*/}"
+  exit 69
+}
+
+# install_packages run | test
+install_packages() {
+  [[ -z ${DELCERT_SKIP_PACKAGES:-} ]] || return 0
+  local -a wanted missing=() as_root=()
+  mapfile -t wanted < <(packages_for "$1")
+  if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+    stop_for_packages "This is not Debian or Ubuntu. Needed (under Debian's names):" "${wanted[@]}"
+  fi
+
+  local installed package
+  # The status of dpkg-query only says that some package is unknown, which is what is asked.
+  # shellcheck disable=SC2016
+  installed=$(dpkg-query --show --showformat='${Package} ${db:Status-Status}\n' "${wanted[@]}" 2>/dev/null || true)
+  for package in "${wanted[@]}"; do
+    grep -qxF "$package installed" <<<"$installed" || missing+=("$package")
+  done
+  ((${#missing[@]} > 0)) || return 0
+
+  if [[ $(id -u) != 0 ]]; then
+    if command -v sudo >/dev/null && { [[ -t 0 ]] || sudo -n true 2>/dev/null; }; then
+      as_root=(sudo)
+    else
+      stop_for_packages "Neither root nor sudo, so these packages cannot be installed from here:" "${missing[@]}"
+    fi
+  fi
+
+  say "Installing ${#missing[@]} packages: ${missing[*]}"
+  local log=$root/build/packages.log
+  mkdir -p "${log%/*}"
+  if ! "${as_root[@]}" apt-get -q update >"$log" 2>&1 ||
+    ! "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends \
+      -o DPkg::Lock::Timeout=300 install "${missing[@]}" >>"$log" 2>&1 </dev/null; then
+    tail -n 20 "$log" >&2
+    stop_for_packages "apt-get failed (all of it in build/packages.log). Needed:" "${missing[@]}"
+  fi
+}
+
+# One job a core, but no more than memory allows: a file that includes CGAL's triangulations takes 1.3 GB to compile.
+parallel_jobs() {
+  local cores memory
+  cores=$(nproc)
+  memory=$(sed -n 's/^MemAvailable: *\([0-9]*\) kB$/\1/p' /proc/meminfo 2>/dev/null)
+  local by_memory=$((${memory:-1500000} / 1500000))
+  ((by_memory >= 1)) || by_memory=1
+  echo $((cores < by_memory ? cores : by_memory))
+}
+
+# configure VARIABLE=VALUE…: the preset "release" with these. Nothing happens if that is how the build stands:
+# Ninja itself notices changes of CMake's files.
+configure() {
+  local cache=$build/CMakeCache.txt setting stands=yes
+  [[ -e $build/build.ninja && ! $root/CMakePresets.json -nt $build/build.ninja ]] || stands=no
+  for setting in "$@"; do
+    grep -qE "^${setting%%=*}:[A-Z]+=${setting#*=}\$" "$cache" 2>/dev/null || stands=no
+  done
+  [[ $stands == no ]] || return 0
+
+  say "Configuring build/release"
+  local log=$root/build/configure.log
+  mkdir -p "${log%/*}"
+  if ! (cd "$root" && cmake --preset release "${@/#/-D}") >"$log" 2>&1; then
+    cat "$log" >&2
+    return 1
+  fi
+}
+
+# Ninja's output without the lines that say that nothing is to be done; on a terminal the progress stays on one line.
+only_news() {
+  local line
+  while IFS= read -r line; do
+    case $line in
+      "ninja: Entering directory"* | "ninja: no work to do."* | *"Re-checking globbed directories"*) ;;
+      "["*) if [[ -t 2 ]]; then printf '\r\033[K%.*s' "$((${COLUMNS:-80} - 1))" "$line" >&2; else say "$line"; fi ;;
+      *) if [[ -t 2 ]]; then printf '\r\033[K%s\n' "$line" >&2; else say "$line"; fi ;;
+    esac
+  done
+  if [[ -t 2 ]]; then printf '\r\033[K' >&2; fi
+}
+
+# build TARGET…; all of them are tried even if one fails, so that one look shows every mistake.
+build() {
+  ninja -C "$build" -j "$(parallel_jobs)" -k 0 "$@" 2>&1 | only_news
+  return "${PIPESTATUS[0]}"
+}
+
+# ctest_counts REPORT: how many tests passed and how many did not, by CTest's JUnit report. A test that did not run has
+# not passed; a report that is missing or empty is one failure.
+ctest_counts() {
+  local header total not_passed=0 kind
+  header=$(sed -n '/<testsuite/,/>/p' "$1" 2>/dev/null) || true
+  for kind in tests failures skipped disabled; do
+    [[ $header =~ [[:space:]]$kind=\"([0-9]+)\" ]] || { echo 0 1; return; }
+    if [[ $kind == tests ]]; then total=${BASH_REMATCH[1]}; else not_passed=$((not_passed + BASH_REMATCH[1])); fi
+  done
+  if ((total > 0)); then echo $((total - not_passed)) $not_passed; else echo 0 1; fi
+}

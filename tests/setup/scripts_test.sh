@@ -1,0 +1,128 @@
+#!/usr/bin/env bash
+# The functions of cmake/setup.sh on machines made of a few fake commands: what is installed, by whom, and what is said.
+set -uo pipefail
+project=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failures=0
+
+# machine NAME: an empty folder of commands, with those that any machine has.
+machine() {
+  commands=$work/$1
+  mkdir -p "$commands"
+  local tool
+  for tool in bash env grep sed mkdir tail cat nproc; do ln -s "$(type -P $tool)" "$commands/$tool"; done
+}
+# command NAME BODY: what the machine does when it is called so.
+command_is() {
+  printf '#!/usr/bin/env bash\n%s\n' "$2" >"$commands/$1"
+  chmod +x "$commands/$1"
+}
+# on_machine CODE: runs it after setup.sh, on a copy of the package list; leaves $output and $status.
+on_machine() {
+  mkdir -p "$work/project/cmake"
+  cp "$project/cmake/debian-packages.txt" "$project/cmake/setup.sh" "$work/project/cmake/"
+  # shellcheck disable=SC2034
+  output=$(PATH=$commands bash -c "set -euo pipefail; root=$work/project; . \$root/cmake/setup.sh; $1" run 2>&1 </dev/null)
+  status=$?
+}
+expect() {
+  local title=$1
+  shift
+  if ! eval "$*"; then
+    failures=$((failures + 1))
+    printf 'FAILED: %s\n  %s\n  status %s, output:\n%s\n' "$title" "$*" "$status" "$output"
+  fi
+}
+says() { [[ $output == *"$1"* ]]; }
+everything='for package in "$@"; do case $package in -*) ;; *) echo "$package installed";; esac; done'
+all_but_fmt='for package in "$@"; do case $package in -* | libfmt-dev) ;; *) echo "$package installed";; esac; done'
+
+machine complete
+command_is apt-get 'echo apt-get was called'
+command_is dpkg-query "$everything"
+on_machine 'install_packages test'
+expect "nothing is said or done where nothing is missing" '[[ $status == 0 && -z $output ]]'
+
+machine unknown
+on_machine 'install_packages run'
+expect "elsewhere the list is printed and the status is 69" '[[ $status == 69 ]] && says "not Debian or Ubuntu" && says "libfmt-dev" && says "g++" && says "GMP 6.2"'
+expect "./run asks for no test packages" '! says libgtest-dev'
+on_machine 'install_packages test'
+expect "./test asks for both" 'says libgtest-dev && says libfmt-dev'
+on_machine 'DELCERT_SKIP_PACKAGES=1; install_packages run'
+expect "packages may be left to the user" '[[ $status == 0 && -z $output ]]'
+
+machine powerless
+command_is apt-get 'echo apt-get was called'
+command_is dpkg-query "$all_but_fmt"
+command_is id 'echo 1000'
+on_machine 'install_packages run'
+expect "without root and sudo only what is missing is listed" '[[ $status == 69 ]] && says "libfmt-dev" && ! says libgmp-dev && ! says "apt-get was called"'
+command_is sudo 'exit 1'
+on_machine 'install_packages run'
+expect "a sudo that would ask for a password where nobody can answer is none" '[[ $status == 69 ]] && ! says "apt-get was called"'
+
+machine root
+command_is apt-get "echo \"\$@\" >>$work/apt"
+command_is dpkg-query "$all_but_fmt"
+command_is id 'echo 0'
+on_machine 'install_packages run'
+expect "only what is missing is installed" '[[ $status == 0 ]] && says "Installing 1 packages: libfmt-dev" && [[ $(tail -n 1 $work/apt) == *" install libfmt-dev" ]]'
+command_is dpkg-query 'echo "libfmt-dev config-files"; exit 1'
+: >"$work/apt"
+on_machine 'install_packages run'
+expect "a removed package with configuration left counts as missing" '[[ $status == 0 && $(tail -n 1 $work/apt) == *" libfmt-dev"* ]]'
+command_is apt-get 'echo "E: Unable to locate package libfmt-dev"; exit 100'
+on_machine 'install_packages run'
+expect "what apt-get says is shown when it fails" '[[ $status == 69 ]] && says "Unable to locate"'
+
+machine sudoer
+command_is apt-get "echo \"\$@\" >>$work/apt-by-sudo"
+command_is dpkg-query "$all_but_fmt"
+command_is id 'echo 1000'
+command_is sudo '[[ $1 == -n ]] && shift; "$@"'
+command_is true ''
+on_machine 'install_packages run'
+expect "sudo is used where there is one" '[[ $status == 0 && $(tail -n 1 $work/apt-by-sudo) == *" install libfmt-dev" ]]'
+
+machine builder
+command_is cmake "mkdir -p $work/project/build/release; echo \"\$@\" >>$work/configured; : >$work/project/build/release/build.ninja
+printf 'DELCERT_TESTS:BOOL=OFF\n' >$work/project/build/release/CMakeCache.txt"
+on_machine 'configure DELCERT_TESTS=OFF; configure DELCERT_TESTS=OFF; configure'
+expect "a build that stands is not configured again" '[[ $(grep -c preset $work/configured) == 1 ]]'
+on_machine 'configure DELCERT_TESTS=ON'
+expect "another setting is" '[[ $(grep -c preset $work/configured) == 2 && $(tail -n 1 $work/configured) == *-DDELCERT_TESTS=ON ]]'
+command_is cmake 'echo "CMake Error: no"; exit 1'
+on_machine 'configure DELCERT_TESTS=ON'
+expect "a failed configuration fails and shows why" '[[ $status == 1 ]] && says "CMake Error: no"'
+command_is ninja 'echo "ninja: Entering directory"; echo "[0/1] Re-checking globbed directories..."; echo "ninja: no work to do."'
+on_machine 'build delcert'
+expect "a build with nothing to do is silent" '[[ $status == 0 && -z $output ]]'
+command_is ninja 'echo "[1/2] Building CXX object x.o"; echo "x.cpp:1: error"; exit 1'
+on_machine 'build delcert'
+expect "a failed build fails and shows why" '[[ $status == 1 ]] && says "x.cpp:1: error"'
+
+machine counter
+report=$work/report.xml
+# report COUNTS: the head of a report as CTest writes it.
+report() { printf '<?xml version="1.0"?>\n<testsuite name="(empty)"\n\t%s\n\thostname=""\n>\n\t<testcase name="a" tests="99"/>\n</testsuite>\n' "$1" >"$report"; }
+report 'tests="12" failures="2" disabled="1" skipped="3"'
+on_machine "ctest_counts $report"
+expect "what did not run has not passed" '[[ $output == "6 6" ]]'
+report 'tests="12" failures="0" disabled="0" skipped="0"'
+on_machine "ctest_counts $report"
+expect "all passed" '[[ $output == "12 0" ]]'
+report 'tests="0" failures="0" disabled="0" skipped="0"'
+on_machine "ctest_counts $report"
+expect "no test at all is a failure" '[[ $output == "0 1" ]]'
+on_machine "ctest_counts $work/nowhere"
+expect "no report is a failure" '[[ $output == "0 1" ]]'
+
+duplicates=$(grep -v '^#' "$project/cmake/debian-packages.txt" | sed 's/^[a-z]* *\([^ ]*\).*/\1/' | sort | uniq -d)
+expect "no package stands twice in the list" '[[ -z $duplicates ]]'
+malformed=$(grep -vE '^#|^(run|test) +[a-z0-9.+-]+ +[A-Za-z]' "$project/cmake/debian-packages.txt")
+expect "every line of the list has a purpose, a package and a description" '[[ -z $malformed ]]'
+
+echo "$failures failures"
+exit $((failures > 0))

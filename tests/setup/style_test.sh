@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# style_test.sh BUILD: the style checks of ./test find what they are there for.
+set -uo pipefail
+project=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failures=0
+fail() {
+  failures=$((failures + 1))
+  echo "FAILED: $*"
+}
+
+cp "$project/.clang-format" "$project/.clang-tidy" "$work/"
+"$project/cmake/check-format.sh" "$work" 2>/dev/null && fail "a folder without C++ passes"
+printf 'int f() { return 1; }\n' >"$work/a.cpp"
+"$project/cmake/check-format.sh" "$work" || fail "a well-formatted file does not pass"
+printf 'int f( ) {return 1;}\n' >"$work/b.hpp"
+"$project/cmake/check-format.sh" "$work" 2>/dev/null && fail "a badly formatted header passes"
+
+# tidies CODE: clang-tidy with our rules on this code.
+tidies() {
+  printf '%s\n' "$1" >"$work/c.cpp"
+  clang-tidy --quiet "$work/c.cpp" -- -std=c++20 >"$work/tidy.log" 2>&1
+}
+guard='struct RoundingGuard { RoundingGuard(); ~RoundingGuard(); };'
+tidies "$guard int f() { const RoundingGuard guard; return 1; }" || fail "good code does not pass clang-tidy: $(cat "$work/tidy.log")"
+tidies "$guard int f() { RoundingGuard(); return 1; }" && fail "a rounding guard that dies at once passes"
+tidies 'int compute_It(int x) { return x; }' && fail "a badly named function passes"
+tidies 'double half(int x) { return x / 2; }' && fail "a quotient of integers taken for a number passes"
+
+# Every source of our libraries and programs is looked at by the target `tidy`.
+looked_at=$(ninja -C "$1" -t query tidy | sed -n 's,^ *tidy/\(.*\)\.log$,\1,p' | sort)
+sources=$(cd "$project" && find kernel proofs apps -name '*.cpp' | sort)
+[[ -n $sources && $looked_at == "$sources" ]] || fail "clang-tidy looks at other files:
+$(diff <(echo "$sources") <(echo "$looked_at"))"
+
+echo "$failures failures"
+exit $((failures > 0))
