@@ -1,0 +1,77 @@
+#include "kernel/manifold/flat_atlas.hpp"
+
+#include <algorithm>
+
+#include "kernel/simplex/dimensions.hpp"
+
+namespace delcert {
+
+namespace {
+
+template <class S, int m>
+Vector<S, m> translated(const Vector<S, m>& x, const Shift<m>& shift) {
+  Vector<S, m> result = x;
+  for (std::size_t axis = 0; axis < m; ++axis) {
+    if (shift[axis] != 0) result[axis] += S(shift[axis]);
+  }
+  return result;
+}
+
+/// |p_i| + 8ε ≤ r, on squares: 8ε ≤ r and |p_i|² ≤ (r − 8ε)².
+template <int m>
+bool is_interior_point(const FlatSpace<m>& space, const Vector<Rational, m>& point, const Rational& sampling_radius) {
+  if (space.is_torus()) return true;
+  const Rational room = *space.ball_radius - Rational(8) * sampling_radius;
+  if (room < Rational(0)) return false;
+  return space.metric.template on<Rational>().squared_norm(point) <= square(room);
+}
+
+}  // namespace
+
+template <int m>
+FlatAtlas<m>::FlatAtlas(FlatSpace<m> space, PointSet<m> net, Rational sampling_radius)
+    : space_(std::move(space)),
+      net_(std::move(net)),
+      sampling_radius_(std::move(sampling_radius)),
+      grid_(space_.metric, space_.box_radius(), approximate_double(sampling_radius_), net_.size()) {
+  for (const auto& point : net_.approximate_all()) grid_.insert(point);
+  interior_.reserve(net_.size());
+  for (std::uint32_t index = 0; index < net_.size(); ++index) {
+    interior_.push_back(is_interior_point(space_, net_.exact(Label(index)), sampling_radius_));
+  }
+}
+
+template <int m>
+std::vector<Sighting<m>> FlatAtlas<m>::neighbours(Label i) const {
+  std::vector<Sighting<m>> result;
+  sightings(i, patch_factor * approximate_double(sampling_radius_), result);
+  return result;
+}
+
+template <int m>
+void FlatAtlas<m>::sightings(Label i, double distance, std::vector<Sighting<m>>& out) const {
+  out.clear();
+  grid_.near(net_.approximate(i), distance, out);
+  std::sort(out.begin(), out.end());
+}
+
+template <int m>
+Vector<Filter, m> FlatAtlas<m>::carry(const Sighting<m>& seen, const Vector<Filter, m>& home) const {
+  return translated<Filter, m>(home, seen.shift);
+}
+
+template <int m>
+Vector<BigInterval, m> FlatAtlas<m>::carry(const Sighting<m>& seen, const Vector<BigInterval, m>& home) const {
+  return translated<BigInterval, m>(home, seen.shift);
+}
+
+template <int m>
+Vector<Rational, m> FlatAtlas<m>::carry(const Sighting<m>& seen, const Vector<Rational, m>& home) const {
+  return translated<Rational, m>(home, seen.shift);
+}
+
+#define DELCERT_INSTANTIATE(m) template class FlatAtlas<m>;
+DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
+#undef DELCERT_INSTANTIATE
+
+}  // namespace delcert

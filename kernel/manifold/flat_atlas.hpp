@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+
+#include "kernel/manifold/atlas.hpp"
+
+namespace delcert {
+
+/// The flat manifolds whose charts are pieces of one frame: a torus ℝᵐ/Λ in lattice coordinates (Λ = ℤᵐ, rational
+/// Gram matrix), or a closed ball about the origin of ℝᵐ that a finite net covers.
+template <int m>
+struct FlatSpace {
+  FrameMetric<m> metric = FrameMetric<m>::cartesian();
+  /// The radius of the ball; none for a torus.
+  std::optional<Rational> ball_radius;
+
+  [[nodiscard]] bool is_torus() const { return !ball_radius.has_value(); }
+  /// Half the side of a box about the ball, for grids; none for a torus.
+  [[nodiscard]] std::optional<double> box_radius() const {
+    return is_torus() ? std::nullopt : std::optional(approximate_double(*ball_radius));
+  }
+};
+
+/// U_i = B(p_i, 9ε), N_i = the labels seen there, transition functions = translations by lattice vectors. This is an
+/// atlas in the sense of the paper when every lattice vector has length at least 24ε (docs/levels/0-input.md), which
+/// `check_input` certifies; nothing here assumes it.
+template <int m>
+class FlatAtlas final : public Atlas<m> {
+ public:
+  /// `patch_factor` of the patches' radius: 9.
+  static constexpr int patch_factor = 9;
+
+  FlatAtlas(FlatSpace<m> space, PointSet<m> net, Rational sampling_radius);
+
+  [[nodiscard]] const FlatSpace<m>& space() const { return space_; }
+  [[nodiscard]] const Rational& sampling_radius() const { return sampling_radius_; }
+
+  [[nodiscard]] std::size_t size() const override { return net_.size(); }
+  [[nodiscard]] const FrameMetric<m>& metric() const override { return space_.metric; }
+  [[nodiscard]] const Rational& sampling_radius(Label) const override { return sampling_radius_; }
+  [[nodiscard]] bool is_interior(Label i) const override { return interior_[i.value]; }
+  [[nodiscard]] const PointSet<m>& net() const override { return net_; }
+  [[nodiscard]] std::vector<Sighting<m>> neighbours(Label i) const override;
+  void sightings(Label i, double distance, std::vector<Sighting<m>>& out) const override;
+  [[nodiscard]] Vector<Filter, m> carry(const Sighting<m>& seen, const Vector<Filter, m>& home) const override;
+  [[nodiscard]] Vector<BigInterval, m> carry(const Sighting<m>& seen,
+                                             const Vector<BigInterval, m>& home) const override;
+  [[nodiscard]] Vector<Rational, m> carry(const Sighting<m>& seen, const Vector<Rational, m>& home) const override;
+
+ private:
+  FlatSpace<m> space_;
+  PointSet<m> net_;
+  Rational sampling_radius_;
+  PointGrid<m> grid_;
+  std::vector<bool> interior_;
+};
+
+}  // namespace delcert

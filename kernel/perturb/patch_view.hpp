@@ -1,0 +1,75 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "kernel/manifold/atlas.hpp"
+
+namespace delcert {
+
+/// A set of positions in a patch view, as bits.
+using BitRow = std::vector<std::uint64_t>;
+
+/// The points of a set as one chart sees them, and which pairs of them may be close.
+template <int m>
+class PatchView {
+ public:
+  PatchView(const Atlas<m>& atlas, const PointSet<m>& points) : atlas_(&atlas), points_(&points) {}
+
+  /// Replaces the contents. Precondition: a `FilterGuard` is alive.
+  void clear() {
+    seen_.clear();
+    position_.clear();
+    adjacency_.clear();
+  }
+  void add(const Sighting<m>& sighting) {
+    seen_.push_back(sighting);
+    position_.push_back(atlas_->carry(sighting, points_->enclosure(label_of<m>(sighting))));
+  }
+
+  /// Marks as adjacent all pairs but those certainly at squared distance ≥ the bound; without a bound all pairs.
+  void connect(const MetricOn<Filter, m>& metric, const Filter* squared_bound) {
+    words_ = (size() + 63) / 64;
+    adjacency_.assign(size() * words_, 0);
+    for (std::size_t a = 0; a < size(); ++a) {
+      for (std::size_t b = a + 1; b < size(); ++b) {
+        if (squared_bound != nullptr) {
+          const auto distance = metric.squared_norm(difference(position_[b], position_[a]));
+          if (is_refuted(less(distance, *squared_bound))) continue;
+        }
+        adjacency_[a * words_ + b / 64] |= std::uint64_t{1} << (b % 64);
+      }
+    }
+  }
+
+  [[nodiscard]] std::size_t size() const { return seen_.size(); }
+  [[nodiscard]] std::size_t words() const { return words_; }
+  [[nodiscard]] const Sighting<m>& sighting(std::size_t at) const { return seen_[at]; }
+  [[nodiscard]] Label label(std::size_t at) const { return label_of<m>(seen_[at]); }
+  /// The adjacent positions after this one.
+  [[nodiscard]] std::span<const std::uint64_t> later_neighbours(std::size_t at) const {
+    return {adjacency_.data() + at * words_, words_};
+  }
+
+  [[nodiscard]] const Vector<Filter, m>& position(std::size_t at) const { return position_[at]; }
+  template <class S>
+  [[nodiscard]] Vector<S, m> position_in(std::size_t at) const {
+    if constexpr (std::same_as<S, Filter>) {
+      return position_[at];
+    } else {
+      return atlas_->carry(seen_[at], points_->template coordinates<S>(label_of<m>(seen_[at])));
+    }
+  }
+
+ private:
+  const Atlas<m>* atlas_;
+  const PointSet<m>* points_;
+  std::vector<Sighting<m>> seen_;
+  std::vector<Vector<Filter, m>> position_;
+  BitRow adjacency_;
+  std::size_t words_ = 0;
+};
+
+}  // namespace delcert

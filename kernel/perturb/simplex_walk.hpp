@@ -1,0 +1,146 @@
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "kernel/perturb/patch_view.hpp"
+#include "kernel/simplex/sphere_stack.hpp"
+
+namespace delcert {
+
+/// The vertices of a simplex as positions in a patch view.
+template <int m>
+using ViewSimplex = std::array<std::uint32_t, static_cast<std::size_t>(m) + 2>;
+
+/// Visits the non-degenerate simplices of dimension 1 … m whose vertices are pairwise adjacent in a patch view, with
+/// their diametric spheres, depth first. In the filter; where that cannot tell a simplex from a degenerate one, that
+/// branch is walked in rationals.
+///
+/// Visitor:
+///   template <class S> bool enter(const SphereStack<S, m>&, std::span<const std::uint32_t> vertices)
+///     – a simplex; whether to go on to the simplices that contain it and whose other vertices come later;
+///   void degenerate(std::span<const std::uint32_t> vertices)
+///     – exactly degenerate; nothing that contains it is visited;
+///   template <class S> void top(const SphereStack<S, m>&, std::span<const std::uint32_t> vertices, std::uint32_t apex,
+///                               const Vector<S, m>& edge)
+///     – an m-simplex entered and one further vertex adjacent to all of its vertices; only if `visits_top`.
+template <int m, class Visitor>
+class SimplexWalk {
+ public:
+  SimplexWalk(const PatchView<m>& view, const MetricOn<Filter, m>& filter, const MetricOn<Rational, m>& exact,
+              Visitor& visitor)
+      : view_(&view), filter_(&filter), exact_(&exact), visitor_(&visitor), masks_(static_cast<std::size_t>(m) + 2) {}
+
+  /// All simplices whose first vertex is this one. Precondition: a `FilterGuard` is alive.
+  void from(std::uint32_t origin) {
+    const std::size_t count = view_->size();
+    edges_.resize(count);
+    squared_edges_.resize(count);
+    const auto row = view_->later_neighbours(origin);
+    for_each_bit(row, [&](std::uint32_t other) {
+      edges_[other] = difference(view_->position(other), view_->position(origin));
+      squared_edges_[other] = filter_->squared_norm(edges_[other]);
+    });
+    vertices_[0] = origin;
+    visitor_->template start<Filter>(view_->position(origin));
+    masks_[0].assign(row.begin(), row.end());
+    SphereStack<Filter, m> stack(*filter_);
+    walk(stack, 1);
+  }
+
+ private:
+  template <class Visit>
+  static void for_each_bit(std::span<const std::uint64_t> words, const Visit& visit) {
+    for (std::size_t word = 0; word < words.size(); ++word) {
+      for (std::uint64_t rest = words[word]; rest != 0; rest &= rest - 1) {
+        visit(static_cast<std::uint32_t>(word * 64 + static_cast<std::size_t>(std::countr_zero(rest))));
+      }
+    }
+  }
+
+  template <class S>
+  [[nodiscard]] Vector<S, m> edge(std::uint32_t other) const {
+    if constexpr (std::same_as<S, Filter>) {
+      return edges_[other];
+    } else {
+      return difference(view_->template position_in<S>(other), view_->template position_in<S>(vertices_[0]));
+    }
+  }
+  template <class S>
+  [[nodiscard]] S squared(std::uint32_t other, const Vector<S, m>& vector) const {
+    if constexpr (std::same_as<S, Filter>) {
+      return squared_edges_[other];
+    } else {
+      return exact_->squared_norm(vector);
+    }
+  }
+
+  /// `count` vertices are on the stack; masks_[count − 1] holds what may come next.
+  template <class S>
+  void walk(SphereStack<S, m>& stack, std::size_t count) {
+    for (std::size_t word = 0; word < view_->words(); ++word) {
+      for (std::uint64_t rest = masks_[count - 1][word]; rest != 0; rest &= rest - 1) {
+        const auto next = static_cast<std::uint32_t>(word * 64 + static_cast<std::size_t>(std::countr_zero(rest)));
+        step(stack, count, next);
+      }
+    }
+  }
+
+  template <class S>
+  void step(SphereStack<S, m>& stack, std::size_t count, std::uint32_t next) {
+    const Vector<S, m> vector = edge<S>(next);
+    vertices_[count] = next;
+    const std::span<const std::uint32_t> vertices(vertices_.data(), count + 1);
+    const Verdict non_degenerate = stack.push(vector, squared<S>(next, vector));
+    if (is_refuted(non_degenerate)) {
+      visitor_->degenerate(vertices);
+      return;
+    }
+    if (is_undecided(non_degenerate)) {
+      if constexpr (std::same_as<S, Filter>) {
+        ladder_statistics().count(Rung::rational);
+        step_exactly(count, next);
+      }
+      return;
+    }
+    if (visitor_->enter(stack, vertices)) {
+      const auto row = view_->later_neighbours(next);
+      masks_[count].resize(view_->words());
+      for (std::size_t word = 0; word < view_->words(); ++word)
+        masks_[count][word] = masks_[count - 1][word] & row[word];
+      if (stack.dimension() < m) {
+        walk(stack, count + 1);
+      } else if constexpr (Visitor::visits_top) {
+        for_each_bit(masks_[count], [&](std::uint32_t apex) {
+          const Vector<S, m> apex_edge = edge<S>(apex);
+          visitor_->top(stack, vertices, apex, apex_edge, squared<S>(apex, apex_edge));
+        });
+      }
+    }
+    stack.pop();
+  }
+
+  void step_exactly(std::size_t count, std::uint32_t next) {
+    SphereStack<Rational, m> stack(*exact_);
+    for (std::size_t at = 1; at < count; ++at) {
+      const auto vector = edge<Rational>(vertices_[at]);
+      (void)stack.push(vector, exact_->squared_norm(vector));  // entered before, so not degenerate
+    }
+    visitor_->template start<Rational>(view_->template position_in<Rational>(vertices_[0]));
+    step(stack, count, next);
+  }
+
+  const PatchView<m>* view_;
+  const MetricOn<Filter, m>* filter_;
+  const MetricOn<Rational, m>* exact_;
+  Visitor* visitor_;
+  std::vector<BitRow> masks_;
+  std::vector<Vector<Filter, m>> edges_;
+  std::vector<Filter> squared_edges_;
+  ViewSimplex<m> vertices_{};
+};
+
+}  // namespace delcert

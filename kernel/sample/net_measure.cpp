@@ -1,0 +1,129 @@
+#include "kernel/sample/net_measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kernel/delaunay/approximate_sphere.hpp"
+#include "kernel/delaunay/covering.hpp"
+#include "kernel/error.hpp"
+#include "kernel/number/exact_text.hpp"
+#include "kernel/sample/counter_random.hpp"
+#include "kernel/simplex/dimensions.hpp"
+
+namespace delcert {
+
+namespace {
+
+constexpr double jitter = 0x1p-42;
+constexpr long separation_exponent = -20;
+/// ε is rounded up to this many binary digits: far less than the 0.1 % that it may exceed the covering radius by.
+constexpr long radius_digits = 30;
+
+template <int m>
+std::vector<Vector<double, m>> jittered(const PointSet<m>& net) {
+  std::vector<Vector<double, m>> points = net.approximate_all();
+  for (std::uint32_t index = 0; index < points.size(); ++index) {
+    CounterRandom random(0, RandomPurpose::jitter, index, 0);
+    for (double& coordinate : points[index]) coordinate += jitter * (2 * random.next_unit() - 1);
+  }
+  return points;
+}
+
+/// The radius of a ball of which each point would have its share of the volume.
+template <int m>
+double usual_distance(const FlatSpace<m>& space, std::size_t points) {
+  const double volume = space.is_torus() ? std::sqrt(approximate_double(space.metric.determinant()))
+                                         : std::pow(2 * approximate_double(*space.ball_radius), m);
+  return std::pow(volume / static_cast<double>(points), 1.0 / m);
+}
+
+/// A lower bound of the distance of x to the net.
+template <int m>
+Rational distance_lower(const FlatSpace<m>& space, const PointSet<m>& net, const Vector<double, m>& x) {
+  const auto metric = space.metric.template on<Rational>();
+  std::vector<Lift<m>> near;
+  PointGrid<m> grid(space.metric, space.box_radius(), usual_distance(space, net.size()), net.size());
+  for (const auto& point : net.approximate_all()) grid.insert(point);
+  Vector<Rational, m> centre;
+  for (std::size_t axis = 0; axis < m; ++axis) centre[axis] = Rational::exactly(x[axis]);
+  for (double distance = usual_distance(space, net.size()); near.empty(); distance *= 2) grid.near(x, distance, near);
+  // The nearest point is no farther than the nearest one seen, so one more look at that distance sees it.
+  const auto squared_distance = [&](const Lift<m>& lift) {
+    Vector<Rational, m> offset = difference(net.exact(Label(lift.index)), centre);
+    for (std::size_t axis = 0; axis < m; ++axis) offset[axis] += Rational(lift.shift[axis]);
+    return metric.squared_norm(offset);
+  };
+  Rational best = squared_distance(near.front());
+  near.clear();
+  grid.near(x, approximate_double(square_root_upper(best, 60)), near);
+  for (const auto& lift : near) best = minimum(best, squared_distance(lift));
+  return square_root_lower(best, 60);
+}
+
+}  // namespace
+
+template <int m>
+NetDensity<m> measure_density(const FlatSpace<m>& space, const PointSet<m>& net, const std::optional<Rational>& nominal,
+                              const Progress& progress) {
+  progress("measure density", 0, 1);
+  if (net.size() <= m) throw Rejection("a net needs more than " + std::to_string(m) + " points");
+  const double usual = nominal ? approximate_double(*nominal) : usual_distance(space, net.size());
+  const auto points = jittered(net);
+  Covering<m> covering = certified_covering<m>(space, net, points, propose_delaunay<m>(space, points, usual));
+  NetDensity<m> result;
+  result.covering_radius_lower = distance_lower(space, net, covering.farthest_centre);
+  const Rational& upper = covering.radius_upper;
+  result.sampling_radius = rounded_up(upper, binary_exponent(upper) - radius_digits) +
+                           Rational::power_of_two(binary_exponent(upper) - radius_digits);
+  if (nominal && *nominal > upper && *nominal * Rational(1000) <= Rational(1001) * result.covering_radius_lower) {
+    result.sampling_radius = *nominal;
+  }
+  if (result.sampling_radius * Rational(1000) > Rational(1001) * result.covering_radius_lower && space.is_torus()) {
+    throw Rejection("the sampling radius that can be certified, " + exact_text(result.sampling_radius) +
+                    ", exceeds the covering radius by more than a factor 1.001");
+  }
+  result.simplices = std::move(covering.simplices);
+  progress("measure density", 1, 1);
+  return result;
+}
+
+template <int m>
+Rational measure_separation(const FlatAtlas<m>& atlas) {
+  const auto filter = atlas.metric().template on<Filter>();
+  const auto exact = atlas.metric().template on<Rational>();
+  const Rational squared_radius = square(atlas.sampling_radius());
+  const double distance = approximate_double(atlas.sampling_radius());
+  std::vector<Sighting<m>> seen;
+  Rational least = squared_radius;
+  const FilterGuard guard;
+  const Filter filter_squared_radius = scalar_from<Filter>(squared_radius);
+  for (std::uint32_t index = 0; index < atlas.size(); ++index) {
+    const Label i(index);
+    atlas.sightings(i, distance, seen);
+    for (const Sighting<m>& other : seen) {
+      if (other.index == index && other.shift == Shift<m>{}) continue;
+      const auto offset =
+          difference(atlas.carry(other, atlas.net().enclosure(label_of<m>(other))), atlas.net().enclosure(i));
+      if (is_proved(less_equal(filter_squared_radius, filter.squared_norm(offset)))) continue;
+      const auto exact_offset =
+          difference(atlas.carry(other, atlas.net().exact(label_of<m>(other))), atlas.net().exact(i));
+      const Rational squared = exact.squared_norm(exact_offset);
+      if (squared < least) least = squared;
+      if (squared < squared_radius * Rational::power_of_two(2 * separation_exponent)) {
+        throw InputError("labels " + std::to_string(index) + " and " + std::to_string(other.index) +
+                         " are points closer than 2^-20 times the sampling radius, or the same");
+      }
+    }
+  }
+  return rounded_down(square_root_lower(least / squared_radius, 40), separation_exponent);
+}
+
+#define DELCERT_INSTANTIATE(m)                                                                                       \
+  template NetDensity<m> measure_density<m>(const FlatSpace<m>&, const PointSet<m>&, const std::optional<Rational>&, \
+                                            const Progress&);                                                        \
+  template Rational measure_separation<m>(const FlatAtlas<m>&);
+DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
+#undef DELCERT_INSTANTIATE
+
+}  // namespace delcert

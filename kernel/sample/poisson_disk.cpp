@@ -1,0 +1,157 @@
+#include "kernel/sample/poisson_disk.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/delaunay/approximate_sphere.hpp"
+#include "kernel/delaunay/proposal.hpp"
+#include "kernel/error.hpp"
+#include "kernel/sample/counter_random.hpp"
+#include "kernel/simplex/dimensions.hpp"
+
+namespace delcert {
+
+namespace {
+
+/// Coordinates are multiples of this, so that they are exact doubles after any translation that occurs.
+constexpr double grid_step = 0x1p-48;
+/// A gap counts when it exceeds the radius by this factor: more than the slack of `approximately_occupied`, so that
+/// its centre can be inserted.
+constexpr double clearance = 1 + 0x1p-28;
+/// Darts for each ball of the radius that would fit by volume.
+constexpr double darts_per_cell = 25;
+constexpr int most_rounds = 100;
+constexpr double most_points = 4e6;
+
+double ball_volume(int dimension) {
+  const std::array<double, 5> volumes{1, 2, 3.14159265358979, 4.18879020478639, 4.93480220054468};
+  return volumes[static_cast<std::size_t>(dimension)];
+}
+
+template <int m>
+class Sampler {
+ public:
+  Sampler(const FlatSpace<m>& space, const Rational& radius, std::uint64_t seed)
+      : space_(space),
+        radius_(approximate_double(radius)),
+        outer_radius_(space.is_torus() ? 0 : approximate_double(*space.ball_radius) + 2 * radius_),
+        seed_(seed),
+        grid_(space.metric, space.is_torus() ? std::nullopt : std::optional(outer_radius_), radius_,
+              expected_points()) {}
+
+  void throw_darts(const Progress& progress) {
+    const auto darts = static_cast<std::uint32_t>(std::ceil(darts_per_cell * cells()));
+    for (std::uint32_t dart = 0; dart < darts; ++dart) {
+      if (dart % 65536 == 0) progress("throw darts", dart, darts);
+      CounterRandom random(seed_, RandomPurpose::darts, dart, 0);
+      insert_if_free(space_.is_torus() ? random_in_unit_cell(random) : random_in_ball(random, {}, outer_radius_));
+    }
+  }
+
+  /// Returns whether a gap was found.
+  bool fill_gaps(std::uint32_t round) {
+    const auto plain = space_.metric.template on<PlainDouble>();
+    const auto simplices = propose_delaunay<m>(space_, grid_.points(), radius_);
+    bool found = false;
+    for (std::uint32_t at = 0; at < simplices.size(); ++at) {
+      std::array<Vector<double, m>, static_cast<std::size_t>(m) + 1> vertices;
+      for (std::size_t corner = 0; corner <= m; ++corner) {
+        vertices[corner] = grid_.points()[simplices[at][corner].index];
+        for (std::size_t axis = 0; axis < m; ++axis) vertices[corner][axis] += simplices[at][corner].shift[axis];
+      }
+      const auto sphere = approximate_sphere<m>(plain, vertices);
+      const double gap = std::sqrt(sphere.squared_radius);
+      if (!std::isfinite(gap) || gap <= radius_ * clearance || !is_sampled(sphere.centre)) continue;
+      found = true;
+      CounterRandom random(seed_, RandomPurpose::gap_filling, at, round);
+      insert_if_free(random_in_ball(random, sphere.centre, gap - radius_ * clearance));
+    }
+    return found;
+  }
+
+  [[nodiscard]] std::vector<Vector<Rational, m>> net() const {
+    std::vector<Vector<Rational, m>> result;
+    for (const std::uint32_t index : grid_.spatial_order()) {
+      Vector<Rational, m> point;
+      for (std::size_t axis = 0; axis < m; ++axis) point[axis] = Rational::exactly(grid_.points()[index][axis]);
+      result.push_back(point);
+    }
+    return result;
+  }
+
+ private:
+  static double raised_to_dimension(double x) {
+    double result = 1;
+    for (int factor = 0; factor < m; ++factor) result *= x;
+    return result;
+  }
+
+  /// How many balls of the radius fit by volume.
+  [[nodiscard]] double cells() const {
+    const double volume = space_.is_torus() ? std::sqrt(approximate_double(space_.metric.determinant()))
+                                            : ball_volume(m) * raised_to_dimension(outer_radius_);
+    const double result = volume / raised_to_dimension(radius_);
+    if (!(result <= most_points)) {
+      throw Rejection("a net of this radius would have more than " + std::to_string(static_cast<long>(most_points)) +
+                      " points, which is the most that is supported");
+    }
+    return result;
+  }
+  [[nodiscard]] std::size_t expected_points() const { return static_cast<std::size_t>(cells()) + 16; }
+
+  [[nodiscard]] bool is_sampled(const Vector<double, m>& x) const {
+    return space_.is_torus() || pairing(x, x) <= outer_radius_ * outer_radius_;
+  }
+
+  Vector<double, m> random_in_unit_cell(CounterRandom& random) const {
+    Vector<double, m> x;
+    for (double& coordinate : x) coordinate = random.next_unit();
+    return x;
+  }
+
+  Vector<double, m> random_in_ball(CounterRandom& random, const Vector<double, m>& centre, double radius) const {
+    Vector<double, m> cartesian;
+    do {
+      for (double& coordinate : cartesian) coordinate = 2 * random.next_unit() - 1;
+    } while (pairing(cartesian, cartesian) > 1);
+    for (double& coordinate : cartesian) coordinate *= radius;
+    return sum(centre, space_.metric.approximate_frame(cartesian));
+  }
+
+  void insert_if_free(Vector<double, m> x) {
+    for (double& coordinate : x) {
+      coordinate = std::nearbyint(coordinate / grid_step) * grid_step;
+      if (space_.is_torus()) coordinate -= std::floor(coordinate);
+    }
+    if (!is_sampled(x)) return;
+    if (!grid_.approximately_occupied(x, radius_)) grid_.insert(x);
+  }
+
+  const FlatSpace<m>& space_;
+  double radius_;
+  double outer_radius_;
+  std::uint64_t seed_;
+  PointGrid<m> grid_;
+};
+
+}  // namespace
+
+template <int m>
+std::vector<Vector<Rational, m>> poisson_disk_net(const FlatSpace<m>& space, const Rational& radius, std::uint64_t seed,
+                                                  const Progress& progress) {
+  Sampler<m> sampler(space, radius, seed);
+  sampler.throw_darts(progress);
+  for (std::uint32_t round = 0; round < most_rounds; ++round) {
+    progress("fill gaps", round, most_rounds);
+    if (!sampler.fill_gaps(round)) return sampler.net();
+  }
+  throw Rejection("maximal Poisson-disk sampling found gaps for " + std::to_string(most_rounds) + " rounds");
+}
+
+#define DELCERT_INSTANTIATE(m)                                                                                       \
+  template std::vector<Vector<Rational, m>> poisson_disk_net<m>(const FlatSpace<m>&, const Rational&, std::uint64_t, \
+                                                                const Progress&);
+DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
+#undef DELCERT_INSTANTIATE
+
+}  // namespace delcert

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "kernel/manifold/flat_atlas.hpp"
+#include "kernel/progress.hpp"
+
+namespace delcert {
+
+/// A maximal Poisson-disk set: pairwise distances at least `radius`, and every point of the torus (of the ball) closer
+/// than `radius` to one of them. Dart throwing, then a random point in every Delaunay simplex whose circumradius
+/// exceeds the radius, until there is none. Dyadic coordinates; labels in the order of a space-filling curve.
+///
+/// A finite net of a ball of radius r is sampled in the ball of radius r + 2·radius about the same centre, so that
+/// the whole of its domain is covered by simplices.
+///
+/// Made in doubles: what comes out is measured (`measure_net`), not believed. Throws Rejection when the radius does
+/// not fit the space.
+template <int m>
+[[nodiscard]] std::vector<Vector<Rational, m>> poisson_disk_net(const FlatSpace<m>& space, const Rational& radius,
+                                                                std::uint64_t seed, const Progress& progress);
+
+}  // namespace delcert
