@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "kernel/number/rounding_guard.hpp"
+#include "kernel/number/filter.hpp"
 #include "kernel/number/scalar.hpp"
 
 namespace delcert {
@@ -57,8 +57,8 @@ template <class Predicate>
 [[nodiscard]] Verdict decide(const Predicate& predicate) {
   Verdict verdict = Verdict::undecided;
   {
-    const RoundingGuard guard;
-    if (detail::settles(Rung::interval, verdict, [&] { return predicate.template operator()<Interval>(); }))
+    const FilterGuard guard;
+    if (detail::settles(Rung::interval, verdict, [&] { return predicate.template operator()<Filter>(); }))
       return verdict;
   }
   return decide_above_filter(predicate);
