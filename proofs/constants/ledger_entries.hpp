@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "proofs/constants/bounds.hpp"
 #include "proofs/constants/ledger.hpp"
+#include "proofs/constants/power_product.hpp"
 
 namespace delcert {
 

@@ -6,9 +6,14 @@
 
 #include "kernel/number/big_interval.hpp"
 #include "kernel/number/rational.hpp"
-#include "proofs/constants/bounds.hpp"
 
 namespace delcert {
+
+/// Rational numbers between which a real number lies; equal where it is known exactly.
+struct Bounds {
+  Rational lower;
+  Rational upper;
+};
 
 /// An exact positive number whose square is rational, as a product of powers: integers >= 2, each to an integer or
 /// half-integer power. The constants of the paper are of this form, and many lie beyond every double.

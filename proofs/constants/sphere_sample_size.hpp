@@ -3,7 +3,6 @@
 #include <optional>
 
 #include "kernel/number/strong.hpp"
-#include "proofs/constants/bounds.hpp"
 #include "proofs/constants/power_product.hpp"
 
 namespace delcert {

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "apps/exit_status.hpp"
+
+namespace delcert {
+
+/// Adds one subcommand: its options, its help with examples, and a callback that sets `chosen` to what is to be done
+/// once the command line has been read. A new subcommand is a file, a line here and a line in main.cpp.
+using AddCommand = void (*)(CLI::App& program, Action& chosen);
+
+void add_constants(CLI::App& program, Action& chosen);
+void add_check(CLI::App& program, Action& chosen);
+
+/// Replaces this process by delcert-check with these arguments. Returns only by throwing: std::runtime_error if the
+/// checker is not found or cannot be run.
+[[noreturn]] void run_checker(const std::vector<std::string>& arguments);
+
+}  // namespace delcert

@@ -1,0 +1,77 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "apps/commands.hpp"
+#include "apps/exit_status.hpp"
+#include "apps/interruption.hpp"
+#include "delcert_version.hpp"
+#include "kernel/number/self_test.hpp"
+
+namespace delcert {
+namespace {
+
+constexpr AddCommand commands[] = {add_constants, add_check};
+
+/// Rigour rests on rounding that is really directed, on no contraction, on the libraries: refuse to go on without.
+bool arithmetic_is_sound() {
+  const std::vector<std::string> failures = arithmetic_self_test();
+  for (const std::string& failure : failures) report_error(std::cerr, "internal: arithmetic self-test: " + failure);
+  return failures.empty();
+}
+
+ExitStatus usage_error(const std::string& message) {
+  report_error(std::cerr, message);
+  std::cerr << "delcert: see delcert --help" << std::endl;
+  return ExitStatus::usage;
+}
+
+bool asks_for_help(std::string_view argument) { return argument == "--help" || argument == "-h"; }
+
+ExitStatus run(int argc, char** argv) {
+  CLI::App program("Certified Delaunay triangulations of manifolds, with every constant re-checked.", "delcert");
+  program.set_version_flag("--version", std::string("delcert ") + version);
+  program.require_subcommand(1);
+  program.footer(
+      "Exit status: 0 done or verified, 1 rejected, 2 undecided, 3 malformed input, 64 usage, 70 internal,\n"
+      "130 interrupted.\n\n"
+      "Examples:\n"
+      "  delcert constants --dim 2 --separation 1 --perturbation 1/4\n"
+      "  delcert check certificates/torus-3.json.zst\n"
+      "  delcert constants --help");
+  Action chosen;
+  for (const AddCommand add : commands) add(program, chosen);
+
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  if (arguments.size() > 1 && arguments[0] == "check" && !asks_for_help(arguments[1])) {
+    chosen = [&]() -> ExitStatus { run_checker({arguments.begin() + 1, arguments.end()}); };
+  } else {
+    try {
+      program.parse(argc, argv);
+    } catch (const CLI::Success& help_or_version) {
+      program.exit(help_or_version);
+      return ExitStatus::verified;
+    } catch (const CLI::ParseError& error) {
+      return usage_error(error.what());
+    }
+  }
+
+  if (!arithmetic_is_sound()) return ExitStatus::internal;
+  catch_interruptions();
+  const ExitStatus status = run_reporting(chosen, std::cerr);
+  if (!std::cout.flush()) {
+    report_error(std::cerr, "internal: cannot write to standard output");
+    return ExitStatus::internal;
+  }
+  return status;
+}
+
+}  // namespace
+}  // namespace delcert
+
+int main(int argc, char** argv) {
+  using namespace delcert;
+  return static_cast<int>(run_reporting([&] { return run(argc, argv); }, std::cerr));
+}
