@@ -36,7 +36,6 @@ void run_checker(const std::vector<std::string>& arguments) {
 void add_check(CLI::App& program, Action&) {
   // Never parsed but for its help: main hands the arguments to the checker as they are.
   CLI::App* command = program.add_subcommand("check", "Verify a certificate with the separate checker, delcert-check");
-  command->usage("Usage: delcert check [OPTIONS] FILE...");
   command->add_option("FILE", "Certificates, plain or compressed; options as in delcert-check --help")->required();
   command->footer(
       "Runs delcert-check, a program that shares no code with this one, with the same arguments, and ends with its\n"

@@ -1,0 +1,78 @@
+#include "apps/ledger_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+#include "kernel/number/exact_text.hpp"
+#include "proofs/constants/ledger_entries.hpp"
+
+namespace delcert {
+namespace {
+
+Ledger ledger_of(int dimension) { return constants_for(Dimension{dimension}, Rational(1), Rational(1) / Rational(4)); }
+
+std::string line_with(const std::string& text, const std::string& part) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (line.find(part) != std::string::npos) return line;
+  return "no line with " + part;
+}
+
+TEST(LedgerText, tabulates_every_constant) {
+  const std::string table = ledger_table(ledger_of(2));
+  EXPECT_EQ(line_with(table, "flake parameter  "),
+            "Γ₀               flake parameter                2^(-101/2)            [6.28036e-16, 6.28037e-16]      "
+            "-50.5     lem:loc.eucl.protect");
+  EXPECT_EQ(line_with(table, "Hypotheses"), "Hypotheses 2 (hyps:param.bnds) hold for these parameters.");
+  for (const LedgerEntry& entry : ledger_entries(ledger_of(2)))
+    EXPECT_NE(table.find(entry.exact), std::string::npos) << entry.name;
+}
+
+TEST(LedgerText, says_when_the_hypotheses_fail) {
+  const Ledger ledger =
+      constants_for(Dimension{2}, Rational(1), Rational(1) / Rational(5), Rational(0), Rational(1) / Rational(100));
+  EXPECT_EQ(line_with(ledger_table(ledger), "Hypotheses"),
+            "Hypotheses 2 (hyps:param.bnds) do not hold: the distortion 1/100 is above its bound.");
+  EXPECT_EQ(nlohmann::json::parse(ledger_json(ledger))["hypotheses_2"], false);
+}
+
+TEST(LedgerText, is_json_with_exact_and_enclosing_strings) {
+  const auto document = nlohmann::json::parse(ledger_json(ledger_of(3)));
+  EXPECT_EQ(document["hypotheses_2"], true);
+  const auto& flake = document["constants"]["flake_parameter"];
+  EXPECT_EQ(flake["exact"], "2^(-74)·3^(-3/2)");
+  EXPECT_EQ(flake["log2_lower"], "-76.3775");
+  EXPECT_EQ(flake["log2_upper"], "-76.3774");
+  EXPECT_EQ(document["constants"]["tolerance"]["log2_lower"], "-57");
+  EXPECT_EQ(document["constants"].size(), ledger_entries(ledger_of(3)).size());
+}
+
+TEST(LedgerText, is_a_latex_table_with_five_columns) {
+  const std::string latex = ledger_latex(ledger_of(3));
+  EXPECT_EQ(latex.rfind("\\begin{tabular}{lllll}\n\\toprule\n", 0), 0U);
+  EXPECT_NE(latex.find("\\bottomrule\n\\end{tabular}\n"), std::string::npos);
+  EXPECT_NE(line_with(latex, "flake parameter &").find("$\\Gamma_0$ & flake parameter & $2^{-74} \\cdot 3^{-3/2}$ & "),
+            std::string::npos);
+  std::istringstream lines(latex);
+  std::size_t rows = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.ends_with("\\\\")) continue;
+    EXPECT_EQ(std::count(line.begin(), line.end(), '&'), 4) << line;
+    EXPECT_EQ(std::count(line.begin(), line.end(), '$') % 2, 0) << line;
+    // Outside mathematics an underscore would end the run of LaTeX.
+    bool mathematics = false;
+    for (const char c : line) {
+      if (c == '$') mathematics = !mathematics;
+      EXPECT_TRUE(mathematics || c != '_') << line;
+    }
+    ++rows;
+  }
+  EXPECT_EQ(rows, ledger_entries(ledger_of(3)).size() + 1);
+}
+
+}  // namespace
+}  // namespace delcert
