@@ -16,6 +16,7 @@ namespace delcert {
 namespace {
 
 constexpr int digits = 6;
+constexpr int digits_of_estimates = 3;
 
 std::string parameters_sentence(const Ledger& ledger) {
   return satisfies_parameter_constraints(ledger) ? "Hypotheses 2 (hyps:param.bnds) hold for these parameters."
@@ -30,15 +31,21 @@ std::string enclosure_text(const Bounds& bounds) {
   return lower == upper ? lower : "[" + lower + ", " + upper + "]";
 }
 
+std::string value_text(const LedgerEntry& entry) {
+  return entry.is_estimate ? "about " + decimal_lower(entry.value.lower, digits_of_estimates)
+                           : enclosure_text(entry.value);
+}
+
 std::string decimal_latex(const std::string& decimal) {
   const auto exponent = decimal.find('e');
   if (exponent == std::string::npos) return decimal;
   return decimal.substr(0, exponent) + " \\cdot 10^{" + decimal.substr(exponent + 1) + "}";
 }
 
-std::string enclosure_latex(const Bounds& bounds) {
-  const std::string lower = decimal_lower(bounds.lower, digits);
-  const std::string upper = decimal_upper(bounds.upper, digits);
+std::string value_latex(const LedgerEntry& entry) {
+  if (entry.is_estimate) return decimal_latex(decimal_lower(entry.value.lower, digits_of_estimates));
+  const std::string lower = decimal_lower(entry.value.lower, digits);
+  const std::string upper = decimal_upper(entry.value.upper, digits);
   if (lower == upper) return decimal_latex(lower);
   return "[" + decimal_latex(lower) + ", " + decimal_latex(upper) + "]";
 }
@@ -84,7 +91,7 @@ std::string with_spaces(std::string name) {
 std::string ledger_table(const Ledger& ledger) {
   std::vector<Row> rows{{"", "constant", "exact", "value", "log2", "source"}};
   for (const LedgerEntry& entry : ledger_entries(ledger))
-    rows.push_back({entry.symbol, with_spaces(entry.name), entry.exact, enclosure_text(entry.value),
+    rows.push_back({entry.symbol, with_spaces(entry.name), entry.exact, value_text(entry),
                     entry.log2 ? enclosure_text(*entry.log2) : "", entry.source});
   return layout(rows) + "\n" + parameters_sentence(ledger) + "\n";
 }
@@ -95,8 +102,12 @@ std::string ledger_json(const Ledger& ledger) {
     nlohmann::ordered_json& object = constants[entry.name];
     object["symbol"] = entry.symbol;
     if (!entry.exact.empty()) object["exact"] = entry.exact;
-    object["lower"] = decimal_lower(entry.value.lower, digits);
-    object["upper"] = decimal_upper(entry.value.upper, digits);
+    if (entry.is_estimate) {
+      object["estimate"] = decimal_lower(entry.value.lower, digits_of_estimates);
+    } else {
+      object["lower"] = decimal_lower(entry.value.lower, digits);
+      object["upper"] = decimal_upper(entry.value.upper, digits);
+    }
     if (entry.log2) {
       object["log2_lower"] = decimal_lower(entry.log2->lower, digits);
       object["log2_upper"] = decimal_upper(entry.log2->upper, digits);
@@ -114,7 +125,7 @@ std::string ledger_latex(const Ledger& ledger) {
   for (const LedgerEntry& entry : ledger_entries(ledger)) {
     const std::string exact = entry.exact_latex.empty() ? "" : "$" + entry.exact_latex + "$";
     text += fmt::format("${}$ & {} & {} & ${}$ & {} \\\\\n", entry.latex_symbol, with_spaces(entry.name), exact,
-                        enclosure_latex(entry.value), entry.source);
+                        value_latex(entry), entry.source);
   }
   return text + "\\bottomrule\n\\end{tabular}\n% " + parameters_sentence(ledger) + "\n";
 }

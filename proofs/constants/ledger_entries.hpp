@@ -25,6 +25,8 @@ struct LedgerEntry {
   std::optional<Bounds> log2;
   /// The paper's label, or how the value came about.
   std::string source;
+  /// True where the value is an estimate that nothing is proved about: then the bounds only bound the arithmetic.
+  bool is_estimate = false;
 };
 
 /// The lines of the ledger in the order of the paper's argument: input, parameters, hypotheses, Theorem 3.
