@@ -1,0 +1,46 @@
+set(constants $<TARGET_FILE:delcert> constants)
+set(surface --dim 2 --separation 1 --perturbation 1/4)
+
+delcert_cli_test(constants-help COMMAND ${constants} --help STATUS 0
+  OUTPUT "--dim.*--separation.*--perturbation.*--json.*--latex.*Examples:" ERROR "^$")
+delcert_cli_test(constants-table COMMAND ${constants} ${surface} STATUS 0 ERROR "^$"
+  OUTPUT "flake parameter +2.[(]-101/2[)] .*tolerance +2.[(]-32[)] .*Hypotheses 2 .hyps:param.bnds. hold for")
+delcert_cli_test(constants-json COMMAND ${constants} ${surface} --json STATUS 0 ERROR "^$"
+  OUTPUT "^{\n.*\"log2_lower\": \"-50.5\".*\"hypotheses_2\": true\n}\n$")
+delcert_cli_test(constants-latex COMMAND ${constants} ${surface} --latex STATUS 0 ERROR "^$"
+  OUTPUT "^.begin{tabular}.*.toprule.*.bottomrule\n.end{tabular}\n")
+delcert_cli_test(constants-dimension-three STATUS 0 ERROR "^$"
+  COMMAND ${constants} --dim 3 --separation 1/2 --perturbation 1/10 --latex OUTPUT "tabular")
+delcert_cli_test(constants-with-distortion STATUS 0 ERROR "^$"
+  COMMAND ${constants} --dim 2 --separation 1 --perturbation 1/5 --distortion 1/100 --radius-variation 0x1p-10
+  OUTPUT "radius variation +1/1024.*do not hold: the distortion 1/100 is above its bound")
+
+# Outside the range for which the constants are meant.
+delcert_cli_test(constants-separation-too-large STATUS 3 OUTPUT "^$"
+  COMMAND ${constants} --dim 2 --separation 3/2 --perturbation 1/4
+  ERROR "^delcert: error: separation is 3/2.*at most 1.*use min.1, measured.*\n$")
+delcert_cli_test(constants-separation-zero STATUS 3 OUTPUT "^$"
+  COMMAND ${constants} --dim 2 --separation 0 --perturbation 1/4 ERROR "separation is 0.*above 0 and at most 1")
+delcert_cli_test(constants-perturbation-too-large STATUS 3 OUTPUT "^$"
+  COMMAND ${constants} --dim 2 --separation 1/2 --perturbation 1/4 ERROR "perturbation is 1/4.*above 0 and at most 1/8")
+delcert_cli_test(constants-perturbation-zero STATUS 3 OUTPUT "^$"
+  COMMAND ${constants} --dim 2 --separation 1 --perturbation 0 ERROR "perturbation is 0")
+delcert_cli_test(constants-dimension-zero STATUS 3 OUTPUT "^$"
+  COMMAND ${constants} --dim 0 --separation 1 --perturbation 1/4 ERROR "dimension is 0.*1 to 16")
+delcert_cli_test(constants-distortion-one STATUS 3 OUTPUT "^$"
+  COMMAND ${constants} ${surface} --distortion 1 ERROR "distortion is 1.*below 1")
+delcert_cli_test(constants-radius-variation-too-large STATUS 3 OUTPUT "^$"
+  COMMAND ${constants} --dim 2 --separation 1 --perturbation 1/10 --radius-variation 3/2
+  ERROR "radius variation is 3/2.*0 to .*= 1\n$")
+
+# Command lines that cannot be read.
+delcert_cli_test(constants-decimal STATUS 64 OUTPUT "^$"
+  COMMAND ${constants} --dim 2 --separation 1 --perturbation 0.25 ERROR "--perturbation.*0.25.*write 25/100")
+delcert_cli_test(constants-dimension-as-fraction STATUS 64 OUTPUT "^$"
+  COMMAND ${constants} --dim 5/2 --separation 1 --perturbation 1/4 ERROR "--dim")
+delcert_cli_test(constants-without-separation STATUS 64 OUTPUT "^$"
+  COMMAND ${constants} --dim 2 --perturbation 1/4 ERROR "--separation is required")
+delcert_cli_test(constants-json-and-latex STATUS 64 OUTPUT "^$"
+  COMMAND ${constants} ${surface} --json --latex ERROR "--latex excludes --json")
+delcert_cli_test(constants-unknown-option STATUS 64 OUTPUT "^$" COMMAND ${constants} ${surface} --separtion 1
+  ERROR "--separtion")

@@ -1,0 +1,11 @@
+# What the program does whatever the subcommand.
+set(delcert $<TARGET_FILE:delcert>)
+
+delcert_cli_test(version COMMAND ${delcert} --version STATUS 0 OUTPUT "^delcert [0-9]+[.][0-9]+[.][0-9]+\n$" ERROR "^$")
+delcert_cli_test(help COMMAND ${delcert} --help STATUS 0 OUTPUT "constants.*check.*Exit status.*Examples:" ERROR "^$")
+delcert_cli_test(no-subcommand COMMAND ${delcert} STATUS 64 OUTPUT "^$" ERROR "^delcert: error: .*see delcert --help")
+delcert_cli_test(unknown-subcommand COMMAND ${delcert} certfy STATUS 64 OUTPUT "^$" ERROR "^delcert: error: ")
+delcert_cli_test(unknown-option COMMAND ${delcert} --frobnicate STATUS 64 OUTPUT "^$" ERROR "^delcert: error: ")
+delcert_cli_test(full-disk
+  COMMAND sh -c "\"$1\" constants --dim 2 --separation 1 --perturbation 1/4 > /dev/full" sh ${delcert}
+  STATUS 70 ERROR "cannot write to standard output")
