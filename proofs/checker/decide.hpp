@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include "proofs/checker/rational.hpp"
+
+namespace delcert::checker {
+
+/// Names a number type to a generic predicate.
+template <class N>
+struct In {};
+
+/// An exactly known number with its enclosure.
+struct Quantity {
+  Rational exact;
+  Interval filter;
+
+  Quantity() = default;
+  explicit Quantity(Rational x) : exact(std::move(x)), filter(enclosure(exact)) {}
+
+  template <class N>
+  const N& as() const {
+    if constexpr (std::is_same_v<N, Interval>) {
+      return filter;
+    } else {
+      return exact;
+    }
+  }
+};
+
+/// How many decisions each arithmetic made.
+struct Decisions {
+  std::uint64_t filtered = 0;
+  std::uint64_t exact = 0;
+};
+inline Decisions decisions;
+
+/// Whether the predicate holds: by the filter if that decides, otherwise in rational arithmetic, which always does
+/// (and consists of integer operations, which no rounding mode touches). The predicate takes In<N> and returns a
+/// Verdict computed in N alone.
+template <class Predicate>
+bool decide(const Predicate& predicate) {
+  const Verdict filtered = predicate(In<Interval>{});
+  if (filtered != Verdict::undecided) {
+    ++decisions.filtered;
+    return filtered == Verdict::proved;
+  }
+  ++decisions.exact;
+  return predicate(In<Rational>{}) == Verdict::proved;
+}
+
+template <class N>
+Verdict less_equal(const N& a, const N& b) {
+  return negation(less(b, a));
+}
+
+/// a < sqrt(b), for b known not to be negative: a is negative or a^2 < b.
+template <class N>
+Verdict less_than_root(const N& a, const N& b) {
+  return disjunction(less(a, N(0)), less(square(a), b));
+}
+
+/// a <= sqrt(b), for b known not to be negative.
+template <class N>
+Verdict at_most_root(const N& a, const N& b) {
+  return disjunction(less_equal(a, N(0)), less_equal(square(a), b));
+}
+
+}  // namespace delcert::checker

@@ -1,0 +1,114 @@
+#include "proofs/checker/exact_number.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace delcert::checker {
+namespace {
+
+constexpr std::string_view decimal_digits = "0123456789";
+constexpr std::string_view hexadecimal_digits = "0123456789abcdef";
+
+/// The longest prefix of `digits`, taken off the text.
+std::string_view take(std::string_view& text, std::string_view digits) {
+  const std::string_view taken = text.substr(0, text.find_first_not_of(digits));
+  text.remove_prefix(taken.size());
+  return taken;
+}
+
+bool take_literal(std::string_view& text, std::string_view literal) {
+  if (!text.starts_with(literal)) return false;
+  text.remove_prefix(literal.size());
+  return true;
+}
+
+/// The parts of a number; the value is +-(whole.part or whole/part) 2^exponent.
+struct Parts {
+  bool valid = false, negative = false, hexadecimal = false;
+  std::string_view whole, part;
+  int exponent = 0;
+};
+
+Parts split(std::string_view text) {
+  Parts parts;
+  parts.negative = take_literal(text, "-");
+  parts.hexadecimal = take_literal(text, "0x");
+  const std::string_view digits = parts.hexadecimal ? hexadecimal_digits : decimal_digits;
+  parts.whole = take(text, digits);
+  if (parts.whole.empty()) return parts;
+  if (take_literal(text, parts.hexadecimal ? "." : "/")) {
+    parts.part = take(text, digits);
+    if (parts.part.empty()) return parts;
+    if (!parts.hexadecimal && parts.part.find_first_not_of('0') == std::string_view::npos) return parts;
+  }
+  if (parts.hexadecimal && take_literal(text, "p")) {
+    const bool below = take_literal(text, "-");
+    const std::string_view exponent = take(text, decimal_digits);
+    if (exponent.empty() || exponent.size() > 5) return parts;
+    parts.exponent = (below ? -1 : 1) * std::stoi(std::string(exponent));
+  }
+  parts.valid = text.empty();
+  return parts;
+}
+
+/// [mantissa, mantissa + open] 2^exponent for a mantissa below 2^60 and an exponent for which no double overflows.
+Interval scaled(std::uint64_t mantissa, bool open, int exponent) {
+  for (; mantissa >> 53 != 0; mantissa >>= 1, ++exponent) open = open || (mantissa & 1) != 0;
+  const auto lower = static_cast<double>(mantissa);
+  return Interval::between(std::ldexp(lower, exponent), std::ldexp(open ? lower + 1 : lower, exponent));
+}
+
+}  // namespace
+
+bool is_exact_number(std::string_view text) { return split(text).valid; }
+
+Rational exact_value(std::string_view text) {
+  const Parts parts = split(text);
+  Rational value;
+  fmpz* numerator = fmpq_numref(value.raw());
+  fmpz* denominator = fmpq_denref(value.raw());
+  if (parts.hexadecimal) {
+    fmpz_set_str(numerator, (std::string(parts.whole) + std::string(parts.part)).c_str(), 16);
+    const slong exponent = parts.exponent - 4 * static_cast<slong>(parts.part.size());
+    fmpz* scale = exponent < 0 ? denominator : numerator;
+    fmpz_mul_2exp(scale, scale, static_cast<ulong>(exponent < 0 ? -exponent : exponent));
+  } else {
+    fmpz_set_str(numerator, std::string(parts.whole).c_str(), 10);
+    if (!parts.part.empty()) fmpz_set_str(denominator, std::string(parts.part).c_str(), 10);
+  }
+  if (parts.negative) fmpz_neg(numerator, numerator);
+  fmpq_canonicalise(value.raw());
+  return value;
+}
+
+Interval enclosure(std::string_view text) {
+  const Parts parts = split(text);
+  Interval result;
+  if (parts.hexadecimal && parts.exponent > -800 && parts.exponent < 800 && parts.whole.size() < 50 &&
+      parts.part.size() < 50) {
+    std::uint64_t mantissa = 0;
+    int exponent = parts.exponent - 4 * static_cast<int>(parts.part.size());
+    bool open = false;
+    for (const std::string_view digits : {parts.whole, parts.part}) {
+      for (const char digit : digits) {
+        if (mantissa >> 56 == 0) {
+          mantissa = mantissa * 16 + hexadecimal_digits.find(digit);
+        } else {
+          open = open || digit != '0';
+          exponent += 4;
+        }
+      }
+    }
+    if (exponent > 900) return enclosure(exact_value(text));
+    result = scaled(mantissa, open, exponent);
+  } else if (!parts.hexadecimal && parts.whole.size() <= 15 && parts.part.size() <= 15) {
+    const auto whole = static_cast<double>(std::stoll(std::string(parts.whole)));
+    const auto part = parts.part.empty() ? 1.0 : static_cast<double>(std::stoll(std::string(parts.part)));
+    result = Interval::between(whole, whole) / Interval::between(part, part);
+  } else {
+    return enclosure(exact_value(text));
+  }
+  return parts.negative ? -result : result;
+}
+
+}  // namespace delcert::checker

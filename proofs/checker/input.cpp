@@ -1,0 +1,72 @@
+#include "proofs/checker/input.hpp"
+
+#include <nettle/sha2.h>
+#include <zstd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <memory>
+
+#include "proofs/checker/failure.hpp"
+
+namespace delcert::checker {
+namespace {
+
+constexpr std::size_t largest_document = std::size_t{1} << 32;
+
+[[noreturn]] void malformed(const std::string& what) { throw Malformed("form.bytes", what); }
+
+}  // namespace
+
+std::string decompressed(std::string bytes) {
+  if (!std::string_view(bytes).starts_with("\x28\xb5\x2f\xfd")) return bytes;
+  // No certificate compresses 1000 times: labels and coordinates differ from line to line.
+  const std::size_t limit = std::min(largest_document, (std::size_t{1} << 16) + 1000 * bytes.size());
+  const std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(ZSTD_createDCtx(), &ZSTD_freeDCtx);
+  ZSTD_inBuffer input{bytes.data(), bytes.size(), 0};
+  std::string text;
+  for (std::size_t rest = 1; rest != 0;) {
+    const std::size_t used = text.size();
+    if (used > limit) malformed("the compressed data grows beyond " + std::to_string(limit) + " bytes");
+    text.resize(used + std::clamp(used, std::size_t{1} << 16, std::size_t{1} << 26));
+    ZSTD_outBuffer output{text.data(), text.size(), used};
+    rest = ZSTD_decompressStream(context.get(), &output, &input);
+    if (ZSTD_isError(rest) != 0) malformed(std::string("zstd: ") + ZSTD_getErrorName(rest));
+    const bool starved = input.pos == input.size && output.pos < output.size;
+    text.resize(output.pos);
+    if (rest != 0 && starved) malformed("zstd: the frame is cut short");
+  }
+  if (input.pos != input.size) malformed("bytes after the zstd frame");
+  return text;
+}
+
+std::string read_document(const std::string& path) {
+  const std::unique_ptr<std::FILE, decltype(&std::fclose)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+  if (!file) throw Unreadable(path + ": cannot be opened");
+  std::string bytes;
+  std::array<char, 1 << 16> block;
+  while (const std::size_t got = std::fread(block.data(), 1, block.size(), file.get())) {
+    bytes.append(block.data(), got);
+    if (bytes.size() > largest_document)
+      malformed("the file has more than " + std::to_string(largest_document) + " bytes");
+  }
+  if (std::ferror(file.get()) != 0) throw Unreadable(path + ": cannot be read");
+  return decompressed(std::move(bytes));
+}
+
+std::string sha256(std::string_view text) {
+  sha256_ctx context;
+  sha256_init(&context);
+  sha256_update(&context, text.size(), reinterpret_cast<const std::uint8_t*>(text.data()));
+  std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest{};
+  sha256_digest(&context, digest.size(), digest.data());
+  std::string hexadecimal;
+  for (const std::uint8_t byte : digest) {
+    hexadecimal += "0123456789abcdef"[byte >> 4];
+    hexadecimal += "0123456789abcdef"[byte & 15];
+  }
+  return hexadecimal;
+}
+
+}  // namespace delcert::checker

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "proofs/checker/verdict.hpp"
+
+namespace delcert::checker {
+
+/// A closed interval of real numbers with double endpoints, which may be infinite: the filter.
+///
+/// Precondition of every operation: the thread rounds upwards (FE_UPWARD). The lower endpoint is kept negated, so that
+/// rounding upwards moves both endpoints outwards. The result contains every exact result for arguments in the
+/// operands. Invariant: neither field is NaN or minus infinity.
+class Interval {
+ public:
+  Interval() = default;
+  explicit Interval(int value) : minus_lower_(-value), upper_(value) {}
+
+  /// Precondition: lower <= upper.
+  static Interval between(double lower, double upper) { return {-lower, upper}; }
+
+  double lower() const { return -minus_lower_; }
+  double upper() const { return upper_; }
+  /// The largest absolute value.
+  double magnitude() const { return larger(minus_lower_, upper_); }
+
+  friend Interval operator+(const Interval& a, const Interval& b) {
+    return {a.minus_lower_ + b.minus_lower_, a.upper_ + b.upper_};
+  }
+  friend Interval operator-(const Interval& a, const Interval& b) {
+    return {a.minus_lower_ + b.upper_, a.upper_ + b.minus_lower_};
+  }
+  friend Interval operator-(const Interval& a) { return {a.upper_, a.minus_lower_}; }
+
+  /// The extreme products are among those of the endpoints. 0 times infinity is NaN and is left out by `larger`; the
+  /// bound 0 that it stands for is then given by another product, unless all are NaN, which `known` makes infinite.
+  friend Interval operator*(const Interval& a, const Interval& b) {
+    const double lower = larger(larger(a.minus_lower_ * -b.minus_lower_, a.minus_lower_ * b.upper_),
+                                larger(a.upper_ * b.minus_lower_, -a.upper_ * b.upper_));
+    const double upper = larger(larger(a.minus_lower_ * b.minus_lower_, -a.minus_lower_ * b.upper_),
+                                larger(a.upper_ * -b.minus_lower_, a.upper_ * b.upper_));
+    return {known(lower), known(upper)};
+  }
+
+  /// The whole line if b contains 0.
+  friend Interval operator/(const Interval& a, const Interval& b) {
+    if (b.minus_lower_ >= 0 && b.upper_ >= 0) return {infinity, infinity};
+    return a * Interval{-1 / b.upper_, -1 / b.minus_lower_};
+  }
+
+  friend Interval square(const Interval& a) {
+    const double outer = larger(a.minus_lower_, a.upper_);
+    if (a.minus_lower_ >= 0 && a.upper_ >= 0) return {0, outer * outer};
+    const double inner = a.minus_lower_ < 0 ? a.minus_lower_ : a.upper_;
+    return {-inner * inner, outer * outer};
+  }
+
+  friend Interval maximum(const Interval& a, const Interval& b) {
+    return {a.minus_lower_ < b.minus_lower_ ? a.minus_lower_ : b.minus_lower_, larger(a.upper_, b.upper_)};
+  }
+
+  friend Verdict less(const Interval& a, const Interval& b) {
+    if (a.upper_ < -b.minus_lower_) return Verdict::proved;
+    return -a.minus_lower_ >= b.upper_ ? Verdict::refuted : Verdict::undecided;
+  }
+
+  /// An upper bound of the square root; negative parts of the argument are known not to occur.
+  friend double upper_root(const Interval& a) { return a.upper_ > 0 ? std::sqrt(a.upper_) : 0; }
+
+ private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  Interval(double minus_lower, double upper) : minus_lower_(minus_lower), upper_(upper) {}
+  static double larger(double a, double b) { return a > b ? a : b; }
+  static double known(double bound) { return bound == bound ? bound : infinity; }
+
+  double minus_lower_ = 0;
+  double upper_ = 0;
+};
+
+}  // namespace delcert::checker

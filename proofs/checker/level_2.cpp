@@ -1,0 +1,123 @@
+#include <algorithm>
+#include <array>
+
+#include "proofs/checker/levels.hpp"
+
+namespace delcert::checker {
+namespace {
+
+using LabelSet = std::array<Label, 5>;  // the first m + 1 count, increasing; the others are 0
+
+LabelSet joined(const Certificate& c, Label i, const Label* labels) {
+  LabelSet set{};
+  const auto m = static_cast<std::size_t>(c.m);
+  std::copy_n(labels, m, set.begin());
+  const auto place = std::lower_bound(set.begin(), set.begin() + c.m, i);
+  std::copy_backward(place, set.begin() + c.m, set.begin() + c.m + 1);
+  *place = i;
+  return set;
+}
+
+/// Whether star(j) lists the simplex.
+bool lists(const Certificate& c, Label j, const LabelSet& simplex) {
+  const auto m = static_cast<std::size_t>(c.m);
+  std::array<Label, 4> rest{};
+  std::remove_copy(simplex.begin(), simplex.begin() + c.m + 1, rest.begin(), j);
+  std::size_t low = 0, high = c.star_size(j);
+  while (low < high) {
+    const std::size_t middle = (low + high) / 2;
+    const Label* labels = c.star_simplex(j, middle);
+    const auto [in_star, in_rest] = std::mismatch(labels, labels + m, rest.begin());
+    if (in_star == labels + m) return true;
+    (*in_star < *in_rest ? low : high) = *in_star < *in_rest ? middle + 1 : middle;
+  }
+  return false;
+}
+
+/// Checks 2.agreement and returns the different simplices of the stars.
+std::vector<LabelSet> check_agreement(const Certificate& c, Report& report) {
+  std::vector<LabelSet> different;
+  for (Label i = 0; i < c.n; ++i) {
+    for (std::size_t s = 0; s < c.star_size(i); ++s) {
+      const Label* labels = c.star_simplex(i, s);
+      const LabelSet simplex = joined(c, i, labels);
+      bool first = true;
+      for (int k = 0; k < c.m; ++k) {
+        const Label j = labels[k];
+        const bool listed = lists(c, j, simplex);
+        first = first && !(listed && j < i);
+        if (listed || !c.interior[j]) continue;
+        report.reject("2.agreement", [&] {
+          return "star of " + std::to_string(i) + " has simplex " +
+                 label_set({simplex.begin(), simplex.begin() + c.m + 1}) + ", star of " + std::to_string(j) +
+                 " does not";
+        });
+      }
+      if (first) different.push_back(simplex);
+    }
+  }
+  return different;
+}
+
+/// Sum of (-1)^dimension over all faces. A face is counted at its least label v, in the simplices that contain v.
+std::int64_t euler_characteristic(const Certificate& c, const std::vector<LabelSet>& simplices) {
+  const auto size = static_cast<std::size_t>(c.m) + 1;
+  std::vector<std::size_t> begin(c.n + 1, 0), around(simplices.size() * size);
+  for (const LabelSet& simplex : simplices) {
+    for (std::size_t k = 0; k < size; ++k) ++begin[simplex[k] + 1];
+  }
+  for (Label v = 0; v < c.n; ++v) begin[v + 1] += begin[v];
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  for (std::size_t s = 0; s < simplices.size(); ++s) {
+    for (std::size_t k = 0; k < size; ++k) around[next[simplices[s][k]]++] = s;
+  }
+  std::int64_t sum = 0;
+  std::vector<std::pair<bool, LabelSet>> faces;  // whether the dimension is odd, and the labels after v
+  for (Label v = 0; v < c.n; ++v) {
+    faces.clear();
+    for (std::size_t a = begin[v]; a < begin[v + 1]; ++a) {
+      const LabelSet& simplex = simplices[around[a]];
+      const auto place = static_cast<std::size_t>(std::find(simplex.begin(), simplex.end(), v) - simplex.begin());
+      for (unsigned subset = 0; subset < 1u << (size - place - 1); ++subset) {
+        auto& [odd, labels] = faces.emplace_back();
+        std::size_t length = 0;
+        for (std::size_t k = place + 1; k < size; ++k) {
+          if ((subset >> (k - place - 1) & 1) != 0) labels[length++] = simplex[k];
+        }
+        odd = length % 2 == 1;
+      }
+    }
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    for (const auto& face : faces) sum += face.first ? -1 : 1;
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::string check_level_2(const Certificate& c, Report& report) {
+  const std::vector<LabelSet> simplices = check_agreement(c, report);
+  const std::int64_t euler = euler_characteristic(c, simplices);
+  const auto require = [&](bool holds, const std::string& stated, const std::string& found) {
+    if (!holds) report.reject("2.count", [&] { return stated + " is stated, " + found + " is found"; });
+  };
+  require(c.document.simplices == simplices.size(), std::to_string(c.document.simplices) + " simplices",
+          std::to_string(simplices.size()));
+  require(c.document.euler_characteristic == euler,
+          "Euler characteristic " + std::to_string(c.document.euler_characteristic), std::to_string(euler));
+  require(c.document.closed == c.torus, c.document.closed ? "closed" : "not closed", "the opposite");
+  return std::to_string(simplices.size()) + " simplices, Euler characteristic " + std::to_string(euler) +
+         (c.torus ? ", closed" : ", with boundary");
+}
+
+/// 4r + 2 rho epsilon < 9 epsilon.
+std::string check_level_2s(const Certificate& c, Report& report) {
+  const Rational reach = Rational(4) * c.circumradius.exact + Rational(2) * c.rho.exact * c.epsilon.exact;
+  if (less(reach, Rational(9) * c.epsilon.exact) != Verdict::proved) {
+    report.reject("2s.patch", [] { return "4 circumradius + 2 perturbation epsilon is not below 9 epsilon"; });
+  }
+  return "every chart of a star sees the same star";
+}
+
+}  // namespace delcert::checker

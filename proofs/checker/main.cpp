@@ -1,0 +1,75 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+
+#include "proofs/checker/input.hpp"
+#include "proofs/checker/print.hpp"
+#include "proofs/checker/run.hpp"
+#include "proofs/checker/self_test.hpp"
+
+namespace {
+
+constexpr int usage_error = 64, internal_error = 70;
+
+constexpr const char* description =
+    "Re-verifies a delcert certificate, independently of the program that made it.\n"
+    "Prints one line for each level; only if every checked level holds is the word \"verified\" printed.";
+
+constexpr const char* examples =
+    "Examples:\n"
+    "  delcert-check torus.json.zst                 every level that is claimed\n"
+    "  delcert-check torus.json --levels 0,1        levels 0 and 1, and 2, on which level 1 rests\n"
+    "  delcert-check torus.json --json | jq .status the outcome for a program\n\n"
+    "Exit status: 0 verified, 1 a check failed, 2 a check could not be decided, 3 malformed certificate,\n"
+    "64 wrong usage or unreadable file, 70 internal error (among them: the self-test of the arithmetic fails).";
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace delcert::checker;
+  CLI::App app{description, "delcert-check"};
+  app.footer(examples);
+  app.set_version_flag("--version", DELCERT_CHECK_VERSION);
+  std::string file;
+  std::vector<std::string> levels;
+  bool json = false, quiet = false;
+  app.add_option("FILE", file, "the certificate, plain or compressed with zstd")->required();
+  app.add_option("--levels", levels, "check these levels only, and those on which they rest")->delimiter(',');
+  app.add_flag("--json", json, "print one JSON object");
+  app.add_flag("--quiet", quiet, "print nothing; the exit status tells");
+#ifdef DELCERT_CHECK_TESTING
+  app.add_option("--without-rule", Report::without_rule, "leave out a rule, to test the tests");
+#endif
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : usage_error;
+  }
+  try {
+    if (const std::string fault = self_test(); !fault.empty()) {
+      std::cerr << "delcert-check: refusing to check anything: " << fault << "\n";
+      return internal_error;
+    }
+    Outcome outcome;
+    try {
+      const std::string text = read_document(file);
+      outcome = check(text, levels);
+    } catch (const Malformed& reason) {
+      outcome.status = 3;
+      outcome.malformed = Finding{reason.rule, reason.what()};
+    }
+    if (!quiet) std::cout << (json ? as_json(file, outcome) : as_text(outcome));
+    return outcome.status;
+  } catch (const Unreadable& reason) {
+    std::cerr << "delcert-check: " << reason.what() << "\n";
+    return usage_error;
+  } catch (const std::invalid_argument& reason) {
+    std::cerr << "delcert-check: " << reason.what() << "\n";
+    return usage_error;
+  } catch (const std::exception& error) {
+    std::cerr << "delcert-check: internal error: " << error.what() << "\n";
+    return internal_error;
+  }
+}
