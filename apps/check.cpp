@@ -42,8 +42,8 @@ void add_check(CLI::App& program, Action&) {
       "exit status: 0 verified, 1 a check failed, 2 undecided, 3 malformed, 64 usage, 70 internal.\n\n"
       "Examples:\n"
       "  delcert check certificates/torus-3.json.zst\n"
-      "  delcert check --help        this page\n"
-      "  delcert-check --help        the checker's own options");
+      "  delcert check --help        prints this page\n"
+      "  delcert-check --help        prints the checker's own options");
 }
 
 }  // namespace delcert

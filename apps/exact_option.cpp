@@ -4,7 +4,10 @@
 
 namespace delcert {
 
-CLI::Option* add_exact_option(CLI::App& command, const std::string& name, Rational& value, const std::string& help) {
+namespace {
+
+template <class Target>
+CLI::Option* add_option(CLI::App& command, const std::string& name, Target& value, const std::string& help) {
   const auto read = [&value, name](const std::string& text) {
     try {
       value = parse_exact(text);
@@ -13,6 +16,17 @@ CLI::Option* add_exact_option(CLI::App& command, const std::string& name, Ration
     }
   };
   return command.add_option_function<std::string>(name, read, help)->type_name("NUMBER");
+}
+
+}  // namespace
+
+CLI::Option* add_exact_option(CLI::App& command, const std::string& name, Rational& value, const std::string& help) {
+  return add_option(command, name, value, help);
+}
+
+CLI::Option* add_exact_option(CLI::App& command, const std::string& name, std::optional<Rational>& value,
+                              const std::string& help) {
+  return add_option(command, name, value, help);
 }
 
 }  // namespace delcert

@@ -13,7 +13,7 @@
 namespace delcert {
 namespace {
 
-constexpr AddCommand commands[] = {add_constants, add_check};
+constexpr AddCommand commands[] = {add_constants, add_sample, add_certify, add_check, add_info};
 
 /// Rigour rests on rounding that is really directed, on no contraction, on the libraries: refuse to go on without.
 bool arithmetic_is_sound() {

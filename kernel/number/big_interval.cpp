@@ -1,79 +1,164 @@
 #include "kernel/number/big_interval.hpp"
 
-#include <mpfi_io.h>
-
-#include <boost/multiprecision/detail/digits.hpp>
+#include <stdexcept>
 
 namespace delcert {
 
 namespace {
 
+PrecisionBits& precision_of_this_thread() {
+  thread_local PrecisionBits precision(128);
+  return precision;
+}
+
+mpfr_prec_t digits_of(PrecisionBits precision) { return static_cast<mpfr_prec_t>(precision.value); }
+
 Rational rational_of(mpfr_srcptr x) {
   if (mpfr_number_p(x) == 0) throw std::domain_error("unbounded interval has no rational endpoint");
-  boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off> result;
+  Rational::Wrapped result;
   mpfr_get_q(result.backend().data(), x);
   return Rational(std::move(result));
 }
 
 }  // namespace
 
-BigInterval::Precision::Precision(PrecisionBits bits) : previous_(Wrapped::default_precision()) {
-  auto digits = static_cast<unsigned>(boost::multiprecision::detail::digits2_2_10(bits.value));
-  while (boost::multiprecision::detail::digits10_2_2(digits) < bits.value) ++digits;
-  Wrapped::default_precision(digits);
+BigInterval::Precision::Precision(PrecisionBits bits) : previous_(precision_of_this_thread()) {
+  if (bits < PrecisionBits(2) || bits > PrecisionBits(1U << 20U))
+    throw std::domain_error("working precision out of range: " + std::to_string(bits.value) + " bits");
+  precision_of_this_thread() = bits;
 }
 
-BigInterval::Precision::~Precision() { Wrapped::default_precision(previous_); }
+BigInterval::Precision::~Precision() { precision_of_this_thread() = previous_; }
 
-BigInterval::BigInterval(const Rational& x) { mpfi_set_q(raw(), x.gmp()); }
+PrecisionBits BigInterval::working_precision() { return precision_of_this_thread(); }
 
-Rational BigInterval::lower() const { return rational_of(&raw()->left); }
-Rational BigInterval::upper() const { return rational_of(&raw()->right); }
+BigInterval::BigInterval(Unset) { mpfi_init2(value_, digits_of(precision_of_this_thread())); }
+
+BigInterval::BigInterval(int integer) : BigInterval(Unset{}) { mpfi_set_si(value_, integer); }
+
+BigInterval::BigInterval(const Rational& x) : BigInterval(Unset{}) { mpfi_set_q(value_, x.gmp()); }
+
+BigInterval::BigInterval(const BigInterval& other) {
+  mpfi_init2(value_, mpfi_get_prec(other.value_));
+  mpfi_set(value_, other.value_);
+}
+
+// What was moved from holds no limbs: it can be assigned to and destroyed.
+BigInterval::BigInterval(BigInterval&& other) noexcept {
+  value_[0] = other.value_[0];
+  other.value_[0].left._mpfr_d = nullptr;
+}
+
+BigInterval& BigInterval::operator=(const BigInterval& other) {
+  if (this != &other) *this = BigInterval(other);
+  return *this;
+}
+
+BigInterval& BigInterval::operator=(BigInterval&& other) noexcept {
+  if (this != &other) {
+    release();
+    value_[0] = other.value_[0];
+    other.value_[0].left._mpfr_d = nullptr;
+  }
+  return *this;
+}
+
+BigInterval::~BigInterval() { release(); }
+
+void BigInterval::release() {
+  if (value_[0].left._mpfr_d != nullptr) mpfi_clear(value_);
+}
+
+BigInterval BigInterval::between(const Rational& lower, const Rational& upper) {
+  BigInterval result(Unset{});
+  mpfr_set_q(&result.value_->left, lower.gmp(), MPFR_RNDD);
+  mpfr_set_q(&result.value_->right, upper.gmp(), MPFR_RNDU);
+  return result;
+}
+
+Rational BigInterval::lower() const { return rational_of(&value_->left); }
+Rational BigInterval::upper() const { return rational_of(&value_->right); }
+bool BigInterval::is_bounded() const { return mpfi_bounded_p(value_) != 0; }
+
+BigInterval operator+(const BigInterval& a, const BigInterval& b) {
+  BigInterval result(BigInterval::Unset{});
+  mpfi_add(result.value_, a.value_, b.value_);
+  return result;
+}
+
+BigInterval operator-(const BigInterval& a, const BigInterval& b) {
+  BigInterval result(BigInterval::Unset{});
+  mpfi_sub(result.value_, a.value_, b.value_);
+  return result;
+}
+
+BigInterval operator*(const BigInterval& a, const BigInterval& b) {
+  BigInterval result(BigInterval::Unset{});
+  mpfi_mul(result.value_, a.value_, b.value_);
+  return result;
+}
+
+BigInterval operator/(const BigInterval& a, const BigInterval& b) {
+  BigInterval result(BigInterval::Unset{});
+  if (is_refuted(is_zero(b))) {
+    mpfi_div(result.value_, a.value_, b.value_);
+  } else {
+    mpfr_set_inf(&result.value_->left, -1);
+    mpfr_set_inf(&result.value_->right, 1);
+  }
+  return result;
+}
+
+BigInterval operator-(const BigInterval& a) {
+  BigInterval result(BigInterval::Unset{});
+  mpfi_neg(result.value_, a.value_);
+  return result;
+}
 
 BigInterval square(const BigInterval& a) {
-  BigInterval result;
-  mpfi_sqr(result.raw(), a.raw());
+  BigInterval result(BigInterval::Unset{});
+  mpfi_sqr(result.value_, a.value_);
   return result;
 }
 
 BigInterval square_root(const BigInterval& a) {
   BigInterval clipped = a;
-  if (mpfr_sgn(&clipped.raw()->left) < 0) mpfr_set_zero(&clipped.raw()->left, 1);
-  if (mpfr_sgn(&clipped.raw()->right) < 0) mpfr_set_zero(&clipped.raw()->right, 1);
-  BigInterval result;
-  mpfi_sqrt(result.raw(), clipped.raw());
+  if (mpfr_sgn(&clipped.value_->left) < 0) mpfr_set_zero(&clipped.value_->left, 1);
+  if (mpfr_sgn(&clipped.value_->right) < 0) mpfr_set_zero(&clipped.value_->right, 1);
+  BigInterval result(BigInterval::Unset{});
+  mpfi_sqrt(result.value_, clipped.value_);
   return result;
 }
 
 BigInterval absolute(const BigInterval& a) {
-  BigInterval result;
-  mpfi_abs(result.raw(), a.raw());
+  BigInterval result(BigInterval::Unset{});
+  mpfi_abs(result.value_, a.value_);
   return result;
 }
 
 BigInterval minimum(const BigInterval& a, const BigInterval& b) {
-  BigInterval result;
-  mpfr_min(&result.raw()->left, &a.raw()->left, &b.raw()->left, MPFR_RNDD);
-  mpfr_min(&result.raw()->right, &a.raw()->right, &b.raw()->right, MPFR_RNDU);
+  BigInterval result(BigInterval::Unset{});
+  mpfr_min(&result.value_->left, &a.value_->left, &b.value_->left, MPFR_RNDD);
+  mpfr_min(&result.value_->right, &a.value_->right, &b.value_->right, MPFR_RNDU);
   return result;
 }
 
 BigInterval maximum(const BigInterval& a, const BigInterval& b) {
-  BigInterval result;
-  mpfr_max(&result.raw()->left, &a.raw()->left, &b.raw()->left, MPFR_RNDD);
-  mpfr_max(&result.raw()->right, &a.raw()->right, &b.raw()->right, MPFR_RNDU);
+  BigInterval result(BigInterval::Unset{});
+  mpfr_max(&result.value_->left, &a.value_->left, &b.value_->left, MPFR_RNDD);
+  mpfr_max(&result.value_->right, &a.value_->right, &b.value_->right, MPFR_RNDU);
   return result;
 }
 
 Verdict less(const BigInterval& a, const BigInterval& b) {
-  if (mpfr_less_p(&a.raw()->right, &b.raw()->left) != 0) return Verdict::proved;
-  if (mpfr_greaterequal_p(&a.raw()->left, &b.raw()->right) != 0) return Verdict::refuted;
+  if (mpfr_less_p(&a.value_->right, &b.value_->left) != 0) return Verdict::proved;
+  if (mpfr_greaterequal_p(&a.value_->left, &b.value_->right) != 0) return Verdict::refuted;
   return Verdict::undecided;
 }
 
 Verdict is_zero(const BigInterval& a) {
-  if (mpfr_sgn(&a.raw()->left) > 0 || mpfr_sgn(&a.raw()->right) < 0) return Verdict::refuted;
-  return mpfr_zero_p(&a.raw()->left) != 0 && mpfr_zero_p(&a.raw()->right) != 0 ? Verdict::proved : Verdict::undecided;
+  if (mpfr_sgn(&a.value_->left) > 0 || mpfr_sgn(&a.value_->right) < 0) return Verdict::refuted;
+  return mpfr_zero_p(&a.value_->left) != 0 && mpfr_zero_p(&a.value_->right) != 0 ? Verdict::proved : Verdict::undecided;
 }
 
 }  // namespace delcert

@@ -2,9 +2,7 @@
 
 #include <mpfi.h>
 
-#include <boost/multiprecision/mpfi.hpp>
 #include <concepts>
-#include <utility>
 
 #include "kernel/number/rational.hpp"
 #include "kernel/number/strong.hpp"
@@ -12,55 +10,62 @@
 
 namespace delcert {
 
-/// An interval with MPFR endpoints, rounded outwards by MPFI: the second rung. The precision is that of the
-/// innermost `BigInterval::Precision` alive, 128 bits if there is none. No rounding guard is needed.
+/// An interval with MPFR endpoints, rounded outwards by MPFI: the second rung.
+///
+/// Every operation returns an enclosure of the exact result for all arguments in the operands, with endpoints of the
+/// precision of the innermost `BigInterval::Precision` alive in this thread, 128 bits if there is none. No rounding
+/// guard is needed; one that is alive does no harm. Endpoints are never NaN.
 class BigInterval {
  public:
-  using Wrapped =
-      boost::multiprecision::number<boost::multiprecision::mpfi_float_backend<0>, boost::multiprecision::et_off>;
-
-  /// Sets the working precision while it lives, at least `bits` binary digits.
-  class Precision {
+  /// Sets the working precision of this thread while it lives.
+  class [[nodiscard]] Precision {
    public:
+    /// Throws std::domain_error unless 2 <= bits <= 2^20.
     explicit Precision(PrecisionBits bits);
     ~Precision();
     Precision(const Precision&) = delete;
     Precision& operator=(const Precision&) = delete;
 
    private:
-    unsigned previous_;
+    PrecisionBits previous_;
   };
+  [[nodiscard]] static PrecisionBits working_precision();
 
   BigInterval() : BigInterval(0) {}
-  BigInterval(int integer) : value_(integer) {}
+  BigInterval(int integer);
+  /// The tightest enclosure of x at the working precision.
   explicit BigInterval(const Rational& x);
 
   template <std::floating_point T>
   BigInterval(T) = delete;
 
+  BigInterval(const BigInterval& other);
+  BigInterval(BigInterval&& other) noexcept;
+  BigInterval& operator=(const BigInterval& other);
+  BigInterval& operator=(BigInterval&& other) noexcept;
+  ~BigInterval();
+
+  /// The tightest enclosure of [lower, upper]. Precondition: lower <= upper.
+  [[nodiscard]] static BigInterval between(const Rational& lower, const Rational& upper);
+
+  /// Exactly the endpoints; throw std::domain_error where unbounded.
   [[nodiscard]] Rational lower() const;
   [[nodiscard]] Rational upper() const;
+  [[nodiscard]] bool is_bounded() const;
+  [[nodiscard]] mpfi_srcptr mpfi() const { return value_; }
 
-  friend BigInterval operator+(const BigInterval& a, const BigInterval& b) {
-    return BigInterval(Wrapped(a.value_ + b.value_));
-  }
-  friend BigInterval operator-(const BigInterval& a, const BigInterval& b) {
-    return BigInterval(Wrapped(a.value_ - b.value_));
-  }
-  friend BigInterval operator*(const BigInterval& a, const BigInterval& b) {
-    return BigInterval(Wrapped(a.value_ * b.value_));
-  }
+  friend BigInterval operator+(const BigInterval& a, const BigInterval& b);
+  friend BigInterval operator-(const BigInterval& a, const BigInterval& b);
+  friend BigInterval operator*(const BigInterval& a, const BigInterval& b);
   /// Unbounded if b contains 0.
-  friend BigInterval operator/(const BigInterval& a, const BigInterval& b) {
-    return BigInterval(Wrapped(a.value_ / b.value_));
-  }
-  friend BigInterval operator-(const BigInterval& a) { return BigInterval(Wrapped(-a.value_)); }
+  friend BigInterval operator/(const BigInterval& a, const BigInterval& b);
+  friend BigInterval operator-(const BigInterval& a);
   BigInterval& operator+=(const BigInterval& b) { return *this = *this + b; }
   BigInterval& operator-=(const BigInterval& b) { return *this = *this - b; }
   BigInterval& operator*=(const BigInterval& b) { return *this = *this * b; }
 
   friend BigInterval square(const BigInterval& a);
-  /// Negative parts of the argument are cut off at 0.
+  /// Negative parts of the argument are cut off at 0 (the exact argument is known not to be negative).
   friend BigInterval square_root(const BigInterval& a);
   friend BigInterval absolute(const BigInterval& a);
   friend BigInterval minimum(const BigInterval& a, const BigInterval& b);
@@ -71,10 +76,10 @@ class BigInterval {
   friend Verdict is_zero(const BigInterval& a);
 
  private:
-  explicit BigInterval(Wrapped value) : value_(std::move(value)) {}
-  [[nodiscard]] mpfi_srcptr raw() const { return value_.backend().data(); }
-  [[nodiscard]] mpfi_ptr raw() { return value_.backend().data(); }
-  Wrapped value_;
+  struct Unset {};
+  explicit BigInterval(Unset);
+  void release();
+  mpfi_t value_;
 };
 
 }  // namespace delcert

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "kernel/number/algebraic.hpp"
 #include "kernel/number/filter.hpp"
 #include "kernel/number/scalar.hpp"
 
@@ -62,6 +63,42 @@ template <class Predicate>
       return verdict;
   }
   return decide_above_filter(predicate);
+}
+
+/// The part of `decide_algebraic` above the filter.
+/// `predicate.template operator()<S>()` returns the verdict computed in S, S = BigInterval, Algebraic.
+template <class Predicate>
+[[nodiscard]] Verdict decide_algebraic_above_filter(const Predicate& predicate) {
+  constexpr unsigned first_precision = 128;
+  constexpr unsigned last_precision = 4096;
+  Verdict verdict = Verdict::undecided;
+  for (unsigned bits = first_precision; bits <= last_precision; bits *= 2) {
+    const BigInterval::Precision precision(PrecisionBits{bits});
+    if (detail::settles(Rung::big_interval, verdict, [&] { return predicate.template operator()<BigInterval>(); }))
+      return verdict;
+  }
+  try {
+    if (detail::settles(Rung::algebraic, verdict, [&] { return predicate.template operator()<Algebraic>(); }))
+      return verdict;
+  } catch (const Algebraic::TooLarge&) {
+    // Undecided, like a predicate that gives up.
+  }
+  ++ladder_statistics().undecided;
+  return Verdict::undecided;
+}
+
+/// Decides a predicate about quantities with square roots: intervals, intervals of 128, 256, … 4096 bits, algebraic
+/// numbers. The algebraic rung is always sure, unless the predicate itself gives up or the degree grows beyond what
+/// `Algebraic` takes on.
+template <class Predicate>
+[[nodiscard]] Verdict decide_algebraic(const Predicate& predicate) {
+  Verdict verdict = Verdict::undecided;
+  {
+    const FilterGuard guard;
+    if (detail::settles(Rung::interval, verdict, [&] { return predicate.template operator()<Filter>(); }))
+      return verdict;
+  }
+  return decide_algebraic_above_filter(predicate);
 }
 
 }  // namespace delcert

@@ -1,0 +1,171 @@
+#include <fmt/format.h>
+
+#include <iostream>
+#include <map>
+#include <memory>
+#include <sstream>
+
+#include "apps/commands.hpp"
+#include "apps/exact_option.hpp"
+#include "apps/net_source.hpp"
+#include "apps/progress_line.hpp"
+#include "apps/run_report.hpp"
+#include "kernel/error.hpp"
+#include "kernel/manifold/manifold_file.hpp"
+#include "kernel/number/exact_text.hpp"
+#include "kernel/sample/net_measure.hpp"
+#include "kernel/simplex/dimensions.hpp"
+#include "proofs/certificate/writer.hpp"
+
+namespace delcert {
+
+namespace {
+
+constexpr std::size_t failures_shown = 10;
+
+struct CertifyOptions {
+  NetSource source;
+  ParameterChoice choice;
+  bool no_perturbation = false;
+  std::optional<Rational> required_protection;
+  int repair_rounds = 20;
+  LevelSelection levels = all_levels();
+  std::string output;
+  bool json = false;
+};
+
+/// Throws Rejection naming the items of the input that do not hold.
+void require_input(const std::vector<InputItem>& items) {
+  std::string failed;
+  for (const InputItem& item : items) {
+    if (!is_proved(item.verdict))
+      failed += fmt::format("\n  {} {} ({})", name_of(item.verdict), item.name, item.detail);
+  }
+  if (!failed.empty()) throw Rejection("the input does not satisfy Hypotheses 1:" + failed);
+}
+
+/// Throws Rejection naming the stars that are not certified.
+template <int m>
+void require_stars(const RunResult<m>& run) {
+  if (run.is_certified()) return;
+  std::vector<StarFailure> failures = run.protection.failures;
+  failures.insert(failures.end(), run.combinatorial_failures.begin(), run.combinatorial_failures.end());
+  std::string message = fmt::format("nothing is certified: {} failures in stars after {} repair rounds",
+                                    failures.size(), run.repair_rounds);
+  for (std::size_t at = 0; at < std::min(failures.size(), failures_shown); ++at) {
+    message += fmt::format("\n  star of {}: {}", failures[at].label.value, failures[at].reason);
+  }
+  if (failures.size() > failures_shown) message += fmt::format("\n  and {} more", failures.size() - failures_shown);
+  throw Rejection(message);
+}
+
+template <int m>
+ExitStatus certify(const CertifyOptions& options, const ManifoldDescription& manifold) {
+  ProgressLine line;
+  StageClock clock;
+  const Progress progress = clock.callback(line.callback());
+  RunReport report;
+  report.manifold = manifold.name;
+
+  const FlatSpace<m> space = flat_space_of<m>(manifold);
+  clock.begin("read or sample the net");
+  PointSet<m> net(options.source.template points<m>(space, progress));
+  const auto density = measure_density<m>(space, net, options.source.radius, progress);
+  const FlatAtlas<m> atlas(space, std::move(net), density.sampling_radius);
+  const Rational separation = measure_separation<m>(atlas);
+  report.points = atlas.size();
+  report.sampling_radius = atlas.sampling_radius();
+  report.parameters = parameters_for(Dimension(m), separation, options.choice);
+  report.input = check_input<m>(atlas, separation, report.parameters.algorithm.perturbation);
+  require_input(report.input);
+
+  RunRequest request;
+  request.perturb = !options.no_perturbation;
+  request.most_repair_rounds = options.repair_rounds;
+  if (options.required_protection) request.required_protection = *options.required_protection * atlas.sampling_radius();
+  const RunResult<m> run = run_algorithm<m>(atlas, report.parameters.algorithm, request, progress);
+  line.clear();
+  require_stars<m>(run);
+
+  clock.begin("derive levels");
+  report.claims = derive_claims<m>(atlas, report.parameters, run, options.levels, progress, report.reasons);
+  if (report.claims.names().empty())
+    throw Rejection("no level is reached: " + fmt::format("{}", fmt::join(report.reasons, "; ")));
+  clock.begin("write the certificate");
+  report.certificate = options.output.empty() ? manifold.name + ".delcert.json.zst" : options.output;
+  write_certificate<m>(report.certificate, {manifold, report.parameters, atlas, density.simplices, run, report.claims});
+
+  report.perturbed = request.perturb;
+  report.simplices = run.complex.simplices().size();
+  report.statistics = run.statistics;
+  report.repair_rounds = run.repair_rounds;
+  report.repaired_points = run.repaired_points;
+  report.stages = clock.finish();
+  report.peak_memory_mib = peak_memory_in_mib();
+  line.clear();
+  std::cout << (options.json ? report_json(report) : report_text(report));
+  return ExitStatus::verified;
+}
+
+LevelSelection parse_levels(const std::string& text) {
+  LevelSelection result;
+  std::istringstream in(text);
+  for (std::string level; std::getline(in, level, ',');) {
+    const auto& all = all_levels();
+    if (std::find(all.begin(), all.end(), level) == all.end()) {
+      throw CLI::ValidationError("--levels", "'" + level + "' is not one of 0,1,2,2s,3,4,5,6");
+    }
+    result.push_back(level);
+  }
+  return result;
+}
+
+}  // namespace
+
+void add_certify(CLI::App& program, Action& chosen) {
+  const auto options = std::make_shared<CertifyOptions>();
+  CLI::App* command =
+      program.add_subcommand("certify", "Perturb a net, compute its Delaunay complex and write a certificate");
+  options->source.add_options(*command, true);
+  const std::map<std::string, RunMode> modes{{"theory", RunMode::theory}, {"measured", RunMode::measured}};
+  const std::map<std::string, CandidateRule> rules{
+      {"pruned", CandidateRule::pruned}, {"whole", CandidateRule::whole}, {"printed", CandidateRule::printed}};
+  command->add_option("--mode", options->choice.mode, "theory: the paper's constants; measured: chosen tolerances")
+      ->transform(CLI::CheckedTransformer(modes))
+      ->type_name("theory|measured");
+  command->add_option("--candidates", options->choice.candidates, "Which simplices perturbations are tested against")
+      ->transform(CLI::CheckedTransformer(rules))
+      ->type_name("pruned|whole|printed");
+  add_exact_option(*command, "--perturbation", options->choice.perturbation, "ρ₀ (default μ₀/4, the most)");
+  add_exact_option(*command, "--tolerance", options->choice.tolerance, "Measured mode: tolerance in units of ε");
+  add_exact_option(*command, "--required-protection", options->required_protection,
+                   "Repair simplices that are not more protected than this, in units of ε");
+  command->add_option("--repair-rounds", options->repair_rounds, "Rounds of repair before giving up (default 20)")
+      ->check(CLI::Range(0, 1000000));
+  command->add_flag("--no-perturbation", options->no_perturbation, "Take the net as it is");
+  command->add_option_function<std::string>(
+      "--levels", [options](const std::string& text) { options->levels = parse_levels(text); },
+      "Levels to claim at most, e.g. 0,1,2,4,5 (default all)");
+  command
+      ->add_option("--output", options->output, "The certificate (default MANIFOLD.delcert.json.zst); .zst compresses")
+      ->type_name("FILE");
+  command->add_flag("--json", options->json, "Print JSON");
+  command->footer(
+      "Nothing is written unless every star is certified; then the certificate claims the levels that are reached\n"
+      "(docs/levels/), for delcert check to verify.\n\n"
+      "Examples:\n"
+      "  delcert certify --manifold torus-3 --radius 1/24 --seed 1 --output torus-3.json.zst\n"
+      "  delcert certify --manifold torus-2 --lattice 30 --mode measured --tolerance 1/64\n"
+      "  delcert certify --manifold my-torus.toml --points net.txt --levels 0,1,2,4,5,6\n"
+      "  delcert certify --manifold torus-2 --lattice 30 --no-perturbation      (exits 1, naming stars)");
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      options->choice.seed = options->source.seed;
+      if (options->no_perturbation) options->choice.mode = RunMode::none;
+      const ManifoldDescription manifold = find_manifold(options->source.manifold);
+      return with_dimension(manifold.dimension, [&]<int m>() { return certify<m>(*options, manifold); });
+    };
+  });
+}
+
+}  // namespace delcert

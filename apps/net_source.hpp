@@ -1,0 +1,31 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "kernel/manifold/flat_space.hpp"
+#include "kernel/progress.hpp"
+#include "kernel/sample/lattice_net.hpp"
+
+namespace delcert {
+
+/// Where the points of a net come from: options that several subcommands share.
+struct NetSource {
+  std::string manifold;
+  std::optional<Rational> radius;
+  std::string points_file;
+  std::optional<std::uint32_t> lattice;
+  bool centred = false;
+  std::optional<unsigned> displacement_exponent;
+  std::uint64_t seed = 0;
+
+  /// Adds --manifold, --radius, --points (if `with_file`), --lattice, --centred, --displace, --seed.
+  void add_options(CLI::App& command, bool with_file);
+
+  /// Makes or reads the points. Throws what sampling and reading throw.
+  template <int m>
+  [[nodiscard]] std::vector<Vector<Rational, m>> points(const FlatSpace<m>& space, const Progress& progress) const;
+};
+
+}  // namespace delcert

@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "apps/commands.hpp"
+#include "apps/net_source.hpp"
+#include "apps/progress_line.hpp"
+#include "kernel/manifold/manifold_file.hpp"
+#include "kernel/number/exact_text.hpp"
+#include "kernel/sample/net_measure.hpp"
+#include "kernel/sample/point_file.hpp"
+#include "kernel/simplex/dimensions.hpp"
+#include "proofs/certificate/atomic_file.hpp"
+
+namespace delcert {
+
+namespace {
+
+struct SampleOptions {
+  NetSource source;
+  std::string output;
+  bool json = false;
+};
+
+template <int m>
+ExitStatus sample(const SampleOptions& options, const ManifoldDescription& manifold) {
+  ProgressLine line;
+  const Progress progress = line.callback();
+  const FlatSpace<m> space = flat_space_of<m>(manifold);
+  const auto points = options.source.template points<m>(space, progress);
+  const PointSet<m> net(points);
+  const auto density = measure_density<m>(space, net, options.source.radius, progress);
+  const FlatAtlas<m> atlas(space, net, density.sampling_radius);
+  const Rational separation = measure_separation<m>(atlas);
+  line.clear();
+
+  PointList list;
+  for (const auto& point : points) list.emplace_back(point.begin(), point.end());
+  const std::string head =
+      fmt::format("# manifold {}\n# sampling radius {}\n# separation {}\n# seed {}\n", manifold.name,
+                  exact_text(density.sampling_radius), exact_text(separation), options.source.seed);
+  write_file_atomically(options.output, head + points_text(list));
+
+  if (options.json) {
+    nlohmann::ordered_json result;
+    result["points"] = points.size();
+    result["sampling_radius"] = exact_text(density.sampling_radius);
+    result["covering_radius_lower"] = exact_text(density.covering_radius_lower);
+    result["separation"] = exact_text(separation);
+    result["file"] = options.output;
+    std::cout << result.dump(2) << "\n";
+  } else {
+    std::cout << fmt::format("{} points in {}\nsampling radius ε = {}, separation μ₀ = {}, both certified\n",
+                             points.size(), options.output, exact_text(density.sampling_radius),
+                             exact_text(separation));
+  }
+  return ExitStatus::verified;
+}
+
+}  // namespace
+
+void add_sample(CLI::App& program, Action& chosen) {
+  const auto options = std::make_shared<SampleOptions>();
+  CLI::App* command = program.add_subcommand("sample", "Make a net of a manifold and measure it, certified");
+  options->source.add_options(*command, false);
+  command->add_option("--output", options->output, "The point file to write")->required()->type_name("FILE");
+  command->add_flag("--json", options->json, "Print JSON");
+  command->footer(
+      "The sampling radius is certified to exceed the covering radius by at most 0.1 %.\n\n"
+      "Examples:\n"
+      "  delcert sample --manifold torus-3 --radius 1/24 --seed 1 --output net.txt\n"
+      "  delcert sample --manifold torus-2 --lattice 30 --output square.txt\n"
+      "  delcert sample --manifold torus-3 --lattice 16 --centred --displace 60 --output nearly-bcc.txt");
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      const ManifoldDescription manifold = find_manifold(options->source.manifold);
+      return with_dimension(manifold.dimension, [&]<int m>() { return sample<m>(*options, manifold); });
+    };
+  });
+}
+
+}  // namespace delcert

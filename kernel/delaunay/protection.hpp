@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "kernel/delaunay/star_complex.hpp"
+#include "kernel/progress.hpp"
+
+namespace delcert {
+
+/// What the simplices of a star complex are certified to have, or why not.
+struct ProtectionReport {
+  /// None if there are failures.
+  std::optional<StarMargins> margins;
+  std::vector<StarFailure> failures;
+};
+
+/// Certifies the simplices of all stars against all lifts of the points: non-degenerate, and every other lift farther
+/// from the circumcentre than the circumradius plus a margin. Margins have 12 significant binary digits and are the
+/// best such numbers; protection is not looked for beyond half a sampling radius. A tie is decided (as a failure).
+/// With `required_protection`, simplices whose protection is not above it are failures as well.
+template <int m>
+[[nodiscard]] ProtectionReport certify_protection(const FlatAtlas<m>& atlas, const PointSet<m>& points,
+                                                  const StarComplex<m>& complex,
+                                                  const std::optional<Rational>& required_protection,
+                                                  const Progress& progress);
+
+}  // namespace delcert

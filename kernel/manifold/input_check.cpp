@@ -1,0 +1,58 @@
+#include "kernel/manifold/input_check.hpp"
+
+#include "kernel/manifold/lattice.hpp"
+#include "kernel/number/exact_text.hpp"
+#include "kernel/simplex/dimensions.hpp"
+
+namespace delcert {
+
+namespace {
+
+constexpr int systole_factor = 24;
+
+template <int m>
+InputItem patches_of_torus(const FlatAtlas<m>& atlas) {
+  const Rational squared = squared_systole<m>(atlas.metric());
+  const Rational least = Rational(systole_factor) * atlas.sampling_radius();
+  return {
+      "patches: every label at one lift in B(p_i, 9ε), the same lift for all charts that are compared",
+      verdict_of(square(least) <= squared),
+      "shortest lattice vector² " + exact_text(squared) + ", must be at least (24ε)² = " + exact_text(square(least))};
+}
+
+template <int m>
+InputItem patches_of_ball(const FlatAtlas<m>& atlas) {
+  std::size_t interior = 0;
+  for (std::uint32_t index = 0; index < atlas.size(); ++index) interior += atlas.is_interior(Label(index)) ? 1U : 0U;
+  return {"patches: B(p_i, 8ε) within the ball that the net covers", verdict_of(interior > 0),
+          std::to_string(interior) + " of " + std::to_string(atlas.size()) +
+              " labels; stars are claimed for these, there must be at least one"};
+}
+
+}  // namespace
+
+template <int m>
+std::vector<InputItem> check_input(const FlatAtlas<m>& atlas, const Rational& separation,
+                                   const Rational& perturbation) {
+  std::vector<InputItem> items;
+  items.push_back({"separation: distances at least μ₀ε in every chart", Verdict::proved,
+                   "μ₀ = " + exact_text(separation) + ", measured"});
+  items.push_back({"density: B(p_i, 8ε) is within ε of the net", Verdict::proved,
+                   "ε = " + exact_text(atlas.sampling_radius()) + ", certified by a covering with smaller balls"});
+  items.push_back(atlas.space().is_torus() ? patches_of_torus<m>(atlas) : patches_of_ball<m>(atlas));
+  items.push_back({"radius variation: |ε_i − ε_j| ≤ ε₀ min(ε_i, ε_j)", Verdict::proved, "ε₀ = 0, one radius"});
+  items.push_back(
+      {"domains: B(p_i, 6ε) ∩ B(p_j, 9ε) in U_ij", items[2].verdict, "U_ij is the intersection of the patches"});
+  items.push_back({"transitions: inverse to each other, compatible with the labels, distortion ξ₀", items[2].verdict,
+                   "translations, ξ₀ = 0"});
+  items.push_back({"perturbation: ρ₀ ≤ μ₀/4", verdict_of(perturbation * Rational(4) <= separation),
+                   "ρ₀ = " + exact_text(perturbation) + ", μ₀/4 = " + exact_text(separation / Rational(4))});
+  return items;
+}
+
+#define DELCERT_INSTANTIATE(m) \
+  template std::vector<InputItem> check_input<m>(const FlatAtlas<m>&, const Rational&, const Rational&);
+DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
+#undef DELCERT_INSTANTIATE
+
+}  // namespace delcert

@@ -1,0 +1,148 @@
+#include "kernel/number/algebraic.hpp"
+
+#include <stdexcept>
+#include <string>
+
+#include "kernel/number/calcium.hpp"
+
+namespace delcert {
+
+struct Algebraic::Value {
+  Value() { qqbar_init(number); }
+  ~Value() { qqbar_clear(number); }
+  Value(const Value&) = delete;
+  Value& operator=(const Value&) = delete;
+
+  qqbar_t number;
+};
+
+namespace {
+
+void refuse_if_too_large(const qqbar_t a, const qqbar_t b, const char* operation) {
+  const long product = qqbar_degree(a) * qqbar_degree(b);
+  if (product > Algebraic::greatest_degree)
+    throw Algebraic::TooLarge(std::string("algebraic ") + operation + ": degree " + std::to_string(product) +
+                              " may be needed, the limit is " + std::to_string(Algebraic::greatest_degree));
+}
+
+}  // namespace
+
+Algebraic::Algebraic(int integer) : value_(std::make_unique<Value>()) { qqbar_set_si(value_->number, integer); }
+
+Algebraic::Algebraic(const Rational& x) : value_(std::make_unique<Value>()) {
+  fmpq_t fraction;
+  fmpq_init(fraction);
+  fmpq_set_mpq(fraction, x.gmp());
+  qqbar_set_fmpq(value_->number, fraction);
+  fmpq_clear(fraction);
+}
+
+Algebraic::Algebraic(const Algebraic& other) : value_(std::make_unique<Value>()) {
+  qqbar_set(value_->number, other.value_->number);
+}
+
+Algebraic::Algebraic(Algebraic&& other) noexcept = default;
+
+Algebraic& Algebraic::operator=(const Algebraic& other) {
+  if (this != &other) *this = Algebraic(other);
+  return *this;
+}
+
+Algebraic& Algebraic::operator=(Algebraic&& other) noexcept = default;
+Algebraic::~Algebraic() = default;
+
+long Algebraic::degree() const { return qqbar_degree(value_->number); }
+
+Rational Algebraic::rational() const {
+  if (degree() != 1) throw std::domain_error("algebraic number of degree " + std::to_string(degree()) + " as rational");
+  fmpq_t fraction;
+  fmpq_init(fraction);
+  qqbar_get_fmpq(fraction, value_->number);
+  Rational::Wrapped result;
+  fmpq_get_mpq(result.backend().data(), fraction);
+  fmpq_clear(fraction);
+  return Rational(std::move(result));
+}
+
+BigInterval Algebraic::enclosure() const {
+  const auto bits = static_cast<slong>(BigInterval::working_precision().value);
+  arb_t ball;
+  arb_init(ball);
+  qqbar_get_arb(ball, value_->number, bits);
+  mpfr_t lower;
+  mpfr_t upper;
+  mpfr_init2(lower, bits);
+  mpfr_init2(upper, bits);
+  arb_get_interval_mpfr(lower, upper, ball);
+  Rational::Wrapped lower_fraction;
+  Rational::Wrapped upper_fraction;
+  mpfr_get_q(lower_fraction.backend().data(), lower);
+  mpfr_get_q(upper_fraction.backend().data(), upper);
+  mpfr_clear(lower);
+  mpfr_clear(upper);
+  arb_clear(ball);
+  return BigInterval::between(Rational(std::move(lower_fraction)), Rational(std::move(upper_fraction)));
+}
+
+Algebraic operator+(const Algebraic& a, const Algebraic& b) {
+  refuse_if_too_large(a.value_->number, b.value_->number, "sum");
+  Algebraic result;
+  qqbar_add(result.value_->number, a.value_->number, b.value_->number);
+  return result;
+}
+
+Algebraic operator-(const Algebraic& a, const Algebraic& b) {
+  refuse_if_too_large(a.value_->number, b.value_->number, "difference");
+  Algebraic result;
+  qqbar_sub(result.value_->number, a.value_->number, b.value_->number);
+  return result;
+}
+
+Algebraic operator*(const Algebraic& a, const Algebraic& b) {
+  refuse_if_too_large(a.value_->number, b.value_->number, "product");
+  Algebraic result;
+  qqbar_mul(result.value_->number, a.value_->number, b.value_->number);
+  return result;
+}
+
+Algebraic operator/(const Algebraic& a, const Algebraic& b) {
+  if (is_proved(is_zero(b))) throw std::domain_error("algebraic division by 0");
+  refuse_if_too_large(a.value_->number, b.value_->number, "quotient");
+  Algebraic result;
+  qqbar_div(result.value_->number, a.value_->number, b.value_->number);
+  return result;
+}
+
+Algebraic operator-(const Algebraic& a) {
+  Algebraic result;
+  qqbar_neg(result.value_->number, a.value_->number);
+  return result;
+}
+
+// A power stays in the field of a: its degree is at most that of a, however large.
+Algebraic square(const Algebraic& a) {
+  Algebraic result;
+  qqbar_pow_ui(result.value_->number, a.value_->number, 2);
+  return result;
+}
+
+Algebraic square_root(const Algebraic& a) {
+  if (qqbar_sgn_re(a.value_->number) < 0) throw std::domain_error("algebraic square root of a negative number");
+  if (2 * a.degree() > Algebraic::greatest_degree)
+    throw Algebraic::TooLarge("algebraic square root of a number of degree " + std::to_string(a.degree()));
+  Algebraic result;
+  qqbar_sqrt(result.value_->number, a.value_->number);
+  return result;
+}
+
+Algebraic absolute(const Algebraic& a) { return qqbar_sgn_re(a.value_->number) < 0 ? -a : a; }
+Algebraic minimum(const Algebraic& a, const Algebraic& b) { return is_proved(less(b, a)) ? b : a; }
+Algebraic maximum(const Algebraic& a, const Algebraic& b) { return is_proved(less(a, b)) ? b : a; }
+
+Verdict less(const Algebraic& a, const Algebraic& b) {
+  return verdict_of(qqbar_cmp_re(a.value_->number, b.value_->number) < 0);
+}
+
+Verdict is_zero(const Algebraic& a) { return verdict_of(qqbar_is_zero(a.value_->number) != 0); }
+
+}  // namespace delcert

@@ -1,0 +1,162 @@
+#include "kernel/perturb/forbidden_search.hpp"
+
+#include "kernel/perturb/candidates.hpp"
+#include "kernel/perturb/simplex_walk.hpp"
+#include "kernel/simplex/dimensions.hpp"
+
+namespace delcert {
+
+namespace {
+
+template <int m>
+class Search {
+ public:
+  static constexpr bool visits_top = true;
+
+  /// Precondition: a `FilterGuard` is alive.
+  Search(const Atlas<m>& atlas, const PointSet<m>& points, const ForbiddenPropertiesParameters<Rational>& parameters,
+         const Rational& perturbation)
+      : atlas_(atlas),
+        points_(points),
+        parameters_(parameters),
+        reach_(approximate_double(parameters.edge_bound + Rational(2) * perturbation) * (1 + 0x1p-40)),
+        exact_(atlas.metric().template on<Rational>()),
+        view_(atlas, points),
+        filter_(atlas.metric().template on<Filter>()),
+        squared_edge_bound_(scalar_from<Filter>(square(parameters.edge_bound))),
+        squared_radius_bound_(scalar_from<Filter>(Rational(4) * square(parameters.sampling_radius))),
+        squared_hoop_(scalar_from<Filter>(parameters.squared_hoop_bound)) {}
+
+  /// The sets whose smallest label is i.
+  void look_at(Label i) {
+    const FilterGuard guard;
+    atlas_.sightings(i, reach_, seen_);
+    view_.clear();
+    // i itself first, at home; then the larger labels that are near enough to it.
+    for (const Sighting<m>& sighting : seen_) {
+      if (label_of<m>(sighting) == i && sighting.shift == Shift<m>{}) view_.add(sighting);
+    }
+    for (const Sighting<m>& sighting : seen_) {
+      if (!(i < label_of<m>(sighting))) continue;
+      const auto position = atlas_.carry(sighting, points_.enclosure(label_of<m>(sighting)));
+      const auto distance = filter_.squared_norm(difference(position, view_.position(0)));
+      if (!is_refuted(less(distance, squared_edge_bound_))) view_.add(sighting);
+    }
+    view_.connect(filter_, &squared_edge_bound_);
+    SimplexWalk<m, Search> walk(view_, filter_, exact_, *this);
+    walk.from(0);
+  }
+
+  ForbiddenSearch result;
+
+  // The visitor's part.
+
+  template <class S>
+  void start(const Vector<S, m>&) {}
+
+  /// Prunes on P2: a facet that contains this simplex has no smaller circumradius. Else, from dimension 2 on, the
+  /// simplex itself is looked at: P1 asks that its last vertex be within α₀R of the opposite circumsphere, hence of
+  /// the hull of that facet, and R of the facet is at most that of the simplex.
+  template <class S>
+  bool enter(const SphereStack<S, m>& stack, std::span<const std::uint32_t> vertices) {
+    ++result.simplices;
+    if constexpr (std::same_as<S, Filter>) {
+      if (vertices.size() >= 3) {
+        ++result.configurations;
+        const Filter most = squared_hoop_ * minimum(stack.squared_radius(), squared_radius_bound_);
+        if (!is_proved(less(most, stack.squared_altitude()))) decide_exactly(vertices);
+      }
+      return !is_refuted(less(stack.squared_radius(), squared_radius_bound_));
+    } else {
+      if (vertices.size() >= 3) {
+        ++result.configurations;
+        decide_exactly(vertices);
+      }
+      return stack.squared_radius() < Rational(4) * square(parameters_.sampling_radius);
+    }
+  }
+
+  /// A degenerate simplex may be a forbidden configuration, but is no face of a facet of one.
+  void degenerate(std::span<const std::uint32_t> vertices) {
+    if (vertices.size() < 3) return;
+    ++result.configurations;
+    decide_exactly(vertices);
+  }
+
+  /// m + 2 points: P1 asks that the last be within α₀R of the sphere of the others.
+  template <class S>
+  void top(const SphereStack<S, m>& stack, std::span<const std::uint32_t> vertices, std::uint32_t apex,
+           const Vector<S, m>& edge, const S& squared_edge) {
+    ++result.configurations;
+    if constexpr (std::same_as<S, Filter>) {
+      const Filter power = stack.power(edge, squared_edge);
+      if (is_proved(is_farther(power, stack.squared_radius(), squared_hoop_ * stack.squared_radius()))) return;
+    }
+    std::array<std::uint32_t, static_cast<std::size_t>(m) + 2> all{};
+    std::copy(vertices.begin(), vertices.end(), all.begin());
+    all[vertices.size()] = apex;
+    decide_exactly({all.data(), vertices.size() + 1});
+  }
+
+ private:
+  void decide_exactly(std::span<const std::uint32_t> vertices) {
+    ++result.decided_exactly;
+    std::vector<std::vector<Rational>> coordinates;
+    for (const std::uint32_t vertex : vertices) {
+      const auto position = view_.template position_in<Rational>(vertex);
+      coordinates.emplace_back(position.begin(), position.end());
+    }
+    const auto inner = [this](const std::vector<Rational>& x, const std::vector<Rational>& y) {
+      Vector<Rational, m> a;
+      Vector<Rational, m> b;
+      std::copy(x.begin(), x.end(), a.begin());
+      std::copy(y.begin(), y.end(), b.begin());
+      return exact_.inner(a, b);
+    };
+    const Verdict verdict = has_forbidden_properties(edge_gram_from_points(coordinates, inner), parameters_);
+    ladder_statistics().count(Rung::rational);
+    if (is_refuted(verdict) || result.found) return;
+    result.found.emplace();
+    for (const std::uint32_t vertex : vertices) result.found->push_back(view_.label(vertex));
+  }
+
+  const Atlas<m>& atlas_;
+  const PointSet<m>& points_;
+  ForbiddenPropertiesParameters<Rational> parameters_;
+  double reach_;
+  MetricOn<Rational, m> exact_;
+  PatchView<m> view_;
+  MetricOn<Filter, m> filter_;
+  Filter squared_edge_bound_;
+  Filter squared_radius_bound_;
+  Filter squared_hoop_;
+  std::vector<Sighting<m>> seen_;
+};
+
+}  // namespace
+
+template <int m>
+ForbiddenSearch search_forbidden(const Atlas<m>& atlas, const PointSet<m>& points,
+                                 const ForbiddenPropertiesParameters<Rational>& parameters,
+                                 const Rational& perturbation, const Progress& progress) {
+  auto search = [&] {
+    const FilterGuard guard;
+    return Search<m>(atlas, points, parameters, perturbation);
+  }();
+  for (std::uint32_t index = 0; index < atlas.size() && !search.result.found; ++index) {
+    if (index % 64 == 0) progress("search forbidden configurations", index, atlas.size());
+    search.look_at(Label(index));
+  }
+  progress("search forbidden configurations", atlas.size(), atlas.size());
+  ladder_statistics().count(Rung::interval, search.result.configurations - search.result.decided_exactly);
+  return search.result;
+}
+
+#define DELCERT_INSTANTIATE(m)                                                                                  \
+  template ForbiddenSearch search_forbidden<m>(const Atlas<m>&, const PointSet<m>&,                             \
+                                               const ForbiddenPropertiesParameters<Rational>&, const Rational&, \
+                                               const Progress&);
+DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
+#undef DELCERT_INSTANTIATE
+
+}  // namespace delcert

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+
+#include "kernel/number/strong.hpp"
+#include "kernel/perturb/parameters.hpp"
+#include "kernel/simplex/forbidden_configuration.hpp"
+
+namespace delcert {
+
+/// How the tolerances of a run are chosen.
+enum class RunMode {
+  theory,    ///< every constant as in the paper's Hypotheses 2 and Lemma "Algorithm guarantee"
+  measured,  ///< tolerances are parameters; what holds is what is certified afterwards
+  none,      ///< no perturbation
+};
+
+/// The parameters of a run and the paper's constants that go with them, for ξ₀ = ε₀ = 0.
+struct RunParameters {
+  RunMode mode = RunMode::theory;
+  PerturbationParameters algorithm;
+  /// Γ₀². In measured mode that Γ₀ for which the tolerance is 2α̃₀.
+  Rational squared_flake_parameter;
+
+  /// For the search of level 3, lengths: α₀ = 2¹³Γ₀/μ₀³, the sampling radius, the edge bound.
+  [[nodiscard]] ForbiddenPropertiesParameters<Rational> forbidden(const Rational& sampling_radius) const;
+};
+
+/// What a user may set; everything else follows.
+struct ParameterChoice {
+  RunMode mode = RunMode::theory;
+  std::optional<Rational> perturbation;  ///< ρ₀; by default μ₀/4
+  std::optional<Rational> tolerance;     ///< measured mode only; by default one per dimension
+  CandidateRule candidates = CandidateRule::pruned;
+  std::uint64_t seed = 0;
+};
+
+/// The tolerance of measured mode in this dimension: a few per cent of what the first tries of random perturbations
+/// still satisfy (docs/cli.md has the figures).
+[[nodiscard]] Rational default_tolerance(Dimension dimension);
+
+/// Throws InputError for a value out of range, and for a tolerance in theory mode.
+[[nodiscard]] RunParameters parameters_for(Dimension dimension, const Rational& separation,
+                                           const ParameterChoice& choice);
+
+}  // namespace delcert
