@@ -1,5 +1,6 @@
-# What the arithmetic rests on. Directed rounding dies silently without -frounding-math, and an enclosure
-# is wrong after contraction to FMA; both flags are part of the interface of every library here.
+# What the arithmetic rests on. Directed rounding dies silently without -frounding-math; contraction to FMA rounds
+# where no enclosure reckons with it, and not on every machine. Both flags are part of the interface of every library
+# here.
 add_library(delcert_rigour INTERFACE)
 target_compile_options(delcert_rigour INTERFACE -frounding-math -ffp-contract=off)
 target_compile_features(delcert_rigour INTERFACE cxx_std_20)

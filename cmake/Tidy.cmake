@@ -40,6 +40,9 @@ foreach(folder kernel proofs apps)
       cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${source_folder} OUTPUT_VARIABLE local)
       cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE name)
       set(stamp ${PROJECT_BINARY_DIR}/tidy/${name}.log)
+      if(stamp IN_LIST stamps)  # built twice, with other definitions
+        continue()
+      endif()
       cmake_path(GET stamp PARENT_PATH stamp_folder)
       file(MAKE_DIRECTORY ${stamp_folder})
       add_custom_command(OUTPUT ${stamp}
