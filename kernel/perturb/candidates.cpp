@@ -23,6 +23,7 @@ struct CandidateTest<m>::Collector {
   Vector<Filter, m> filter_offset;  // from the first vertex to the original point
   Filter filter_squared_offset;
   Vector<Rational, m> exact_offset;
+  typename SphereStack<Filter, m>::Probe probe;
 
   template <class S>
   void start(const Vector<S, m>& origin) {
@@ -48,6 +49,21 @@ struct CandidateTest<m>::Collector {
     candidate.centre = stack.centre();
     candidate.squared_radius = stack.squared_radius();
     return true;
+  }
+
+  void facet(const SphereStack<Filter, m>& stack) { probe = stack.probe(filter_offset, filter_squared_offset); }
+
+  void over(const SphereStack<Filter, m>& stack, const typename SphereStack<Filter, m>::Apex& apex,
+            std::span<const std::uint32_t> vertices) {
+    ++test->visited_;
+    if (filter_squared_radius_bound && is_refuted(less(apex.squared_radius, *filter_squared_radius_bound))) return;
+    const Filter power = SphereStack<Filter, m>::power_over(apex, probe);
+    if (is_proved(is_farther(power, apex.squared_radius, filter_squared_reach))) return;
+    add(vertices);
+    Candidate<m>& candidate = test->candidates_.back();
+    candidate.in_filter = true;
+    candidate.centre = stack.centre_over(apex);
+    candidate.squared_radius = apex.squared_radius;
   }
 
   bool enter(const SphereStack<Rational, m>& stack, std::span<const std::uint32_t> vertices) {

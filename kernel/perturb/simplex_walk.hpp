@@ -20,13 +20,19 @@ using ViewSimplex = std::array<std::uint32_t, static_cast<std::size_t>(m) + 2>;
 /// branch is walked in rationals.
 ///
 /// Visitor:
+///   template <class S> void start(const Vector<S, m>& origin) – the first vertex of what follows;
 ///   template <class S> bool enter(const SphereStack<S, m>&, std::span<const std::uint32_t> vertices)
 ///     – a simplex; whether to go on to the simplices that contain it and whose other vertices come later;
 ///   void degenerate(std::span<const std::uint32_t> vertices)
 ///     – exactly degenerate; nothing that contains it is visited;
+/// and if `visits_top`, which asks for sets of m + 2 points too,
 ///   template <class S> void top(const SphereStack<S, m>&, std::span<const std::uint32_t> vertices, std::uint32_t apex,
-///                               const Vector<S, m>& edge)
-///     – an m-simplex entered and one further vertex adjacent to all of its vertices; only if `visits_top`.
+///                               const Vector<S, m>& edge, const S& squared_edge)
+///     – an m-simplex entered and one further vertex adjacent to all of its vertices;
+/// otherwise the m-simplices are told in the filter as apexes over their facet, which is faster:
+///   void facet(const SphereStack<Filter, m>&) – the facet of those that follow;
+///   void over(const SphereStack<Filter, m>&, const typename SphereStack<Filter, m>::Apex&,
+///             std::span<const std::uint32_t> vertices).
 template <int m, class Visitor>
 class SimplexWalk {
  public:
@@ -81,12 +87,35 @@ class SimplexWalk {
   /// `count` vertices are on the stack; masks_[count − 1] holds what may come next.
   template <class S>
   void walk(SphereStack<S, m>& stack, std::size_t count) {
+    if constexpr (std::same_as<S, Filter> && !Visitor::visits_top) {
+      if (stack.dimension() == m - 1) {
+        walk_over(stack, count);
+        return;
+      }
+    }
     for (std::size_t word = 0; word < view_->words(); ++word) {
       for (std::uint64_t rest = masks_[count - 1][word]; rest != 0; rest &= rest - 1) {
         const auto next = static_cast<std::uint32_t>(word * 64 + static_cast<std::size_t>(std::countr_zero(rest)));
         step(stack, count, next);
       }
     }
+  }
+
+  void walk_over(SphereStack<Filter, m>& stack, std::size_t count) {
+    visitor_->facet(stack);
+    const std::span<const std::uint32_t> vertices(vertices_.data(), count + 1);
+    for_each_bit(masks_[count - 1], [&](std::uint32_t next) {
+      const auto apex = stack.apex(edges_[next], squared_edges_[next]);
+      vertices_[count] = next;
+      if (is_proved(apex.non_degenerate)) {
+        visitor_->over(stack, apex, vertices);
+      } else if (is_refuted(apex.non_degenerate)) {
+        visitor_->degenerate(vertices);
+      } else {
+        ladder_statistics().count(Rung::rational);
+        step_exactly(count, next);
+      }
+    });
   }
 
   template <class S>

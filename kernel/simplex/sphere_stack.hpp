@@ -76,6 +76,37 @@ class SphereStack {
     return squared_norm - S(2) * metric_->inner(y, centre());
   }
 
+  /// The m-simplex over the current facet with apex v0 + edge, without pushing: its centre is that of the facet plus
+  /// `factor` times the facet's normal.
+  struct Apex {
+    Verdict non_degenerate = Verdict::undecided;  // unless proved, the rest is not set
+    S factor{};
+    S squared_radius{};
+  };
+  /// Precondition: dimension() is m − 1.
+  [[nodiscard]] Apex apex(const Point& edge, const S& squared_edge) const {
+    Apex result;
+    S slope = pairing(covector_, edge);  // ⟨normal, edge⟩
+    if (!metric_->is_cartesian()) slope *= metric_->determinant();
+    result.non_degenerate = negation(is_zero(slope));
+    if (!is_proved(result.non_degenerate)) return result;
+    result.factor = power(edge, squared_edge) / (S(2) * slope);
+    result.squared_radius = squared_radius() + square(result.factor) * squared_normal_;
+    return result;
+  }
+  /// What is needed of a point v0 + y to know its power with respect to the sphere of any apex over this facet.
+  struct Probe {
+    S power{};   // with respect to the facet's diametric sphere
+    S height{};  // ⟨normal, y⟩
+  };
+  [[nodiscard]] Probe probe(const Point& y, const S& squared_norm) const {
+    return {power(y, squared_norm), metric_->inner(normal_, y)};
+  }
+  [[nodiscard]] static S power_over(const Apex& apex, const Probe& probe) {
+    return probe.power - S(2) * apex.factor * probe.height;
+  }
+  [[nodiscard]] Point centre_over(const Apex& apex) const { return sum(centre(), scaled(apex.factor, normal_)); }
+
  private:
   struct Level {
     Point centre;
