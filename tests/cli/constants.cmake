@@ -41,6 +41,6 @@ delcert_cli_test(constants-dimension-as-fraction STATUS 64 OUTPUT "^$"
 delcert_cli_test(constants-without-separation STATUS 64 OUTPUT "^$"
   COMMAND ${constants} --dim 2 --perturbation 1/4 ERROR "--separation is required")
 delcert_cli_test(constants-json-and-latex STATUS 64 OUTPUT "^$"
-  COMMAND ${constants} ${surface} --json --latex ERROR "--latex excludes --json")
+  COMMAND ${constants} ${surface} --json --latex ERROR "--json excludes --latex")
 delcert_cli_test(constants-unknown-option STATUS 64 OUTPUT "^$" COMMAND ${constants} ${surface} --separtion 1
   ERROR "--separtion")
