@@ -1,10 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <bit>
-
 #include "proofs/checker/certificate.hpp"
-#include "proofs/checker/faces.hpp"
 #include "proofs/checker/simplex.hpp"
 
 namespace delcert::checker {
@@ -34,36 +30,39 @@ Verdict is_short(const ConfigurationBounds& bounds, const N& e) {
 }
 
 /// P1 for the vertex at x from the first vertex of the opposite facet. The point of the circumsphere nearest to it is
-/// in the direction of its projection, which is at distance d = sqrt(D^2 - h^2) from the centre, where D is the
-/// distance from the centre and h the height: h^2 + (d - R)^2 <= alpha^2 R^2, that is D^2 + R^2 - alpha^2 R^2 <= sqrt(4
-/// d^2 R^2).
+/// in the direction of its projection, at distance d = sqrt(D^2 - h^2) from the centre, where D is its own distance
+/// from the centre and h its height: h^2 + (d - R)^2 <= alpha^2 R^2, that is D^2 + R^2 - alpha^2 R^2 <= sqrt(4 d^2
+/// R^2).
 template <class N>
-Verdict near_circumsphere(const Metric& metric, const ConfigurationBounds& bounds, const Simplex<N>& facet,
-                          const Vector<N>& x) {
+Verdict is_near_circumsphere(const Metric& metric, const ConfigurationBounds& bounds, const Simplex<N>& facet,
+                             const Vector<N>& x) {
   const N& squared = facet.radius_squared;
-  const N distance = squared + metric.squared_length(x) - N(2) * metric.product(x, facet.centre);
-  const N projected = distance - facet.squared_height(metric, x);
-  return at_most_root(distance + squared - bounds.alpha_squared.as<N>() * squared, N(4) * projected * squared);
+  const N distance = facet.power(x) + squared;
+  const N height = facet.dimension() == static_cast<std::size_t>(metric.dimension())
+                       ? N(0)
+                       : metric.squared_length(facet.perpendicular(x));
+  return at_most_root(distance + squared - bounds.alpha_squared.as<N>() * squared,
+                      N(4) * (distance - height) * squared);
 }
 
 /// Whether the k + 2 vertices have all of P1 to P4. A degenerate facet is not good (its thickness is 0, Gamma_0 > 0).
 template <class N>
 Verdict is_forbidden(const Certificate& c, const ConfigurationBounds& bounds, const Vertices& vertices) {
   Verdict result = Verdict::proved;
-  for (const Vertices& face : faces_of(vertices)) {
-    if (face.size() == 1 || face.size() == vertices.size() || result == Verdict::refuted) continue;
+  const unsigned all = (1u << vertices.size()) - 1;
+  for (unsigned subset = 1; subset < all && result != Verdict::refuted; ++subset) {
+    Vertices face, rest;
+    for (std::size_t k = 0; k < vertices.size(); ++k) ((subset >> k & 1) != 0 ? face : rest).push_back(vertices[k]);
+    if (face.size() == 1) continue;
     const std::vector<Vector<N>> corners = c.points.positions<N>(face);
     const Simplex<N> simplex(c.metric, corners);
-    if (simplex.non_degenerate != Verdict::proved) return conjunction(result, simplex.non_degenerate);
-    result = conjunction(result, simplex.thicker_than(bounds.thickness_squared[face.size() - 2].as<N>()));
-    if (face.size() == 2) result = conjunction(result, is_short(bounds, simplex.longest_squared));
-    if (face.size() + 1 < vertices.size()) continue;
-    const auto opposite = std::find_if(vertices.begin(), vertices.end(), [&](const Vertex& v) {
-      return std::none_of(face.begin(), face.end(), [&](const Vertex& w) { return v.label == w.label; });
-    });
-    const Vector<N> x = c.points.position<N>(*opposite) - corners[0];
+    if (simplex.complete != Verdict::proved) return conjunction(result, simplex.complete);
+    result = conjunction(result, is_thick(c.metric, corners, bounds.thickness_squared[face.size() - 2].as<N>()));
+    if (face.size() == 2) result = conjunction(result, is_short(bounds, c.points.between<N>(face[0], face[1])));
+    if (rest.size() > 1) continue;
+    const Vector<N> x = c.points.position<N>(rest[0]) - corners[0];
     result = conjunction(result, less(simplex.radius_squared, bounds.four_epsilon_squared.as<N>()));
-    result = conjunction(result, near_circumsphere(c.metric, bounds, simplex, x));
+    result = conjunction(result, is_near_circumsphere(c.metric, bounds, simplex, x));
   }
   return result;
 }

@@ -1,12 +1,15 @@
 #include "proofs/checker/cursor.hpp"
 
+#include <charconv>
+#include <nlohmann/json.hpp>
+
 #include "proofs/checker/exact_number.hpp"
-#include "proofs/checker/failure.hpp"
+#include "proofs/checker/report.hpp"
 
 namespace delcert::checker {
 
-void Cursor::fail(const std::string& rule, const std::string& expected) const {
-  throw Malformed(rule, "byte " + std::to_string(position_) + ": expected " + expected);
+void Cursor::fail(std::string_view rule, std::string_view expected) const {
+  throw Malformed(rule, "byte " + std::to_string(position_) + ": expected " + std::string(expected));
 }
 
 bool Cursor::accept(std::string_view literal) {
@@ -16,7 +19,7 @@ bool Cursor::accept(std::string_view literal) {
 }
 
 void Cursor::expect(std::string_view literal) {
-  if (!accept(literal)) fail("form.keys", std::string(literal));
+  if (!accept(literal)) fail("form.keys", literal);
 }
 
 void Cursor::expect_end() {
@@ -24,84 +27,41 @@ void Cursor::expect_end() {
   if (position_ != text_.size()) fail("form.bytes", "the end of the document");
 }
 
-std::string_view Cursor::string() {
+/// What stands between quotation marks, a backslash and the character after it taken together.
+std::string_view Cursor::quoted() {
   if (!accept("\"")) fail("form.types", "a string");
   const std::size_t begin = position_;
-  while (!accept("\"")) {
-    const auto byte = static_cast<unsigned char>(next());
-    if (byte < 0x20) fail("form.bytes", "a string without control characters");
-    if (byte >= 0x80) {
-      beyond_ascii();
-    } else if (byte == '\\') {
-      escape();
-    } else {
-      ++position_;
-    }
+  for (; position_ < text_.size() && text_[position_] != '"'; ++position_) {
+    if (text_[position_] == '\\') ++position_;
   }
-  return text_.substr(begin, position_ - begin - 1);
+  if (position_ >= text_.size()) fail("form.bytes", "the end of the string");
+  return text_.substr(begin, position_++ - begin);
 }
 
-void Cursor::escape() {
-  ++position_;
-  if (std::string_view("\"\\/bfnrt").find(next()) != std::string_view::npos) {
-    ++position_;
-    return;
-  }
-  if (!accept("u")) fail("form.bytes", "an escape sequence of JSON");
-  const unsigned unit = hexadecimal4();
-  if (unit < 0xd800 || unit > 0xdfff) return;
-  if (unit > 0xdbff || !accept("\\u")) fail("form.bytes", "a surrogate pair");
-  const unsigned low = hexadecimal4();
-  if (low < 0xdc00 || low > 0xdfff) fail("form.bytes", "a surrogate pair");
-}
-
-unsigned Cursor::hexadecimal4() {
-  unsigned value = 0;
-  for (int i = 0; i < 4; ++i) {
-    const std::size_t digit = std::string_view("0123456789abcdefABCDEF").find(next());
-    if (digit == std::string_view::npos) fail("form.bytes", "four hexadecimal digits");
-    value = 16 * value + static_cast<unsigned>(digit < 16 ? digit : digit - 6);
-    ++position_;
-  }
-  return value;
-}
-
-void Cursor::beyond_ascii() {
-  const auto lead = static_cast<unsigned char>(next());
-  const int more = lead < 0xc2 || lead > 0xf4 ? -1 : lead < 0xe0 ? 1 : lead < 0xf0 ? 2 : 3;
-  // The second byte excludes overlong forms, surrogates and code points above U+10FFFF.
-  unsigned lowest = lead == 0xe0 ? 0xa0 : lead == 0xf0 ? 0x90 : 0x80;
-  unsigned highest = lead == 0xed ? 0x9f : lead == 0xf4 ? 0x8f : 0xbf;
-  if (more < 0) fail("form.bytes", "valid UTF-8");
-  ++position_;
-  for (int i = 0; i < more; ++i, lowest = 0x80, highest = 0xbf, ++position_) {
-    const auto byte = static_cast<unsigned char>(next());
-    if (byte < lowest || byte > highest) fail("form.bytes", "valid UTF-8");
-  }
+std::string_view Cursor::string() {
+  const std::string_view content = quoted();
+  const std::string_view with_marks = text_.substr(position_ - content.size() - 2, content.size() + 2);
+  if (!nlohmann::json::accept(with_marks.begin(), with_marks.end()))
+    fail("form.bytes", "a JSON string in UTF-8 before this");
+  return content;
 }
 
 std::string_view Cursor::number() {
-  const std::size_t begin = position_;
-  const std::string_view text = string();
-  if (is_exact_number(text)) return text;
-  position_ = begin;
-  fail("form.numbers", "an exact number in quotation marks (integer, fraction or hexadecimal float)");
+  const std::string_view content = quoted();
+  if (!is_exact_number(content))
+    fail("form.numbers", "an exact number (integer, fraction, hexadecimal float) before this");
+  return content;
 }
 
 std::uint64_t Cursor::count(std::uint64_t largest) {
-  const std::size_t begin = position_;
   std::uint64_t value = 0;
-  const auto at_digit = [this] { return next() >= '0' && next() <= '9'; };
-  bool fits = at_digit();
-  for (const bool leading_zero = next() == '0'; fits && at_digit(); ++position_) {
-    if (leading_zero && position_ > begin) fail("form.types", "an integer without leading zeros");
-    const auto digit = static_cast<std::uint64_t>(next() - '0');
-    fits = digit <= largest && value <= (largest - digit) / 10;
-    value = 10 * value + digit;
-  }
-  if (fits) return value;
-  position_ = begin;
-  fail("form.types", "an integer from 0 to " + std::to_string(largest));
+  const char* begin = text_.data() + position_;
+  const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), value);
+  const bool leading_zero = end - begin > 1 && *begin == '0';
+  if (error != std::errc{} || leading_zero || value > largest)
+    fail("form.types", "an integer from 0 to " + std::to_string(largest));
+  position_ += static_cast<std::size_t>(end - begin);
+  return value;
 }
 
 std::int64_t Cursor::integer() {

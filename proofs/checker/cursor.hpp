@@ -12,7 +12,7 @@ class Cursor {
  public:
   explicit Cursor(std::string_view text) : text_(text) {}
 
-  std::size_t position() const { return position_; }
+  std::string_view passed() const { return text_.substr(0, position_); }
   /// Whether the text goes on with the literal, which is then passed.
   bool accept(std::string_view literal);
   void expect(std::string_view literal);
@@ -27,7 +27,7 @@ class Cursor {
   std::int64_t integer();
   bool boolean();
 
-  /// `[` item `,` item … `]`.
+  /// `[` item `,` item … `]`, of any length.
   template <class Item>
   void array(const Item& item) {
     expect("[");
@@ -37,14 +37,20 @@ class Cursor {
     } while (accept(","));
     expect("]");
   }
+  /// The same with exactly `length` > 0 items.
+  template <class Item>
+  void row(int length, const Item& item) {
+    for (int k = 0; k < length; ++k) {
+      expect(k == 0 ? "[" : ",");
+      item();
+    }
+    expect("]");
+  }
 
-  [[noreturn]] void fail(const std::string& rule, const std::string& expected) const;
+  [[noreturn]] void fail(std::string_view rule, std::string_view expected) const;
 
  private:
-  char next() const { return position_ < text_.size() ? text_[position_] : '\0'; }
-  void escape();
-  unsigned hexadecimal4();
-  void beyond_ascii();
+  std::string_view quoted();
 
   std::string_view text_;
   std::size_t position_ = 0;

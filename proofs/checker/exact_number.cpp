@@ -1,6 +1,5 @@
 #include "proofs/checker/exact_number.hpp"
 
-#include <cstdint>
 #include <string>
 
 namespace delcert::checker {
@@ -51,13 +50,6 @@ Parts split(std::string_view text) {
   return parts;
 }
 
-/// [mantissa, mantissa + open] 2^exponent for a mantissa below 2^60 and an exponent for which no double overflows.
-Interval scaled(std::uint64_t mantissa, bool open, int exponent) {
-  for (; mantissa >> 53 != 0; mantissa >>= 1, ++exponent) open = open || (mantissa & 1) != 0;
-  const auto lower = static_cast<double>(mantissa);
-  return Interval::between(std::ldexp(lower, exponent), std::ldexp(open ? lower + 1 : lower, exponent));
-}
-
 }  // namespace
 
 bool is_exact_number(std::string_view text) { return split(text).valid; }
@@ -79,36 +71,6 @@ Rational exact_value(std::string_view text) {
   if (parts.negative) fmpz_neg(numerator, numerator);
   fmpq_canonicalise(value.raw());
   return value;
-}
-
-Interval enclosure(std::string_view text) {
-  const Parts parts = split(text);
-  Interval result;
-  if (parts.hexadecimal && parts.exponent > -800 && parts.exponent < 800 && parts.whole.size() < 50 &&
-      parts.part.size() < 50) {
-    std::uint64_t mantissa = 0;
-    int exponent = parts.exponent - 4 * static_cast<int>(parts.part.size());
-    bool open = false;
-    for (const std::string_view digits : {parts.whole, parts.part}) {
-      for (const char digit : digits) {
-        if (mantissa >> 56 == 0) {
-          mantissa = mantissa * 16 + hexadecimal_digits.find(digit);
-        } else {
-          open = open || digit != '0';
-          exponent += 4;
-        }
-      }
-    }
-    if (exponent > 900) return enclosure(exact_value(text));
-    result = scaled(mantissa, open, exponent);
-  } else if (!parts.hexadecimal && parts.whole.size() <= 15 && parts.part.size() <= 15) {
-    const auto whole = static_cast<double>(std::stoll(std::string(parts.whole)));
-    const auto part = parts.part.empty() ? 1.0 : static_cast<double>(std::stoll(std::string(parts.part)));
-    result = Interval::between(whole, whole) / Interval::between(part, part);
-  } else {
-    return enclosure(exact_value(text));
-  }
-  return parts.negative ? -result : result;
 }
 
 }  // namespace delcert::checker

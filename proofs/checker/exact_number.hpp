@@ -13,8 +13,4 @@ bool is_exact_number(std::string_view text);
 /// The value, without rounding. Precondition: is_exact_number(text).
 Rational exact_value(std::string_view text);
 
-/// An enclosure of relative width at most 2^-50, much faster than through `exact_value`.
-/// Preconditions: is_exact_number(text), the thread rounds upwards.
-Interval enclosure(std::string_view text);
-
 }  // namespace delcert::checker

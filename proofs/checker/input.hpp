@@ -5,8 +5,8 @@
 
 namespace delcert::checker {
 
-/// The bytes of the file, decompressed if they begin with the magic number of zstd. Throws Unreadable, or Malformed if
-/// the compressed data is not exactly one frame or grows more than a certificate can.
+/// The bytes of the file, decompressed if they begin with the magic number of zstd. Throws std::invalid_argument if it
+/// cannot be read, or Malformed if the compressed data is not exactly one frame or grows more than a certificate can.
 std::string read_document(const std::string& path);
 
 /// What read_document does after reading the bytes.

@@ -3,9 +3,17 @@
 #include <cmath>
 #include <limits>
 
-#include "proofs/checker/verdict.hpp"
-
 namespace delcert::checker {
+
+/// The outcome of a comparison. There is no conversion to bool: whoever asks says what undecided means.
+enum class Verdict { refuted, undecided, proved };
+
+constexpr Verdict verdict(bool truth) { return truth ? Verdict::proved : Verdict::refuted; }
+constexpr Verdict conjunction(Verdict a, Verdict b) { return a < b ? a : b; }
+constexpr Verdict disjunction(Verdict a, Verdict b) { return a < b ? b : a; }
+constexpr Verdict negation(Verdict v) {
+  return v == Verdict::undecided ? v : v == Verdict::proved ? Verdict::refuted : Verdict::proved;
+}
 
 /// A closed interval of real numbers with double endpoints, which may be infinite: the filter.
 ///
@@ -22,8 +30,6 @@ class Interval {
 
   double lower() const { return -minus_lower_; }
   double upper() const { return upper_; }
-  /// The largest absolute value.
-  double magnitude() const { return larger(minus_lower_, upper_); }
 
   friend Interval operator+(const Interval& a, const Interval& b) {
     return {a.minus_lower_ + b.minus_lower_, a.upper_ + b.upper_};

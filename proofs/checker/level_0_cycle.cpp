@@ -1,49 +1,18 @@
 #include <algorithm>
 
-#include "proofs/checker/faces.hpp"
-#include "proofs/checker/levels.hpp"
+#include "proofs/checker/run.hpp"
 #include "proofs/checker/simplex.hpp"
 
 namespace delcert::checker {
 namespace {
 
-/// The convex hull of the face is at distance >= radius from the origin: it lies beyond the plane through y
-/// perpendicular to y, where y is the foot of the perpendicular to the affine hull of some subface. The radius is
-/// positive, so that y is not 0. Rational only: few faces are on the boundary.
-bool beyond_radius(const Certificate& c, const Vertices& face) {
-  for (const Vertices& subface : faces_of(face)) {
-    std::vector<Vector<Rational>> corners = c.net.positions<Rational>(subface);
-    Vector<Rational> foot = corners[0];
-    const std::size_t k = corners.size() - 1;
-    Matrix<Rational> gram{};
-    for (std::size_t i = 0; i <= k; ++i) corners[i] = corners[i] - foot;
-    for (std::size_t i = 0; i < k; ++i) {
-      for (std::size_t j = 0; j < k; ++j) gram[i][j] = c.metric.product(corners[i + 1], corners[j + 1]);
-    }
-    if (invert(gram, static_cast<int>(k)) != Verdict::proved) continue;
-    const Vector<Rational> corner = foot;
-    for (std::size_t i = 0; i < k; ++i) {
-      for (std::size_t j = 0; j < k; ++j) {
-        const Rational weight = gram[i][j] * c.metric.product(corners[j + 1], corner);
-        for (std::size_t a = 0; a < foot.size(); ++a) foot[a] = foot[a] - weight * corners[i + 1][a];
-      }
-    }
-    const Rational height = c.metric.squared_length(foot);
-    bool beyond = less_equal(square(c.radius.exact), height) == Verdict::proved;
-    for (const Vertex& v : face) {
-      beyond = beyond && less_equal(height, c.metric.product(c.net.position<Rational>(v), foot)) == Verdict::proved;
-    }
-    if (beyond) return true;
-  }
-  return false;
-}
-
-/// A facet of a net simplex: its labels in increasing order, with the sign that it has in the boundary.
+/// A facet of a net simplex: its labels in increasing order, and its sign in the boundary.
 struct Facet {
   std::array<Label, 4> labels{};
   int sign = 1;
 };
 
+/// The sign is (-1)^omitted times that of the permutation that sorts the remaining labels (here by insertion).
 Facet facet_opposite(const Label* labels, int size, int omitted) {
   Facet facet;
   facet.sign = omitted % 2 == 0 ? 1 : -1;
@@ -60,27 +29,47 @@ Facet facet_opposite(const Label* labels, int size, int omitted) {
   return facet;
 }
 
+/// The convex hull of the net points is at distance >= radius from the origin: it lies beyond the plane through y
+/// perpendicular to y, where y is the foot of the perpendicular to the affine hull of some subset. (The radius is
+/// positive, so that y is not 0.) In rational numbers only, since few faces are on the boundary.
+bool is_beyond_radius(const Certificate& c, const Label* labels) {
+  for (unsigned subset = 1; subset < 1u << c.m; ++subset) {
+    Vertices face;
+    for (int k = 0; k < c.m; ++k) {
+      if ((subset >> k & 1) != 0) face.push_back({labels[k], {}});
+    }
+    const std::vector<Vector<Rational>> corners = c.net.positions<Rational>(face);
+    const Simplex<Rational> simplex(c.metric, corners);
+    if (simplex.complete != Verdict::proved) continue;
+    const Vector<Rational> y = simplex.perpendicular(corners[0]);
+    const Rational height = c.metric.squared_length(y);
+    bool beyond = less_equal(square(c.radius.exact), height) == Verdict::proved;
+    for (int k = 0; k < c.m; ++k) {
+      const Rational along = c.metric.product(c.net.position<Rational>({labels[k], {}}), y);
+      beyond = beyond && less_equal(height, along) == Verdict::proved;
+    }
+    if (beyond) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void check_cycle(const Certificate& c, Report& report) {
   const int size = c.m + 1;
   std::vector<Facet> facets;
-  facets.reserve(c.document.net_simplices.size());
-  for (std::size_t s = 0; s < c.document.net_simplices.size(); s += static_cast<std::size_t>(size)) {
-    for (int k = 0; k < size; ++k) facets.push_back(facet_opposite(&c.document.net_simplices[s], size, k));
+  facets.reserve(c.net_simplices.size());
+  for (std::size_t s = 0; s < c.net_simplices.size(); s += static_cast<std::size_t>(size)) {
+    for (int k = 0; k < size; ++k) facets.push_back(facet_opposite(&c.net_simplices[s], size, k));
   }
   std::sort(facets.begin(), facets.end(), [](const Facet& a, const Facet& b) { return a.labels < b.labels; });
-  for (std::size_t begin = 0, end = 0; begin < facets.size(); begin = end) {
+  for (auto begin = facets.begin(), end = begin; begin != facets.end(); begin = end) {
     int sum = 0;
-    for (; end < facets.size() && facets[end].labels == facets[begin].labels; ++end) sum += facets[end].sign;
-    if (sum == 0) continue;
-    const std::vector<Label> labels(facets[begin].labels.begin(), facets[begin].labels.begin() + c.m);
-    Vertices face;
-    for (const Label label : labels) face.push_back({label, {}});
-    if (!c.torus && beyond_radius(c, face)) continue;
+    for (; end != facets.end() && end->labels == begin->labels; ++end) sum += end->sign;
+    if (sum == 0 || (!c.torus && is_beyond_radius(c, begin->labels.data()))) continue;
     report.reject("0.cycle", [&] {
-      return "the net simplices have the boundary face " + label_set(labels) + " with multiplicity " +
-             std::to_string(sum);
+      return "the net simplices have the face " + label_set(begin->labels.data(), begin->labels.data() + c.m) +
+             " in their boundary, " + std::to_string(sum) + " times";
     });
   }
 }

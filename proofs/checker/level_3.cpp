@@ -3,12 +3,18 @@
 
 #include "proofs/checker/configuration.hpp"
 #include "proofs/checker/grid.hpp"
-#include "proofs/checker/levels.hpp"
+#include "proofs/checker/run.hpp"
 
 namespace delcert::checker {
 namespace {
 
 using Bits = std::vector<std::uint64_t>;
+
+Bits intersection(const Bits& a, const Bits& b) {
+  Bits result(a.size());
+  for (std::size_t k = 0; k < a.size(); ++k) result[k] = a[k] & b[k];
+  return result;
+}
 
 /// A lift near the first vertex v_0, relative to it.
 struct Candidate {
@@ -16,62 +22,6 @@ struct Candidate {
   Vector<Interval> x, twice_covector;  // q - v_0 and 2 G (q - v_0)
   Interval squared_length{0};
 };
-
-/// The simplex of the vertices chosen so far, by the orthogonalised edges and the circumcentre relative to v_0.
-template <class N>
-struct Node {
-  std::size_t edges = 0;
-  std::array<Vector<N>, 4> direction{}, covector{};  // u_k and G u_k / |u_k|^2
-  Vector<N> centre{};
-  N radius_squared{0};
-};
-
-template <class N>
-N dot(const Vector<N>& x, const Vector<N>& y, std::size_t m) {
-  N sum = x[0] * y[0];
-  for (std::size_t k = 1; k < m; ++k) sum = sum + x[k] * y[k];
-  return sum;
-}
-
-/// Adds a vertex at x from v_0 with P = |x|^2 - 2 <x, c>: u = x - sum <x, u_k> u_k / |u_k|^2 and c' = c + s u with
-/// 2 s |u|^2 = P, since c' is as far from x as from v_0. Refuted if the vertices are degenerate.
-template <class N>
-Verdict join(const Metric& metric, Node<N>& node, const Vector<N>& x, const N& power) {
-  const auto m = static_cast<std::size_t>(metric.dimension());
-  Vector<N> u = x;
-  for (std::size_t k = 0; k < node.edges; ++k) {
-    const N coefficient = dot(x, node.covector[k], m);
-    for (std::size_t a = 0; a < m; ++a) u[a] = u[a] - coefficient * node.direction[k][a];
-  }
-  const N length = metric.squared_length(u);
-  const Verdict positive = less(N(0), length);
-  if (positive != Verdict::proved) return positive;
-  const N inverse = N(1) / length;
-  const N step = power * inverse / N(2);
-  Vector<N> covector = metric.covector(u);
-  for (std::size_t a = 0; a < m; ++a) {
-    covector[a] = covector[a] * inverse;
-    node.centre[a] = node.centre[a] + step * u[a];
-  }
-  node.radius_squared = node.radius_squared + step * power / N(2);
-  node.direction[node.edges] = u;
-  node.covector[node.edges++] = covector;
-  return Verdict::proved;
-}
-
-Node<Interval> enclosure(const Node<Rational>& exact) {
-  Node<Interval> node;
-  node.edges = exact.edges;
-  for (std::size_t a = 0; a < 4; ++a) {
-    node.centre[a] = enclosure(exact.centre[a]);
-    for (std::size_t k = 0; k < exact.edges; ++k) {
-      node.direction[k][a] = enclosure(exact.direction[k][a]);
-      node.covector[k][a] = enclosure(exact.covector[k][a]);
-    }
-  }
-  node.radius_squared = enclosure(exact.radius_squared);
-  return node;
-}
 
 /// Enumerates the sets of at most m + 2 lifts of different labels that are pairwise not certainly too far apart (P3).
 /// Each set mod the lattice is met once: its least label v_0 at lift 0, the others in increasing order.
@@ -90,7 +40,7 @@ class Search {
     collect(first);
     Bits all((candidates_.size() + 63) / 64, ~std::uint64_t{0});
     if (candidates_.size() % 64 != 0) all.back() >>= 64 - candidates_.size() % 64;
-    extend({}, all);
+    extend(Simplex<Interval>(c_.metric), all);
   }
 
   std::uint64_t sets = 0;   // of three or more
@@ -110,9 +60,8 @@ class Search {
       for (Interval& entry : candidate.twice_covector) entry = entry + entry;
       candidates_.push_back(candidate);
     });
-    std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
-      return std::pair(a.vertex.label, a.vertex.lift) < std::pair(b.vertex.label, b.vertex.lift);
-    });
+    std::sort(candidates_.begin(), candidates_.end(),
+              [](const Candidate& a, const Candidate& b) { return a.vertex < b.vertex; });
     later_.assign(candidates_.size(), Bits((candidates_.size() + 63) / 64, 0));
     for (std::size_t a = 0; a < candidates_.size(); ++a) {
       for (std::size_t b = a + 1; b < candidates_.size(); ++b) {
@@ -123,59 +72,48 @@ class Search {
     }
   }
 
-  /// Looks at all sets that contain the chosen ones (the node) and candidates out of `allowed`.
-  void extend(const Node<Interval>& node, const Bits& allowed) {
+  /// Looks at all sets that contain the chosen vertices, which span the simplex, and candidates out of `allowed`.
+  void extend(const Simplex<Interval>& simplex, const Bits& allowed) {
     // P1 fails at the last vertex q if q is certainly farther than alpha R from the circumscribed sphere of the others,
     // which contains their circumsphere: for | |q - c| - R | <= alpha R implies |P| = | |q - c| - R | (|q - c| + R)
     // <= alpha R (2R + alpha R), where P = |q - c|^2 - R^2 = |q|^2 - 2 <q, c>.
-    const double narrow = (power_factor_ * node.radius_squared).upper();
+    const double narrow = (power_factor_ * simplex.radius_squared).upper();
     for (std::size_t word = 0; word < allowed.size(); ++word) {
       for (std::uint64_t bits = allowed[word]; bits != 0; bits &= bits - 1) {
         const std::size_t index = 64 * word + static_cast<std::size_t>(std::countr_zero(bits));
         const Candidate& q = candidates_[index];
-        const Interval power = q.squared_length - dot(q.twice_covector, node.centre, m_);
+        const Interval power = q.squared_length - dot(q.twice_covector, simplex.centre, m_);
         chosen_.push_back(q.vertex);
-        if (node.edges > 0) {
+        if (simplex.dimension() > 0) {
           ++sets;
           if (power.lower() <= narrow && -power.upper() <= narrow) decide_configuration();
         }
-        if (node.edges < m_) {
-          Bits rest(allowed.size());
-          for (std::size_t k = 0; k < rest.size(); ++k) rest[k] = allowed[k] & later_[index][k];
-          Node<Interval> next = node;
-          // A larger set has a facet with all chosen vertices; its circumradius is at least theirs (P2), and it is
-          // not good if they are degenerate (P4).
-          if (std::any_of(rest.begin(), rest.end(), [](std::uint64_t w) { return w != 0; }) && joined(next, q, power) &&
-              next.radius_squared.lower() < bounds_.four_epsilon_squared.filter.upper()) {
-            extend(next, rest);
-          }
-        }
+        if (simplex.dimension() < m_) extend_by(simplex, q, power, intersection(allowed, later_[index]));
         chosen_.pop_back();
       }
     }
   }
 
-  /// Adds the last chosen vertex to the node; false if the vertices are degenerate.
-  bool joined(Node<Interval>& node, const Candidate& q, const Interval& power) const {
-    const Verdict filtered = join(c_.metric, node, q.x, power);
-    if (filtered != Verdict::undecided) return filtered == Verdict::proved;
-    Node<Rational> exact;
-    const Vector<Rational> origin = c_.points.position<Rational>(chosen_[0]);
-    for (std::size_t k = 1; k < chosen_.size(); ++k) {
-      const Vector<Rational> x = c_.points.position<Rational>(chosen_[k]) - origin;
-      const Rational exact_power = c_.metric.squared_length(x) - Rational(2) * c_.metric.product(x, exact.centre);
-      if (join(c_.metric, exact, x, exact_power) != Verdict::proved) return false;
+  /// Looks at the larger sets. Each has a facet that contains all chosen vertices: it is not good if they are
+  /// degenerate (P4), and its circumradius is at least theirs (P2).
+  void extend_by(Simplex<Interval> simplex, const Candidate& q, const Interval& power, const Bits& allowed) {
+    if (std::all_of(allowed.begin(), allowed.end(), [](std::uint64_t word) { return word == 0; })) return;
+    Verdict added = simplex.add_vertex(q.x, power);
+    if (added == Verdict::undecided) {
+      const Simplex<Rational> exact(c_.metric, c_.points.positions<Rational>(chosen_));
+      added = exact.complete;
+      if (added == Verdict::proved) simplex = Simplex<Interval>(exact);
     }
-    node = enclosure(exact);
-    return true;
+    if (added == Verdict::proved && simplex.radius_squared.lower() < bounds_.four_epsilon_squared.filter.upper())
+      extend(simplex, allowed);
   }
 
   void decide_configuration() {
     ++close;
     if (!decide([&]<class N>(In<N>) { return is_forbidden<N>(c_, bounds_, chosen_); })) return;
     report_.reject("3.configuration", [&] {
-      std::string text = "forbidden configuration of";
-      for (const Vertex& v : chosen_) text += " " + std::to_string(v.label) + " + " + to_string(v.lift, c_.m);
+      std::string text = "forbidden configuration";
+      for (const Vertex& v : chosen_) text += ", " + to_string(v, c_.m);
       return text;
     });
   }

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "proofs/checker/input.hpp"
-#include "proofs/checker/print.hpp"
+#include "proofs/checker/report.hpp"
 #include "proofs/checker/run.hpp"
 #include "proofs/checker/self_test.hpp"
 
@@ -62,9 +62,6 @@ int main(int argc, char** argv) {
     }
     if (!quiet) std::cout << (json ? as_json(file, outcome) : as_text(outcome));
     return outcome.status;
-  } catch (const Unreadable& reason) {
-    std::cerr << "delcert-check: " << reason.what() << "\n";
-    return usage_error;
   } catch (const std::invalid_argument& reason) {
     std::cerr << "delcert-check: " << reason.what() << "\n";
     return usage_error;

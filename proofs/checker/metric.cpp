@@ -1,61 +1,41 @@
 #include "proofs/checker/metric.hpp"
 
-#include "proofs/checker/exact_number.hpp"
+#include <flint/fmpq_mat.h>
+
 #include "proofs/checker/report.hpp"
-#include "proofs/checker/simplex.hpp"
 
 namespace delcert::checker {
 
-std::string to_string(const Lift& lift, int dimension) {
-  std::string text;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k) {
-    text += (k == 0 ? "(" : ", ") + std::to_string(lift[k]);
-  }
-  return text + ")";
-}
-
-Metric::Metric(int dimension, const std::vector<std::string_view>& gram) : dimension_(dimension) {
+Metric::Metric(int dimension, const std::vector<Rational>& gram) : dimension_(dimension) {
   const auto m = static_cast<std::size_t>(dimension);
-  Matrix<Rational> matrix{};
-  for (std::size_t i = 0; i < m; ++i) {
-    for (std::size_t k = 0; k < m; ++k) {
-      matrix[i][k] = gram.empty() ? Rational(i == k) : exact_value(gram[i * m + k]);
-      if (i > k) {
-        const bool equal = fmpq_equal(matrix[i][k].raw(), matrix[k][i].raw()) != 0;
-        Report::require("form.gram", equal, "gram is not symmetric");
+  for (int size = 1; size <= dimension; ++size) {
+    fmpq_mat_t leading, inverse;
+    fmpq_mat_init(leading, size, size);
+    fmpq_mat_init(inverse, size, size);
+    for (int i = 0; i < size; ++i) {
+      for (int k = 0; k < size; ++k) {
+        const auto row = static_cast<std::size_t>(i), column = static_cast<std::size_t>(k);
+        const Rational entry = gram.empty() ? Rational(i == k ? 1 : 0) : gram[row * m + column];
+        if (!gram.empty()) {
+          Report::require("form.gram", entry == gram[column * m + row], "gram is not symmetric");
+        }
+        fmpq_set(fmpq_mat_entry(leading, i, k), entry.raw());
+        if (size == dimension && i <= k && entry.sign() != 0) entries_.push_back({row, column, Quantity(entry)});
       }
     }
-  }
-  for (std::size_t i = 0; i < m; ++i) {
-    for (std::size_t k = i; k < m; ++k) {
-      if (matrix[i][k].sign() == 0) continue;
-      const bool unit =
-          less(matrix[i][k], Rational(1)) == Verdict::refuted && less(Rational(1), matrix[i][k]) == Verdict::refuted;
-      entries_.push_back({i, k, unit, Quantity(matrix[i][k])});
+    Rational minor;
+    fmpq_mat_det(minor.raw(), leading);
+    if (minor.sign() <= 0) throw Malformed("form.gram", "gram is not positive definite");
+    if (size == dimension && fmpq_mat_inv(inverse, leading) != 0) {
+      for (std::size_t k = 0; k < m; ++k) {
+        Rational diagonal;
+        fmpq_set(diagonal.raw(), fmpq_mat_entry(inverse, static_cast<slong>(k), static_cast<slong>(k)));
+        stretch_[k] = upper_root(enclosure(diagonal));
+      }
     }
+    fmpq_mat_clear(leading);
+    fmpq_mat_clear(inverse);
   }
-  if (invert(matrix, dimension) != Verdict::proved) throw Malformed("form.gram", "gram is not positive definite");
-  for (std::size_t k = 0; k < m; ++k) stretch_[k] = upper_root(enclosure(matrix[k][k]));
-}
-
-std::optional<Lift> Metric::lattice_vector_within(const Quantity& a, bool closed) const {
-  std::array<double, 4> first{}, last{};
-  for (std::size_t k = 0; k < static_cast<std::size_t>(dimension_); ++k) {
-    last[k] = std::floor(a.filter.upper() * stretch_[k]);
-    first[k] = -last[k];
-  }
-  std::optional<Lift> found;
-  for_each_integer_vector(dimension_, first, last, [&](const Lift& lift) {
-    const auto within = [&]<class N>(In<N>) {
-      Vector<N> x{};
-      for (std::size_t k = 0; k < x.size(); ++k) x[k] = N(lift[k]);
-      const N length = squared_length(x), bound = square(a.as<N>());
-      return closed ? less_equal(length, bound) : less(length, bound);
-    };
-    if (lift != Lift{} && decide(within)) found = lift;
-    return found.has_value();
-  });
-  return found;
 }
 
 }  // namespace delcert::checker

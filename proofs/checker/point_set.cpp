@@ -1,6 +1,15 @@
 #include "proofs/checker/point_set.hpp"
 
+#include "proofs/checker/report.hpp"
+
 namespace delcert::checker {
+
+std::string to_string(const Vertex& v, int dimension) {
+  std::string text = std::to_string(v.label) + " + (";
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k)
+    text += (k == 0 ? "" : ", ") + std::to_string(v.lift[k]);
+  return text + ")";
+}
 
 PointSet::PointSet(const Metric& metric, bool periodic, const std::vector<std::string_view>& coordinates)
     : metric_(&metric),
@@ -8,29 +17,46 @@ PointSet::PointSet(const Metric& metric, bool periodic, const std::vector<std::s
       periodic_(periodic),
       dimension_(static_cast<std::size_t>(metric.dimension())) {
   filter_.reserve(coordinates.size());
-  for (const std::string_view text : coordinates) filter_.push_back(enclosure(text));
+  for (const std::string_view text : coordinates) filter_.push_back(enclosure(exact_value(text)));
 }
 
 std::vector<Lift> PointSet::lifts_within(const Vertex& v, Label label, const Quantity& a, bool closed) const {
   const Vector<Interval> offset = position<Interval>({label, {}}) - position<Interval>(v);
-  std::array<double, 4> first{}, last{};
+  std::array<Lift, 2> range{};  // first and last
+  double number = 1;
   for (std::size_t k = 0; periodic_ && k < dimension_; ++k) {
     const double reach = a.filter.upper() * metric_->stretch(k);
     const Interval box = Interval::between(-reach, reach) - offset[k];
-    first[k] = std::ceil(box.lower());
-    last[k] = std::floor(box.upper());
+    const double first = std::ceil(box.lower()), last = std::floor(box.upper());
+    if (first > last) return {};
+    number *= last - first + 1;
+    if (!(number <= 1e7 && first > -0x1p30 && last < 0x1p30)) throw Undecided("too many lifts to look at");
+    range[0][k] = static_cast<std::int32_t>(first);
+    range[1][k] = static_cast<std::int32_t>(last);
   }
   std::vector<Lift> found;
-  for_each_integer_vector(dimension(), first, last, [&](const Lift& lift) {
-    const auto within = [&]<class N>(In<N>) {
-      const N length = metric_->squared_length(position<N>({label, lift}) - position<N>(v));
-      const N bound = square(a.as<N>());
-      return closed ? less_equal(length, bound) : less(length, bound);
-    };
-    if (decide(within)) found.push_back(lift);
-    return false;
-  });
+  Lift lift;
+  for (lift[3] = range[0][3]; lift[3] <= range[1][3]; ++lift[3]) {
+    for (lift[2] = range[0][2]; lift[2] <= range[1][2]; ++lift[2]) {
+      for (lift[1] = range[0][1]; lift[1] <= range[1][1]; ++lift[1]) {
+        for (lift[0] = range[0][0]; lift[0] <= range[1][0]; ++lift[0]) {
+          const auto within = [&]<class N>(In<N>) {
+            const N squared = between<N>(v, {label, lift}), bound = square(a.as<N>());
+            return closed ? less_equal(squared, bound) : less(squared, bound);
+          };
+          if (decide(within)) found.push_back(lift);
+        }
+      }
+    }
+  }
   return found;
+}
+
+Lift PointSet::lattice_vector_within(const Quantity& a, bool closed) const {
+  for (const Lift& lift : lifts_within({0, {}}, 0, a, closed)) {
+    if (lift != Lift{}) return lift;
+  }
+  return {};
 }
 
 }  // namespace delcert::checker

@@ -1,99 +1,58 @@
-#include "proofs/checker/print.hpp"
-
 #include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "proofs/checker/run.hpp"
 
 namespace delcert::checker {
 namespace {
 
-/// The word "verified" is kept for runs in which everything is.
-std::string state_name(const Outcome& outcome, const LevelResult& result) {
-  switch (result.state) {
-    case LevelResult::State::passed:
-      return outcome.status == 0 ? "verified" : "passed";
-    case LevelResult::State::rejected:
-      return "REJECTED";
-    case LevelResult::State::undecided:
-      return "undecided";
-    default:
-      return "unsupported";
-  }
+const char* status_name(int status) {
+  constexpr std::array<const char*, 4> names = {"verified", "rejected", "undecided", "malformed"};
+  return names[static_cast<std::size_t>(status)];
 }
 
-constexpr const char* status_name(int status) {
-  constexpr const char* names[] = {"verified", "rejected", "undecided", "malformed"};
-  return names[status];
+/// A level that holds in a run that fails is only "passed".
+const char* level_state(const Outcome& outcome, const LevelResult& result) {
+  if (result.status == 1) return "REJECTED";
+  return result.status == 0 && outcome.status != 0 ? "passed" : status_name(result.status);
 }
 
-std::string padded(std::string text, std::size_t width) {
-  if (text.size() < width) text.resize(width, ' ');
-  return text;
-}
-
-std::string seconds(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3f", value);
-  return text;
-}
-
-std::string described(const Finding& finding) {
-  return (finding.rule.empty() ? "" : finding.rule + ": ") + finding.what;
-}
-
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    char escape[8];
-    if (static_cast<unsigned char>(c) < 0x20) {
-      std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(c));
-      result += escape;
-    } else {
-      if (c == '"' || c == '\\') result += '\\';
-      result += c;
-    }
-  }
-  return result + "\"";
-}
-
-template <class Items, class Print>
-std::string listed(const Items& items, const Print& print, const std::string& separator = ",") {
-  std::string text;
-  for (const auto& item : items) text += (text.empty() ? "" : separator) + print(item);
-  return text;
-}
-
-std::string finding_json(const Finding& finding) {
-  return "{\"rule\":" + quoted(finding.rule) + ",\"what\":" + quoted(finding.what) + "}";
-}
+nlohmann::ordered_json as_object(const Finding& finding) { return {{"rule", finding.rule}, {"what", finding.what}}; }
 
 }  // namespace
 
 std::string as_text(const Outcome& outcome) {
-  if (outcome.malformed) return "malformed: " + described(*outcome.malformed) + "\n";
-  std::string text, names;
+  if (outcome.malformed) return "malformed: " + outcome.malformed->rule + ": " + outcome.malformed->what + "\n";
+  std::string text, checked, unchecked;
   for (const LevelResult& result : outcome.levels) {
-    const std::string head = padded("level " + result.level, 11) + padded(state_name(outcome, result), 12);
-    if (result.findings.empty()) text += head + result.summary + " (" + seconds(result.seconds) + " s)\n";
-    for (const Finding& finding : result.findings) text += head + described(finding) + "\n";
+    std::array<char, 64> head{}, tail{};
+    std::snprintf(head.data(), head.size(), "level %-4s %-10s ", result.level.c_str(), level_state(outcome, result));
+    std::snprintf(tail.data(), tail.size(), "  [%.2f s]\n", result.seconds);
+    if (result.findings.empty()) text += head.data() + result.summary + tail.data();
+    for (const Finding& finding : result.findings) text += head.data() + finding.rule + ": " + finding.what + "\n";
+    checked += " " + result.level;
   }
-  const std::string levels = listed(
-      outcome.levels, [](const LevelResult& r) { return r.level; }, ", ");
-  text += std::string(status_name(outcome.status)) + ": levels " + levels;
-  if (!outcome.unchecked.empty())
-    text += "; claimed but not checked: " + listed(
-                                                outcome.unchecked, [](const std::string& s) { return s; }, ", ");
-  return text + "\n";
+  for (const std::string& level : outcome.unchecked) unchecked += " " + level;
+  return text + status_name(outcome.status) + ": levels" + checked +
+         (unchecked.empty() ? "" : "; claimed but not checked:" + unchecked) + "\n";
 }
 
 std::string as_json(const std::string& file, const Outcome& outcome) {
-  const auto level = [&](const LevelResult& result) {
-    return "{\"level\":" + quoted(result.level) + ",\"state\":" + quoted(state_name(outcome, result)) +
-           ",\"summary\":" + quoted(result.summary) + ",\"seconds\":" + seconds(result.seconds) + ",\"findings\":[" +
-           listed(result.findings, finding_json) + "]}";
-  };
-  return "{\"file\":" + quoted(file) + ",\"status\":" + quoted(status_name(outcome.status)) +
-         ",\"exit\":" + std::to_string(outcome.status) +
-         ",\"malformed\":" + (outcome.malformed ? finding_json(*outcome.malformed) : "null") + ",\"levels\":[" +
-         listed(outcome.levels, level) + "],\"unchecked\":[" + listed(outcome.unchecked, quoted) + "]}\n";
+  nlohmann::ordered_json levels = nlohmann::ordered_json::array();
+  for (const LevelResult& result : outcome.levels) {
+    nlohmann::ordered_json findings = nlohmann::ordered_json::array();
+    for (const Finding& finding : result.findings) findings.push_back(as_object(finding));
+    levels.push_back({{"level", result.level},
+                      {"state", level_state(outcome, result)},
+                      {"summary", result.summary},
+                      {"findings", findings},
+                      {"seconds", result.seconds}});
+  }
+  nlohmann::ordered_json object = {{"file", file}, {"status", status_name(outcome.status)}, {"exit", outcome.status}};
+  object["malformed"] = outcome.malformed ? as_object(*outcome.malformed) : nullptr;
+  object["levels"] = levels;
+  object["unchecked"] = outcome.unchecked;
+  return object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace delcert::checker

@@ -41,6 +41,7 @@ class Rational {
     fmpq_pow_si(result.value_, a.value_, exponent);
     return result;
   }
+  friend bool operator==(const Rational& a, const Rational& b) { return fmpq_equal(a.value_, b.value_) != 0; }
   friend Verdict less(const Rational& a, const Rational& b) { return verdict(fmpq_cmp(a.value_, b.value_) < 0); }
 
  private:

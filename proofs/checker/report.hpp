@@ -1,23 +1,33 @@
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
-
-#include "proofs/checker/failure.hpp"
 
 namespace delcert::checker {
 
-/// A broken rule with the labels and values that break it; only the first case of each rule is kept.
+/// A broken rule of the format page ("form.gram", "1.facets") with the labels and values that break it.
 struct Finding {
-  std::string rule;
-  std::string what;
+  std::string rule, what;
 };
 
-/// Collects what is wrong with a level.
+/// The file is not a certificate of this format: exit status 3.
+struct Malformed : std::runtime_error {
+  Malformed(std::string_view broken_rule, const std::string& what) : std::runtime_error(what), rule(broken_rule) {}
+  std::string rule;
+};
+
+/// A check is too large for this reader: exit status 2.
+struct Undecided : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What is wrong with a level: the first case of each broken rule.
 class Report {
  public:
-  /// Records that the rule is broken, unless it is already known; `describe` returns the text.
+  /// Records that the rule is broken; `describe` returns how, and is called for the first case only.
   template <class Describe>
   void reject(std::string_view rule, const Describe& describe) {
     if (disabled(rule)) return;
@@ -29,13 +39,13 @@ class Report {
 
   /// Throws Malformed unless the rule of the form holds.
   static void require(std::string_view rule, bool holds, const std::string& what) {
-    if (!holds && !disabled(rule)) throw Malformed(std::string(rule), what);
+    if (!holds && !disabled(rule)) throw Malformed(rule, what);
   }
 
   std::vector<Finding> findings;
 
 #ifdef DELCERT_CHECK_TESTING
-  /// The rule left out, in the program that tests the tests; the real program cannot leave out any.
+  /// The rule that is left out, in the program that tests the tests; the real one cannot leave out any.
   static inline std::string without_rule;
   static bool disabled(std::string_view rule) { return rule == without_rule; }
 #else

@@ -1,22 +1,32 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "proofs/checker/certificate.hpp"
 #include "proofs/checker/report.hpp"
 
 namespace delcert::checker {
 
-/// What became of one level. It holds if it is `passed`.
+// Each function checks the rules of its level, records the broken ones in the report and returns in words what it
+// looked at. Throws Undecided. Levels 4, 5 and 6 have no rules of their own: they follow from levels 1 and 2.
+std::string check_level_0(const Certificate& c, Report& report);
+std::string check_level_1(const Certificate& c, Report& report);
+std::string check_level_2(const Certificate& c, Report& report);
+std::string check_level_2s(const Certificate& c, Report& report);
+std::string check_level_3(const Certificate& c, Report& report);
+/// The parts of level 0 that show that the net is dense: the rule 0.cycle, and the rules 0.ball and 0.degree.
+void check_cycle(const Certificate& c, Report& report);
+void check_density(const Certificate& c, Report& report);
+
+/// What became of one level: its exit status if it were alone, what was looked at, what is wrong.
 struct LevelResult {
-  enum class State { passed, rejected, undecided, unsupported };
   std::string level;
-  State state = State::passed;
-  std::vector<Finding> findings;  // the broken rules, or why it is undecided or unsupported
-  std::string summary;            // what was looked at
+  int status = 0;
+  std::string summary;
+  std::vector<Finding> findings;
   double seconds = 0;
 };
 
@@ -32,5 +42,10 @@ struct Outcome {
 /// decompressed certificate. Throws std::invalid_argument if a selected level is not claimed.
 /// Precondition: self_test() found nothing in this thread.
 Outcome check(std::string_view text, const std::vector<std::string>& selected);
+
+/// A line for each level and one for the whole; or one JSON object. Only an outcome of status 0 has the word
+/// "verified".
+std::string as_text(const Outcome& outcome);
+std::string as_json(const std::string& file, const Outcome& outcome);
 
 }  // namespace delcert::checker

@@ -46,9 +46,8 @@ bool encloses() {
 bool rationals_are_exact() {
   Rational sum;
   for (int k = 1; k <= 60; ++k) sum = sum + Rational(1) / (Rational(k) * Rational(k + 1));
-  return fmpq_equal(sum.raw(), exact_value("60/61").raw()) != 0 &&
-         fmpq_equal(power(Rational(2), 100).raw(), exact_value("1267650600228229401496703205376").raw()) != 0 &&
-         fmpq_equal((power(Rational(2), 71) * exact_value("-0x1.8p-70")).raw(), Rational(-3).raw()) != 0;
+  return sum == exact_value("60/61") && power(Rational(2), 100) == exact_value("1267650600228229401496703205376") &&
+         power(Rational(2), 71) * exact_value("-0x1.8p-70") == Rational(-3);
 }
 
 }  // namespace

@@ -1,0 +1,143 @@
+#include <set>
+
+#include "proofs/checker/certificate.hpp"
+
+namespace delcert::checker {
+namespace {
+
+Quantity parse_quantity(Cursor& cursor) { return Quantity(exact_value(cursor.number())); }
+
+void parse_software(Cursor& cursor) {
+  std::set<std::string_view> names;
+  cursor.expect("{");
+  do {
+    const std::string_view name = cursor.string();
+    // One spelling for each key, so that repetitions cannot hide.
+    if (name.find('\\') != std::string_view::npos)
+      cursor.fail("form.keys", "a key without escape sequences before this");
+    if (!names.insert(name).second) cursor.fail("form.keys", "a key not used before");
+    cursor.expect(":");
+    cursor.string();
+  } while (cursor.accept(","));
+  cursor.expect("}");
+  if (!names.contains("delcert")) cursor.fail("form.keys", "the key delcert before this");
+}
+
+/// One of the words, as a string; its number.
+std::size_t parse_word(Cursor& cursor, const std::vector<std::string>& words) {
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (cursor.accept("\"" + words[k] + "\"")) return k;
+  }
+  cursor.fail("form.types", "one of the words " + words.front() + " … " + words.back());
+}
+
+}  // namespace
+
+void Certificate::parse_manifold(Cursor& cursor) {
+  cursor.expect("{\"name\":");
+  cursor.string();
+  cursor.expect(",\"family\":");
+  torus = parse_word(cursor, {"flat-torus", "euclidean-ball"}) == 0;
+  cursor.expect(",\"dimension\":");
+  m = static_cast<int>(cursor.count(4));
+  if (m == 0) cursor.fail("form.types", "a dimension from 1 to 4 before this");
+  if (torus) {
+    cursor.expect(",\"gram\":");
+    cursor.row(m, [&] { cursor.row(m, [&] { gram.push_back(exact_value(cursor.number())); }); });
+  } else {
+    cursor.expect(",\"radius\":");
+    radius = parse_quantity(cursor);
+  }
+  cursor.expect("}");
+}
+
+void Certificate::parse_parameters(Cursor& cursor) {
+  cursor.expect("{\"mode\":");
+  theory = parse_word(cursor, {"theory", "measured", "none"}) == 0;
+  cursor.expect(",\"candidates\":");
+  parse_word(cursor, {"pruned", "whole", "printed"});
+  cursor.expect(",\"seed\":");
+  if (cursor.number().find_first_of("x/") != std::string_view::npos)
+    cursor.fail("form.numbers", "an integer before this");
+  const std::pair<std::string_view, Quantity*> numbers[] = {{",\"sampling_radius\":", &epsilon},
+                                                            {",\"separation\":", &mu},
+                                                            {",\"radius_variation\":", &radius_variation},
+                                                            {",\"distortion\":", &distortion},
+                                                            {",\"perturbation\":", &rho},
+                                                            {",\"flake_parameter_squared\":", &flake_squared},
+                                                            {",\"tolerance\":", &tolerance}};
+  for (const auto& [key, value] : numbers) {
+    cursor.expect(key);
+    *value = parse_quantity(cursor);
+  }
+  cursor.expect("}");
+}
+
+void Certificate::parse_levels(Cursor& cursor) {
+  cursor.expect("{");
+  std::string separator;
+  for (std::size_t level = 0; level < level_names.size(); ++level) {
+    claimed[level] = cursor.accept(separator + "\"" + std::string(level_names[level]) + "\":");
+    if (!claimed[level]) continue;
+    separator = ",";
+    if (level == level_0) {
+      cursor.expect("{\"hypotheses_2\":");
+      hypotheses_2 = cursor.boolean();
+    } else if (level == level_1) {
+      cursor.expect("{\"protection\":");
+      protection = parse_quantity(cursor);
+      cursor.expect(",\"thickness\":");
+      thickness = parse_quantity(cursor);
+      cursor.expect(",\"circumradius\":");
+      circumradius = parse_quantity(cursor);
+    } else if (level == level_2) {
+      cursor.expect("{\"simplices\":");
+      simplices = cursor.count(INT64_MAX);
+      cursor.expect(",\"euler_characteristic\":");
+      euler_characteristic = cursor.integer();
+      cursor.expect(",\"closed\":");
+      closed = cursor.boolean();
+    } else if (level == level_3) {
+      cursor.expect("{\"tested\":");
+      cursor.string();
+    } else {
+      cursor.expect(level == level_5   ? "{\"route\":\"space-form\""
+                    : level == level_6 ? "{\"self_delaunay\":true,\"bilipschitz\":\"1\""
+                                       : "{");
+    }
+    cursor.expect("}");
+  }
+  cursor.expect("}");
+}
+
+void Certificate::parse(Cursor& cursor) {
+  const auto parse_points = [&](std::vector<std::string_view>& points_of) {
+    cursor.array([&] { cursor.row(m, [&] { points_of.push_back(cursor.number()); }); });
+  };
+  const auto parse_labels = [&](std::vector<Label>& labels, int length) {
+    cursor.array([&] { cursor.row(length, [&] { labels.push_back(static_cast<Label>(cursor.count(UINT32_MAX))); }); });
+  };
+  const auto simplices_read = [this] { return star_labels.size() / static_cast<std::size_t>(m); };
+  cursor.expect("{\"format\":\"delcert-certificate\",\"version\":1,\"software\":");
+  parse_software(cursor);
+  cursor.expect(",\"manifold\":");
+  parse_manifold(cursor);
+  cursor.expect(",\"parameters\":");
+  parse_parameters(cursor);
+  cursor.expect(",\"levels\":");
+  parse_levels(cursor);
+  cursor.expect(",\"net\":");
+  parse_points(net_text);
+  cursor.expect(",\"net_simplices\":");
+  parse_labels(net_simplices, m + 1);
+  cursor.expect(",\"points\":");
+  parse_points(points_text);
+  cursor.expect(",\"stars\":");
+  cursor.array([&] {
+    star_begin.push_back(simplices_read());
+    parse_labels(star_labels, m);
+  });
+  star_begin.push_back(simplices_read());
+}
+
+}  // namespace delcert::checker
