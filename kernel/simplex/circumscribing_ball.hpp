@@ -9,18 +9,9 @@ namespace delcert {
 /// Whether σ ⊂ ℝᵐ has *some* circumscribing ball B(C, R) with R < radius and ||p − C| − R| ≤ tolerance, for the point p
 /// with the given offset against σ. `normal_dimension` is the dimension m − dim aff σ of the space of centres.
 ///
-/// Derivation. Write C = C(σ) + n with n orthogonal to aff σ, so R² = R(σ)² + |n|², and u = |p − C|² − R² = w − 2⟨h, n⟩
-/// with h the height vector of p and w = h² + ρ² − R(σ)². Let T² = radius² − R(σ)².
-///
-/// * Normal dimension 0: only n = 0, a test of the diametric sphere.
-/// * Otherwise, let n run over 0 ≤ |n| < T. If u vanishes for one of them, that ball serves. If not, u has one sign,
-/// and
-///   ||p − C| − R| = |u|/(|p − C| + R) comes closest to 0 as |n| → T with ⟨h, n⟩ → ±hT of the sign that decreases |u|:
-///   across h this is clear, since |p − C| and R grow while u stays; along h, |p − C| − R is the difference of the
-///   distances from a moving point of a line to two points, so that on either side of its zero its size first grows
-///   and then shrinks, or only one of these. The limit is not attained. With e = radius, t = tolerance:
-///   |√(e² + u) − e| < t there, that is u < t² + 2et and (t > e or u > t² − 2et). So there is such a ball iff
-///     R(σ) < e  and  [ h = 0 and w = 0,  or  w − t² < 2et + 2hT  and  (t > e  or  t² − w < 2et + 2hT) ].
+/// With h the height of p, w = |p − C(σ)|² − R(σ)², e = radius, t = tolerance and T² = e² − R(σ)²: there is one iff
+///   R(σ) < e  and  [ h = 0 and w = 0,  or  w − t² < 2et + 2hT and (t > e or t² − w < 2et + 2hT) ]
+/// (proof in docs/simplices.md), except that in normal dimension 0 only the smallest circumscribing ball is left.
 ///
 /// Decided on squares, so that radius and tolerance come squared too. Exact on exact scalars.
 /// Preconditions: normal_dimension ≥ 1 unless the height is 0.

@@ -1,5 +1,6 @@
 #include "kernel/simplex/circumsphere.hpp"
 
+#include "kernel/number/algebraic.hpp"
 #include "kernel/simplex/cayley_menger.hpp"
 #include "kernel/simplex/realisability.hpp"
 #include "tests/kernel/simplex/instances.hpp"
@@ -124,6 +125,30 @@ RC_GTEST_PROP(Circumsphere, OnIntervalsContainsTheExactOne, ()) {
     small = check(circumsphere(simplex_on<Interval>(points)), points_on<Interval>(points));
   }
   RC_ASSERT(small);
+}
+
+/// Vertices of the regular octagon on the unit circle.
+std::vector<std::vector<Algebraic>> octagon(std::initializer_list<int> corners) {
+  const Algebraic diagonal = square_root(Algebraic(ratio(1, 2)));
+  const std::vector<Algebraic> cosines{Algebraic(1),  diagonal,  Algebraic(0), -diagonal,
+                                       Algebraic(-1), -diagonal, Algebraic(0), diagonal};
+  std::vector<std::vector<Algebraic>> points;
+  for (const int corner : corners) {
+    points.push_back({cosines[static_cast<std::size_t>(corner)], cosines[static_cast<std::size_t>((corner + 6) % 8)]});
+  }
+  return points;
+}
+
+TEST(Circumsphere, OnAlgebraicNumbersSeesThatFourCornersOfAnOctagonAreCocircular) {
+  const auto sphere = circumsphere(edge_gram_from_points(octagon({0, 1, 3, 6})));
+  ASSERT_TRUE(sphere);
+  EXPECT_EQ(sphere->squared_radius.rational(), Rational(1));
+  const auto centre = circumcentre(*sphere, octagon({0, 1, 3, 6}));
+  EXPECT_EQ(is_zero(centre[0]), Verdict::proved);
+  EXPECT_EQ(is_zero(centre[1]), Verdict::proved);
+  auto moved = octagon({0, 1, 3, 6});
+  moved[3][1] -= Algebraic(Rational::power_of_two(-200));
+  EXPECT_EQ(circumsphere(edge_gram_from_points(moved)).exists(), Verdict::refuted);
 }
 
 }  // namespace

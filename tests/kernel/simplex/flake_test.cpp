@@ -1,5 +1,6 @@
 #include "kernel/simplex/flake.hpp"
 
+#include "kernel/number/algebraic.hpp"
 #include "tests/kernel/simplex/naive_reference.hpp"
 
 namespace delcert::test {
@@ -38,6 +39,18 @@ TEST(Flake, AThinTriangleBesideABadEdgeIsNone) {
   EXPECT_EQ(*find_flake(simplex_of(doubled), ratio(1, 100)), (std::vector<std::size_t>{0, 1}));
 }
 
+TEST(Flake, OnIntervalsIsNotNamedWhileASmallerFaceMayBeOne) {
+  Points thirds = square_tetrahedron;
+  for (auto& point : thirds) {
+    for (auto& coordinate : point) coordinate = coordinate / Rational(3);
+  }
+  const RoundingGuard guard;
+  const auto sliver = simplex_on<Interval>(thirds);
+  EXPECT_EQ(find_flake(sliver, scalar_from<Interval>(ratio(1, 4))).exists(), Verdict::undecided);
+  EXPECT_EQ(find_flake(sliver, scalar_from<Interval>(ratio(1, 5)))->size(), 4U);
+  EXPECT_EQ(find_flake(sliver, scalar_from<Interval>(ratio(1, 3)))->size(), 3U);
+}
+
 RC_GTEST_PROP(Flake, AgreesWithTheDefinition, ()) {
   const auto simplex = simplex_of(*any_simplex(0, 5));
   const Rational parameter = any_squared_flake_parameter(simplex);
@@ -71,6 +84,13 @@ RC_GTEST_PROP(Flake, OnIntervalsNeverContradictsTheExactVerdict, ()) {
   if (const auto found = find_flake(enclosed, scalar_from<Interval>(parameter))) {
     RC_ASSERT(naive_flake(simplex_of(points).face(*found), parameter));
   }
+}
+
+TEST(Flake, IsSharpAtAnIrrationalThreshold) {
+  const auto triangle = edge_gram_from_points(points_on<Algebraic>(regular_simplex(2)));
+  const Algebraic threshold = square_root(Algebraic(3)) / Algebraic(4);
+  EXPECT_EQ(is_flake(triangle, threshold), Verdict::refuted);
+  EXPECT_EQ(is_flake(triangle, threshold + Algebraic(Rational::power_of_two(-200))), Verdict::proved);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "kernel/simplex/forbidden_configuration.hpp"
 
+#include "kernel/number/algebraic.hpp"
 #include "tests/kernel/simplex/naive_reference.hpp"
 
 namespace delcert::test {
@@ -200,6 +201,20 @@ RC_GTEST_PROP(ForbiddenConfiguration, OnIntervalsNeverContradictsTheExactVerdict
   RC_ASSERT(check(simplex_on<BigInterval>(points)));
   const RoundingGuard guard;
   RC_ASSERT(check(simplex_on<Interval>(points)));
+}
+
+TEST(ForbiddenConfiguration, FourCornersOfARegularOctagonAreOneOnAlgebraicNumbers) {
+  const Algebraic c = square_root(Algebraic(ratio(1, 2)));
+  // Corners of the octagon on the unit circle, at 45°, 135°, 225° and 270°.
+  std::vector<std::vector<Algebraic>> points{{c, c}, {-c, c}, {-c, -c}, {Algebraic(0), Algebraic(-1)}};
+  const ForbiddenConfigurationParameters<Algebraic> parameters{Algebraic(ratio(1, 100)), Algebraic(2), Algebraic(0)};
+  const ForbiddenPropertiesParameters<Algebraic> properties{Algebraic(ratio(1, 100)), Algebraic(0), Algebraic(1),
+                                                            Algebraic(3)};
+  EXPECT_EQ(is_forbidden_configuration(edge_gram_from_points(points), 2, parameters), Verdict::proved);
+  EXPECT_EQ(has_forbidden_properties(edge_gram_from_points(points), properties), Verdict::proved);
+  points[3][1] -= Algebraic(Rational::power_of_two(-100));
+  EXPECT_EQ(is_forbidden_configuration(edge_gram_from_points(points), 2, parameters), Verdict::refuted);
+  EXPECT_EQ(has_forbidden_properties(edge_gram_from_points(points), properties), Verdict::refuted);
 }
 
 }  // namespace

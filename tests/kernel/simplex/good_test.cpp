@@ -1,5 +1,6 @@
 #include "kernel/simplex/good.hpp"
 
+#include "kernel/number/algebraic.hpp"
 #include "tests/kernel/simplex/naive_reference.hpp"
 
 namespace delcert::test {
@@ -61,6 +62,14 @@ RC_GTEST_PROP(Good, OnIntervalsNeverContradictsTheExactVerdict, ()) {
   RC_ASSERT(agrees(is_good(simplex_on<BigInterval>(points), BigInterval(parameter)), exact));
   const RoundingGuard guard;
   RC_ASSERT(agrees(is_good(simplex_on<Interval>(points), scalar_from<Interval>(parameter)), exact));
+}
+
+// The regular triangle has thickness √3/4: good exactly for Γ₀² ≤ √3/4, a threshold that is not rational.
+TEST(Good, IsSharpAtAnIrrationalThreshold) {
+  const auto triangle = edge_gram_from_points(points_on<Algebraic>(regular_simplex(2)));
+  const Algebraic threshold = square_root(Algebraic(3)) / Algebraic(4);
+  EXPECT_EQ(is_good(triangle, threshold), Verdict::proved);
+  EXPECT_EQ(is_good(triangle, threshold + Algebraic(Rational::power_of_two(-200))), Verdict::refuted);
 }
 
 }  // namespace

@@ -70,6 +70,15 @@ TEST(GramElimination, OnIntervalsExactZeroesAreSeen) {
   EXPECT_EQ(elimination.definite(), Verdict::refuted);
 }
 
+TEST(GramElimination, OnIntervalsAnUnknownEntryBetweenZeroPivotsIsUndecided) {
+  const RoundingGuard guard;
+  SymmetricMatrix<Interval> matrix(2);
+  matrix(0, 1) = Interval::between(-1, 1);
+  EXPECT_EQ(GramElimination<Interval>(matrix).semidefinite(), Verdict::undecided);
+  matrix(0, 1) = Interval::between(1, 2);
+  EXPECT_EQ(GramElimination<Interval>(matrix).semidefinite(), Verdict::refuted);
+}
+
 RC_GTEST_PROP(GramElimination, GramMatricesAreSemidefiniteOfTheRankOfTheirColumns, ()) {
   const Points points = *any_simplex(0, 6);
   const auto gram = gram_of_columns<Rational>(points);

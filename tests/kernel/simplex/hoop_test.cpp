@@ -1,5 +1,6 @@
 #include "kernel/simplex/hoop.hpp"
 
+#include "kernel/number/algebraic.hpp"
 #include "kernel/simplex/circumsphere.hpp"
 #include "tests/kernel/simplex/instances.hpp"
 
@@ -71,6 +72,13 @@ RC_GTEST_PROP(Hoop, OnIntervalsNeverContradictsTheExactVerdict, ()) {
   RC_ASSERT(agrees(has_hoop_property(simplex_on<BigInterval>(points), BigInterval(bound)), exact));
   const RoundingGuard guard;
   RC_ASSERT(agrees(has_hoop_property(simplex_on<Interval>(points), scalar_from<Interval>(bound)), exact));
+}
+
+// Each vertex of the regular triangle is at distance √2 from the ends of an edge with R = √2/2.
+TEST(Hoop, OnAlgebraicNumbersIsSharp) {
+  const auto triangle = edge_gram_from_points(points_on<Algebraic>(regular_simplex(2)));
+  EXPECT_EQ(has_hoop_property(triangle, Algebraic(4)), Verdict::proved);
+  EXPECT_EQ(has_hoop_property(triangle, Algebraic(4) - Algebraic(Rational::power_of_two(-200))), Verdict::refuted);
 }
 
 }  // namespace

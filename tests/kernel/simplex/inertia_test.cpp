@@ -1,5 +1,6 @@
 #include "kernel/simplex/inertia.hpp"
 
+#include "kernel/number/algebraic.hpp"
 #include "tests/kernel/simplex/instances.hpp"
 
 namespace delcert::test {
@@ -108,6 +109,15 @@ RC_GTEST_PROP(Inertia, OnIntervalsIsTheExactOneOrNone, ()) {
   if (const auto enclosed = inertia(matrix_from<BigInterval>(matrix))) RC_ASSERT(*enclosed == exact);
   const RoundingGuard guard;
   if (const auto enclosed = inertia(matrix_from<Interval>(matrix))) RC_ASSERT(*enclosed == exact);
+}
+
+TEST(Inertia, OnAlgebraicNumbersSeesAnIrrationalEigenvalue) {
+  SymmetricMatrix<Algebraic> matrix(2);  // eigenvalues 1 ± √2
+  matrix(0, 0) = Algebraic(2);
+  matrix(0, 1) = Algebraic(1);
+  const Algebraic eigenvalue = Algebraic(1) + square_root(Algebraic(2));
+  EXPECT_EQ(*inertia(matrix.shifted(-eigenvalue)), (Inertia{1, 1, 0}));
+  EXPECT_EQ(*inertia(matrix.shifted(-eigenvalue + Algebraic(Rational::power_of_two(-100)))), (Inertia{1, 0, 1}));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "kernel/simplex/singular_values.hpp"
 
+#include "kernel/number/algebraic.hpp"
 #include "kernel/simplex/realisability.hpp"
 #include "kernel/simplex/thickness.hpp"
 #include "tests/kernel/simplex/instances.hpp"
@@ -107,6 +108,19 @@ RC_GTEST_PROP(SingularValues, OnIntervalsNeverContradictTheExactVerdict, ()) {
   RC_ASSERT(check(simplex_on<BigInterval>(points)));
   const RoundingGuard guard;
   RC_ASSERT(check(simplex_on<Interval>(points)));
+}
+
+// The edge vectors (1, 0), (1, 1): PᵀP has the eigenvalues (3 ± √5)/2.
+TEST(SingularValues, OnAlgebraicNumbersAreSharpAtIrrationalValues) {
+  const Points triangle{{Rational(0), Rational(0)}, {Rational(1), Rational(0)}, {Rational(1), Rational(1)}};
+  const auto simplex = edge_gram_from_points(points_on<Algebraic>(triangle));
+  const Algebraic small = (Algebraic(3) - square_root(Algebraic(5))) / Algebraic(2);
+  const Algebraic large = (Algebraic(3) + square_root(Algebraic(5))) / Algebraic(2);
+  const Algebraic step(Rational::power_of_two(-100));
+  EXPECT_EQ(is_smallest_singular_value_at_least(simplex, small), Verdict::proved);
+  EXPECT_EQ(is_smallest_singular_value_at_least(simplex, small + step), Verdict::refuted);
+  EXPECT_EQ(is_largest_singular_value_at_most(simplex, large), Verdict::proved);
+  EXPECT_EQ(is_largest_singular_value_at_most(simplex, large - step), Verdict::refuted);
 }
 
 }  // namespace

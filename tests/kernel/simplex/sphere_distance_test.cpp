@@ -1,5 +1,6 @@
 #include "kernel/simplex/sphere_distance.hpp"
 
+#include "kernel/number/algebraic.hpp"
 #include "kernel/simplex/circumsphere.hpp"
 #include "tests/kernel/simplex/instances.hpp"
 
@@ -141,6 +142,18 @@ RC_GTEST_PROP(SphereDistance, OnIntervalsNeverContradictsTheExactVerdict, ()) {
     small = check(simplex_on<Interval>(points));
   }
   RC_ASSERT(small);
+}
+
+// The point (2, 0, 1) over the circle of radius 5: (5 − 2)² + 1 = 10.
+TEST(SphereDistance, OnAlgebraicNumbersIsTheRootItself) {
+  const auto offset = *sphere_offset(
+      edge_gram_from_points(points_on<Algebraic>(over_circle(Rational(2), Rational(0), Rational(1)))), 3);
+  EXPECT_EQ(is_zero(circumsphere_distance(offset) - square_root(Algebraic(10))), Verdict::proved);
+  EXPECT_EQ(is_zero(diametric_sphere_distance(offset) - (Algebraic(5) - square_root(Algebraic(5)))), Verdict::proved);
+  const Algebraic bound = Algebraic(5) - square_root(Algebraic(5));
+  EXPECT_EQ(is_diametric_sphere_within(offset, square(bound)), Verdict::proved);
+  EXPECT_EQ(is_diametric_sphere_within(offset, square(bound) - Algebraic(Rational::power_of_two(-200))),
+            Verdict::refuted);
 }
 
 }  // namespace

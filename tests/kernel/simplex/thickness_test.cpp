@@ -1,5 +1,6 @@
 #include "kernel/simplex/thickness.hpp"
 
+#include "kernel/number/algebraic.hpp"
 #include "kernel/simplex/cayley_menger.hpp"
 #include "kernel/simplex/faces.hpp"
 #include "kernel/simplex/realisability.hpp"
@@ -131,6 +132,21 @@ RC_GTEST_PROP(Thickness, OnIntervalsContainsTheExactValueAndNeverContradictsIt, 
     RC_ASSERT(contains(square(*thickness(small)), exact));
   }
   RC_ASSERT(agrees(is_thickness_at_least(small, scalar_from<Interval>(bound)), verdict));
+}
+
+/// The regular triangle of side 1 in the plane, which needs √3.
+std::vector<std::vector<Algebraic>> regular_triangle() {
+  const Algebraic half(ratio(1, 2));
+  return {{Algebraic(0), Algebraic(0)}, {Algebraic(1), Algebraic(0)}, {half, square_root(Algebraic(3)) * half}};
+}
+
+TEST(Thickness, OnAlgebraicNumbersIsExact) {
+  const auto simplex = edge_gram_from_points(regular_triangle());
+  EXPECT_EQ(squared_thickness(simplex)->rational(), ratio(3, 16));
+  const Algebraic exact = square_root(Algebraic(3)) / Algebraic(4);
+  EXPECT_EQ(is_zero(*thickness(simplex) - exact), Verdict::proved);
+  EXPECT_EQ(is_thickness_at_least(simplex, square(exact)), Verdict::proved);
+  EXPECT_EQ(is_thickness_at_least(simplex, Algebraic(ratio(3, 16) + Rational::power_of_two(-300))), Verdict::refuted);
 }
 
 }  // namespace
