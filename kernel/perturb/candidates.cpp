@@ -1,5 +1,6 @@
 #include "kernel/perturb/candidates.hpp"
 
+#include <limits>
 #include <optional>
 
 #include "kernel/simplex/dimensions.hpp"
@@ -19,6 +20,7 @@ struct CandidateTest<m>::Collector {
   Vector<Filter, m> filter_centre;
   Rational squared_reach;  // (ρ₀ + tolerance)²ε²
   Filter filter_squared_reach;
+  double far_power = std::numeric_limits<double>::infinity();  // s(2ϱ + s), rounded up; infinite without a bound
 
   Vector<Filter, m> filter_offset;  // from the first vertex to the original point
   Filter filter_squared_offset;
@@ -33,6 +35,12 @@ struct CandidateTest<m>::Collector {
     } else {
       exact_offset = difference(centre, origin);
     }
+  }
+
+  /// Whether the sphere is out of reach s whatever its radius below the bound ϱ is: |d − R| ≤ s gives
+  /// |P| = |d − R|(d + R) ≤ s(2ϱ + s). Saves the products of `is_farther` for most spheres.
+  [[nodiscard]] bool is_certainly_far(const Filter& power) const {
+    return power.lower() > far_power || power.upper() < -far_power;
   }
 
   bool enter(const SphereStack<Filter, m>& stack, std::span<const std::uint32_t> vertices) {
@@ -58,7 +66,7 @@ struct CandidateTest<m>::Collector {
     ++test->visited_;
     if (filter_squared_radius_bound && is_refuted(less(apex.squared_radius, *filter_squared_radius_bound))) return;
     const Filter power = SphereStack<Filter, m>::power_over(apex, probe);
-    if (is_proved(is_farther(power, apex.squared_radius, filter_squared_reach))) return;
+    if (is_certainly_far(power) || is_proved(is_farther(power, apex.squared_radius, filter_squared_reach))) return;
     add(vertices);
     Candidate<m>& candidate = test->candidates_.back();
     candidate.in_filter = true;
@@ -141,6 +149,10 @@ void CandidateTest<m>::prepare(Label i) {
   if (pruned) {
     collector.squared_radius_bound = square(parameters_.circumradius_bound * unit);
     collector.filter_squared_radius_bound = scalar_from<Filter>(*collector.squared_radius_bound);
+    const Rational reach_of_spheres = (parameters_.perturbation + parameters_.tolerance) * unit;
+    collector.far_power =
+        scalar_from<Filter>(reach_of_spheres * (Rational(2) * parameters_.circumradius_bound * unit + reach_of_spheres))
+            .upper();
   }
   collector.centre = atlas_.net().exact(i);
   collector.filter_centre = filter_centre;

@@ -9,22 +9,25 @@ namespace delcert {
 template <class S, int m>
 using Vector = std::array<S, static_cast<std::size_t>(m)>;
 
+// Inlined everywhere: these few operations are the inner loops of the runs.
+
 template <class S, std::size_t m>
-[[nodiscard]] std::array<S, m> difference(const std::array<S, m>& a, const std::array<S, m>& b) {
+[[nodiscard]] [[gnu::always_inline]] inline std::array<S, m> difference(const std::array<S, m>& a,
+                                                                        const std::array<S, m>& b) {
   std::array<S, m> result;
   for (std::size_t axis = 0; axis < m; ++axis) result[axis] = a[axis] - b[axis];
   return result;
 }
 
 template <class S, std::size_t m>
-[[nodiscard]] std::array<S, m> sum(const std::array<S, m>& a, const std::array<S, m>& b) {
+[[nodiscard]] [[gnu::always_inline]] inline std::array<S, m> sum(const std::array<S, m>& a, const std::array<S, m>& b) {
   std::array<S, m> result;
   for (std::size_t axis = 0; axis < m; ++axis) result[axis] = a[axis] + b[axis];
   return result;
 }
 
 template <class S, std::size_t m>
-[[nodiscard]] std::array<S, m> scaled(const S& factor, const std::array<S, m>& a) {
+[[nodiscard]] [[gnu::always_inline]] inline std::array<S, m> scaled(const S& factor, const std::array<S, m>& a) {
   std::array<S, m> result;
   for (std::size_t axis = 0; axis < m; ++axis) result[axis] = factor * a[axis];
   return result;
@@ -32,7 +35,7 @@ template <class S, std::size_t m>
 
 /// Σ aᵢbᵢ: the pairing of a covector with a vector.
 template <class S, std::size_t m>
-[[nodiscard]] S pairing(const std::array<S, m>& a, const std::array<S, m>& b) {
+[[nodiscard]] [[gnu::always_inline]] inline S pairing(const std::array<S, m>& a, const std::array<S, m>& b) {
   S result = a[0] * b[0];
   for (std::size_t axis = 1; axis < m; ++axis) result += a[axis] * b[axis];
   return result;
