@@ -1,0 +1,72 @@
+# sample, certify, check, info, one after the other on the same files, and what each refuses.
+set(delcert $<TARGET_FILE:delcert>)
+set(check $<TARGET_FILE:delcert-check>)
+
+# delcert_run_test(NAME manifold-and-net-options… [LEVELS regex]): certified, and every claimed level verified.
+function(delcert_run_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "LEVELS" "")
+  delcert_cli_test(certify-${name} STATUS 0 OUTPUT "${ARG_LEVELS}" ERROR "^$" FIXTURE_SETUP run-${name}
+    COMMAND ${delcert} certify ${ARG_UNPARSED_ARGUMENTS} --output run-${name}.json.zst)
+  delcert_cli_test(verify-${name} STATUS 0 OUTPUT "verified" ERROR "^$" FIXTURES run-${name}
+    COMMAND ${check} run-${name}.json.zst)
+endfunction()
+
+set(all "levels\n  0 .*\n  1 .*\n  2 .*\n  2s .*\n  3 .*\n  4 .*\n  5 .*\n  6 ")
+set(ball "levels\n  0 .*\n  1 .*\n  2 .*\n  2s .*\n  3 .*\n  4 .*\n  not reached: levels 5 and 6")
+delcert_run_test(circle --manifold circle --radius 1/30 LEVELS "${all}")
+delcert_run_test(square --manifold torus-2 --radius 1/24 --seed 1 LEVELS "${all}")
+delcert_run_test(skewed --manifold torus-2-skewed --radius 1/30 --seed 2 LEVELS "${all}")
+delcert_run_test(measured --manifold torus-2 --radius 1/24 --mode measured --required-protection 1/50 --seed 3 LEVELS "${all}")
+delcert_run_test(square-lattice --manifold torus-2 --lattice 20 LEVELS "${all}")
+delcert_run_test(square-lattice-displaced --manifold torus-2 --lattice 20 --displace 60 --seed 5 LEVELS "${all}")
+delcert_run_test(hexagonal-lattice --manifold torus-2-hexagonal --lattice 20 --mode measured LEVELS "${all}")
+delcert_run_test(whole --manifold torus-2-hexagonal --lattice 15 --candidates whole LEVELS "${all}")
+delcert_run_test(printed --manifold torus-2-hexagonal --lattice 15 --candidates printed LEVELS "${all}")
+delcert_run_test(disk --manifold disk --radius 1/12 --seed 1 LEVELS "${ball}")
+delcert_run_test(ball-lattice --manifold disk --lattice 12 --seed 1 LEVELS "${ball}")
+delcert_run_test(torus-3 --manifold torus-3 --radius 1/24 --seed 1 LEVELS "${all}")
+
+delcert_cli_test(certify-raw-lattice STATUS 1 OUTPUT "^$" ERROR "nothing is certified.*star of 0: simplex"
+  COMMAND ${delcert} certify --manifold torus-2 --lattice 20 --no-perturbation --output never.json)
+delcert_cli_test(certify-raw-lattice-writes-nothing STATUS 1 COMMAND ${CMAKE_COMMAND} -E cat never.json)
+delcert_cli_test(certify-torus-too-small STATUS 1 OUTPUT "^$" ERROR "Hypotheses 1:.*patches.*must be at least"
+  COMMAND ${delcert} certify --manifold torus-2 --radius 1/10 --output never.json)
+delcert_cli_test(certify-impossible-tolerance STATUS 1 OUTPUT "^$" ERROR "no good perturbation of label"
+  COMMAND ${delcert} certify --manifold torus-2 --radius 1/24 --mode measured --tolerance 31/128 --output never.json)
+delcert_cli_test(certify-tolerance-in-theory STATUS 3 OUTPUT "^$" ERROR "tolerance"
+  COMMAND ${delcert} certify --manifold torus-2 --radius 1/24 --tolerance 1/64 --output never.json)
+delcert_cli_test(certify-perturbation-too-large STATUS 3 OUTPUT "^$" ERROR "perturbation 1/2"
+  COMMAND ${delcert} certify --manifold torus-2 --radius 1/24 --perturbation 1/2 --output never.json)
+delcert_cli_test(certify-without-net STATUS 3 OUTPUT "^$" ERROR "give --radius, --lattice or --points"
+  COMMAND ${delcert} certify --manifold torus-2 --output never.json)
+delcert_cli_test(certify-unknown-level STATUS 64 OUTPUT "^$" ERROR "7"
+  COMMAND ${delcert} certify --manifold torus-2 --radius 1/24 --levels 0,7 --output never.json)
+delcert_cli_test(certify-no-such-folder STATUS 3 OUTPUT "^$" ERROR "no-such-folder"
+  COMMAND ${delcert} certify --manifold torus-2 --lattice 20 --output no-such-folder/x.json)
+delcert_cli_test(certify-json STATUS 0 OUTPUT "\"levels\": .*\"stages\": " ERROR "^$"
+  COMMAND ${delcert} certify --manifold circle --radius 1/30 --json --output circle.json)
+delcert_cli_test(certify-few-levels STATUS 0 OUTPUT "levels\n  1 .*\n  2 .*\n  4 .*stages" ERROR "^$"
+  COMMAND ${delcert} certify --manifold circle --radius 1/30 --levels 1,2,4 --output circle-124.json FIXTURE_SETUP run-few)
+delcert_cli_test(verify-few-levels STATUS 0 OUTPUT "verified" FIXTURES run-few COMMAND ${check} circle-124.json)
+
+delcert_cli_test(sample-points STATUS 0 OUTPUT "points in points.txt.*both certified" ERROR "^$" FIXTURE_SETUP run-points
+  COMMAND ${delcert} sample --manifold torus-2 --radius 1/24 --seed 7 --output points.txt)
+delcert_cli_test(certify-points STATUS 0 OUTPUT "${all}" FIXTURES run-points
+  COMMAND ${delcert} certify --manifold torus-2 --points points.txt --radius 1/24 --output from-points.json)
+delcert_cli_test(sample-json STATUS 0 OUTPUT "\"separation\": \"1\"" ERROR "^$"
+  COMMAND ${delcert} sample --manifold disk --radius 1/10 --json --output disk.txt)
+delcert_cli_test(sample-negative-radius STATUS 3 OUTPUT "^$" ERROR "--radius -1/2"
+  COMMAND ${delcert} sample --manifold torus-2 --radius=-1/2 --output never.txt)
+delcert_cli_test(sample-too-many STATUS 1 OUTPUT "^$" ERROR "more than 4000000 points"
+  COMMAND ${delcert} sample --manifold torus-3 --radius 1/10000 --output never.txt)
+
+delcert_cli_test(info STATUS 0 OUTPUT "torus-2 .flat-torus, dimension 2.*levels claimed.*sha256 [0-9a-f]+" ERROR "^$"
+  FIXTURES run-square COMMAND ${delcert} info run-square.json.zst --picture square.svg)
+delcert_cli_test(info-json STATUS 0 OUTPUT "\"levels_claimed\": " ERROR "^$" FIXTURES run-square
+  COMMAND ${delcert} info run-square.json.zst --json)
+delcert_cli_test(info-picture-of-dimension-3 STATUS 3 ERROR "pictures are of two-dimensional" FIXTURES run-torus-3
+  COMMAND ${delcert} info run-torus-3.json.zst --picture never.svg)
+delcert_cli_test(info-no-file STATUS 3 OUTPUT "^$" ERROR "no-such-file.json: cannot be opened"
+  COMMAND ${delcert} info no-such-file.json)
+delcert_cli_test(info-no-certificate STATUS 3 OUTPUT "^$" ERROR "points.txt: " FIXTURES run-points
+  COMMAND ${delcert} info points.txt)
