@@ -59,7 +59,7 @@ command_is dpkg-query "$all_but_fmt"
 command_is id 'echo 1000'
 on_machine 'install_packages run'
 expect "without root and sudo only what is missing is listed" '[[ $status == 69 ]] && says "libfmt-dev" && ! says libgmp-dev && ! says "apt-get was called"'
-command_is sudo 'exit 1'
+command_is sudo '[[ $1 == -n ]] && exit 1; read -rp "password: "; "$@"'
 on_machine 'install_packages run'
 expect "a sudo that would ask for a password where nobody can answer is none" '[[ $status == 69 ]] && ! says "apt-get was called"'
 
@@ -102,6 +102,8 @@ expect "a build with nothing to do is silent" '[[ $status == 0 && -z $output ]]'
 command_is ninja 'echo "[1/2] Building CXX object x.o"; echo "x.cpp:1: error"; exit 1'
 on_machine 'build delcert'
 expect "a failed build fails and shows why" '[[ $status == 1 ]] && says "x.cpp:1: error"'
+on_machine 'set +e +o pipefail; build delcert; exit $?'
+expect "also where the shell does not stop at errors" '[[ $status == 1 ]]'
 
 machine counter
 report=$work/report.xml
