@@ -39,6 +39,7 @@ Copies<m> copies_around_unit_cell(const FrameMetric<m>& metric, const std::vecto
   }
   Copies<m> result;
   for (std::uint32_t index = 0; index < points.size(); ++index) {
+    require_moderate_coordinates<m>(index, points[index]);
     Shift<m> first;
     Shift<m> last;
     for (std::size_t axis = 0; axis < m; ++axis) {

@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "kernel/delaunay/approximate_sphere.hpp"
+#include "kernel/error.hpp"
+#include "kernel/number/exact_text.hpp"
 #include "kernel/number/ladder.hpp"
 #include "kernel/simplex/dimensions.hpp"
 #include "kernel/simplex/sphere_stack.hpp"
@@ -16,6 +18,22 @@ namespace {
 template <int m>
 constexpr std::size_t corners = static_cast<std::size_t>(m) + 1;
 constexpr long margin_digits = 12;
+constexpr long margins_per_octave = 1L << (margin_digits - 1);
+
+/// The positive numbers of 12 binary digits in increasing order, from 1 at 0.
+Rational margin_number(long index) {
+  const long octave =
+      index >= 0 ? index / margins_per_octave : -((margins_per_octave - 1 - index) / margins_per_octave);
+  return Rational(margins_per_octave + index - octave * margins_per_octave) *
+         Rational::power_of_two(octave - margin_digits + 1);
+}
+
+/// The index of the largest of them that is not above x > 0.
+long index_below(const Rational& x) {
+  const long octave = binary_exponent(x);
+  const Integer digits = floor_of(x * Rational::power_of_two(margin_digits - 1 - octave));
+  return octave * margins_per_octave + digits.convert_to<long>() - margins_per_octave;
+}
 
 template <class S, int m>
 using Corners = std::array<Vector<S, m>, corners<m>>;
@@ -56,6 +74,10 @@ class Measurement {
   }
 
   ProtectionReport run(const std::optional<Rational>& required, const Progress& progress) {
+    if (required && *required > Rational::exactly(look_beyond_)) {
+      throw InputError("a protection of " + exact_text(*required) +
+                       " cannot be required: it is looked for up to half the sampling radius only");
+    }
     const auto& simplices = complex_.simplices();
     lower_.resize(simplices.size());
     for (std::size_t at = 0; at < simplices.size(); ++at) {
@@ -209,13 +231,10 @@ class Measurement {
   }
 
   void require(std::size_t at, const Rational& required) {
-    if (lower_[at] > approximate_double(required) * (1 + 0x1p-30)) return;
-    const auto& simplex = complex_.simplices()[at];
-    const auto enough = [&required]<class S>(const S& power, const S& squared_radius) {
-      return is_outside_by(power, squared_radius, scalar_from<S>(required));
-    };
-    if (!is_proved(decide_power(simplex, nearest_, enough)))
-      fail(simplex, &nearest_, "is less protected than required");
+    if (Rational::exactly(lower_[at]) > required) return;
+    if (const auto lift = less_protected(at, required)) {
+      fail(complex_.simplices()[at], &*lift, "is less protected than required");
+    }
   }
 
   void fail(const LiftedSimplex<m>& simplex, const Lift<m>* other, const std::string& reason) {
@@ -234,40 +253,46 @@ class Measurement {
     report_.failures.push_back(failure);
   }
 
-  /// The largest number of 12 binary digits below the bounds for which all simplices pass `holds_for` (exactly).
-  template <class Holds>
-  static Rational best_below(const Extremes& extremes, const Holds& holds) {
-    const Rational lower = Rational::exactly(extremes.least);
-    const Rational upper = Rational::exactly(extremes.least_upper);
-    const long unit = binary_exponent(lower) - margin_digits + 1;
-    for (Rational candidate = rounded_down(upper, unit); candidate > lower; candidate -= Rational::power_of_two(unit)) {
-      if (holds(candidate)) return candidate;
-    }
-    return rounded_down(lower, unit);
-  }
-
   StarMargins margins() {
     StarMargins result;
-    result.protection = best_below(protection_, [&](const Rational& candidate) {
-      const auto enough = [&candidate]<class S>(const S& power, const S& squared_radius) {
-        return is_outside_by(power, squared_radius, scalar_from<S>(candidate));
-      };
-      for (std::size_t at = 0; at < complex_.simplices().size(); ++at) {
-        const auto& simplex = complex_.simplices()[at];
-        if (Rational::exactly(lower_[at]) > candidate) continue;
-        look_around(simplex);
-        for (const Lift<m>& lift : near_) {
-          if (std::find(simplex.begin(), simplex.end(), lift) != simplex.end()) continue;
-          if (!is_proved(decide_power(simplex, lift, enough))) return false;
-        }
-      }
-      return true;
-    });
+    // Strictly below every margin, where nothing is left to show; then upwards as far as it holds, by bisection.
+    const Rational lower = Rational::exactly(protection_.least);
+    long best = index_below(lower);
+    if (margin_number(best) == lower) --best;
+    long beyond = index_below(Rational::exactly(protection_.least_upper)) + 1;
+    while (beyond - best > 1) {
+      const long middle = best + (beyond - best) / 2;
+      (all_are_protected_by(margin_number(middle)) ? best : beyond) = middle;
+    }
+    result.protection = margin_number(best);
     // Of these two the filter's own bound is good enough: it is rounded to 12 digits, once.
-    result.thickness = best_below(thickness_, [](const Rational&) { return false; });
+    result.thickness = margin_number(index_below(Rational::exactly(thickness_.least)));
     const Rational radius = Rational::exactly(-negated_radius_.least);
     result.circumradius = rounded_up(radius, binary_exponent(radius) - margin_digits + 1);
     return result;
+  }
+
+  bool all_are_protected_by(const Rational& protection) {
+    for (std::size_t at = 0; at < complex_.simplices().size(); ++at) {
+      if (Rational::exactly(lower_[at]) > protection) continue;
+      look_around(complex_.simplices()[at]);
+      if (less_protected(at, protection)) return false;
+    }
+    return true;
+  }
+
+  /// A lift that is not farther from the circumcentre than the circumradius and `protection`, if there is one.
+  /// Preconditions: near_ is that of the simplex, and the protection at most `look_beyond_`.
+  std::optional<Lift<m>> less_protected(std::size_t at, const Rational& protection) const {
+    const auto& simplex = complex_.simplices()[at];
+    const auto enough = [&protection]<class S>(const S& power, const S& squared_radius) {
+      return is_outside_by(power, squared_radius, scalar_from<S>(protection));
+    };
+    for (const Lift<m>& lift : near_) {
+      if (std::find(simplex.begin(), simplex.end(), lift) != simplex.end()) continue;
+      if (!is_proved(decide_power(simplex, lift, enough))) return lift;
+    }
+    return std::nullopt;
   }
 
   const FlatAtlas<m>& atlas_;

@@ -16,9 +16,11 @@ struct ProtectionReport {
 };
 
 /// Certifies the simplices of all stars against all lifts of the points: non-degenerate, and every other lift farther
-/// from the circumcentre than the circumradius plus a margin. Margins have 12 significant binary digits and are the
-/// best such numbers; protection is not looked for beyond half a sampling radius. A tie is decided (as a failure).
-/// With `required_protection`, simplices whose protection is not above it are failures as well.
+/// from the circumcentre than the circumradius plus a margin. Margins have 12 significant binary digits. The protection
+/// is the best such number, but is not looked for beyond half a sampling radius; thickness and circumradius are what
+/// the filter's bounds give. A tie is decided (as a failure), and a protection that the filter cannot tell from 0 is a
+/// failure too. With `required_protection`, simplices whose protection is not above it are failures as well; throws
+/// InputError if that is more than half a sampling radius.
 template <int m>
 [[nodiscard]] ProtectionReport certify_protection(const FlatAtlas<m>& atlas, const PointSet<m>& points,
                                                   const StarComplex<m>& complex,

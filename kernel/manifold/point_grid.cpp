@@ -66,6 +66,8 @@ void PointGrid<m>::fit_box(double box_radius, std::size_t expected) {
 template <int m>
 std::uint32_t PointGrid<m>::insert(const Vector<double, m>& point) {
   const auto index = static_cast<std::uint32_t>(points_.size());
+  require_moderate_coordinates<m>(index, point);
+  for (const double coordinate : point) largest_coordinate_ = std::max(largest_coordinate_, std::abs(coordinate));
   points_.push_back(point);
   const Entry entry = reduce(index);
   grid_[flat_index(cell_of(entry.reduced))].push_back(entry);
@@ -112,7 +114,7 @@ void PointGrid<m>::visit_near(const Vector<double, m>& centre, double distance, 
   using Index = std::array<std::int64_t, static_cast<std::size_t>(m)>;
   Index first;
   Index last;
-  double size = 1;
+  double size = largest_coordinate_;
   for (std::size_t axis = 0; axis < m; ++axis) size = std::max(size, std::abs(centre[axis]));
   const double widened = distance * (1 + relative_slack) + absolute_slack * size;
   for (std::size_t axis = 0; axis < m; ++axis) {

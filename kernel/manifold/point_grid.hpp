@@ -1,10 +1,13 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "kernel/error.hpp"
 #include "kernel/simplex/frame_metric.hpp"
 
 namespace delcert {
@@ -35,11 +38,21 @@ struct Lift {
   friend auto operator<=>(const Lift&, const Lift&) = default;
 };
 
+/// Throws InputError, naming the label, for a coordinate of 2³⁰ or more: the shifts of its lifts need not fit.
+template <int m>
+void require_moderate_coordinates(std::uint32_t label, const Vector<double, m>& point) {
+  for (const double coordinate : point) {
+    if (!(std::abs(coordinate) < 0x1p30)) {
+      throw InputError("label " + std::to_string(label) + " has a coordinate of 2^30 or more: use a point nearer to 0");
+    }
+  }
+}
+
 /// Points of ℝᵐ/ℤᵐ (or of a bounded part of ℝᵐ) in cells, for "all lifts within a distance".
 ///
 /// The grid works on double approximations of the coordinates, which must be within 2⁻⁵⁰·max(1, |coordinate|) of the
-/// exact ones; queries are widened so that none of the exact points within the distance is missed, and return some
-/// points that are slightly farther.
+/// exact ones; queries are widened, in proportion to the largest coordinate of all, so that none of the exact points
+/// within the distance is missed, and return some points that are slightly farther.
 template <int m>
 class PointGrid {
  public:
@@ -47,7 +60,7 @@ class PointGrid {
   /// `cell_width`: a length, about the usual query distance. `expected`: about how many points there will be.
   PointGrid(const FrameMetric<m>& metric, std::optional<double> box_radius, double cell_width, std::size_t expected);
 
-  /// Adds a point; returns its index.
+  /// Adds a point; returns its index. Precondition: moderate coordinates, otherwise InputError is thrown.
   std::uint32_t insert(const Vector<double, m>& point);
 
   /// Appends to `out` a superset of the lifts within `distance` of `centre`. The order depends on the points only.
@@ -82,6 +95,7 @@ class PointGrid {
   double gram_rounding_ = 0;                   // Σ |G_ab|·√(G⁻¹)_aa·√(G⁻¹)_bb: how much xᵀGx may cancel
   bool periodic_;
   double cell_width_;
+  double largest_coordinate_ = 1;  // of the points, or 1
   std::vector<Vector<double, m>> points_;
   Vector<double, m> origin_{};
   Vector<double, m> cells_per_unit_{};

@@ -75,6 +75,32 @@ TEST(PointGrid, counts_a_point_at_exactly_the_distance) {
   EXPECT_EQ(near, (Lifts<2>{{0, {4096, -4096}}}));
 }
 
+// Defect: queries were widened for the size of the centre only, so that the rounding of points with large coordinates
+// could hide them.
+TEST(PointGrid, misses_no_lift_of_points_with_large_coordinates) {
+  const auto space = cubic_torus<1>();
+  ExactPoints<1> points;
+  for (int k = 1; k < 200; ++k) points.push_back({Rational(1000000007 - k) + ratio(k, 397)});
+  const auto grid = grid_of<1>(space, points, 0.125);
+  for (std::uint32_t index = 0; index < points.size(); ++index) {
+    const Lift<1> at_home{index, {-(1000000007 - static_cast<std::int32_t>(index) - 1)}};
+    const Rational distance = ratio(static_cast<long>(index) + 1, 397);
+    EXPECT_EQ(at<1>(points, at_home), (Vector<Rational, 1>{distance}));
+    Lifts<1> near;
+    grid.near({0}, approximate_double(distance), near);
+    EXPECT_NE(std::find(near.begin(), near.end(), at_home), near.end());
+  }
+}
+
+// Defect: such coordinates overflowed the integers of their shifts.
+TEST(PointGrid, refuses_coordinates_whose_shifts_need_not_fit) {
+  PointGrid<2> grid(FrameMetric<2>::cartesian(), std::nullopt, 0.25, 2);
+  EXPECT_EQ(grid.insert({0x1p29, -0x1p29}), 0U);
+  for (const double far : {0x1p30, -5e9, 1e300}) {
+    EXPECT_TRUE(mentions(message_of<InputError>([&] { grid.insert({0.5, far}); }), "label 1 "));
+  }
+}
+
 TEST(PointGrid, finds_points_inside_and_beyond_its_box) {
   const auto space = ball_of<2>(Rational(1));
   auto points = random_points<2>(60, 3, 12, Rational(-4), Rational(8));
