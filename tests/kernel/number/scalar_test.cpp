@@ -1,0 +1,104 @@
+#include "kernel/number/scalar.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "kernel/number/algebraic.hpp"
+#include "kernel/number/plain_double.hpp"
+#include "kernel/number/rounding_guard.hpp"
+#include "tests/kernel/number/random_numbers.hpp"
+
+namespace delcert {
+namespace {
+
+static_assert(Scalar<Interval> && Scalar<BigInterval> && Scalar<Rational> && Scalar<Algebraic>);
+static_assert(!Scalar<double> && !Scalar<int> && !Scalar<Verdict>);
+
+/// The doubles next to x on both sides, or x itself, in either rounding mode.
+void expect_tightest(const Rational& x) {
+  const Interval interval = scalar_from<Interval>(x);
+  ASSERT_TRUE(contains(interval, x));
+  const bool is_point = interval.lower() == interval.upper();
+  ASSERT_TRUE(is_point ||
+              std::nextafter(interval.lower(), std::numeric_limits<double>::infinity()) == interval.upper());
+  if (!is_point && std::isfinite(interval.lower()) && std::isfinite(interval.upper())) {
+    ASSERT_TRUE(Rational::exactly(interval.lower()) < x && x < Rational::exactly(interval.upper()));
+  }
+  const RoundingGuard guard;
+  const Interval under_guard = scalar_from<Interval>(x);
+  ASSERT_EQ(interval.lower(), under_guard.lower());
+  ASSERT_EQ(interval.upper(), under_guard.upper());
+}
+
+TEST(Scalar, the_interval_of_a_rational_is_the_tightest_that_doubles_give) {
+  RandomNumbers random(31);
+  for (int round = 0; round < 10000; ++round) {
+    const Rational x = Rational::exactly(random.hard_double());
+    expect_tightest(x);
+    expect_tightest(x / Rational(3));
+    expect_tightest(x + Rational::power_of_two(-static_cast<long>(random.below(1200))));
+  }
+}
+
+TEST(Scalar, rationals_beyond_the_doubles_have_an_infinite_or_a_subnormal_endpoint) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double greatest = std::numeric_limits<double>::max();
+  const double least = std::numeric_limits<double>::denorm_min();
+  for (const long exponent : {1024L, 1100L, 50000L}) {
+    const Rational great = Rational::power_of_two(exponent);
+    expect_tightest(great);
+    EXPECT_EQ(scalar_from<Interval>(great).lower(), greatest);
+    EXPECT_EQ(scalar_from<Interval>(great).upper(), infinity);
+    EXPECT_EQ(scalar_from<Interval>(-great).lower(), -infinity);
+    EXPECT_EQ(scalar_from<Interval>(-great).upper(), -greatest);
+  }
+  for (const long exponent : {-1075L, -1100L, -50000L}) {
+    const Rational tiny = Rational::power_of_two(exponent);
+    EXPECT_EQ(scalar_from<Interval>(tiny).lower(), 0.0);
+    EXPECT_EQ(scalar_from<Interval>(tiny).upper(), least);
+    EXPECT_EQ(scalar_from<Interval>(-tiny).lower(), -least);
+    EXPECT_EQ(scalar_from<Interval>(-tiny).upper(), 0.0);
+  }
+  EXPECT_EQ(is_zero(scalar_from<Interval>(Rational(0))), Verdict::proved);
+}
+
+TEST(Scalar, exact_rungs_take_a_rational_as_it_is_and_big_intervals_enclose_it) {
+  const Rational x = Rational(-22) / Rational(7);
+  EXPECT_TRUE(scalar_from<Rational>(x) == x);
+  EXPECT_TRUE(scalar_from<Algebraic>(x).rational() == x);
+  const BigInterval enclosure = scalar_from<BigInterval>(x);
+  EXPECT_TRUE(enclosure.lower() < x && x < enclosure.upper());
+  EXPECT_TRUE(enclosure.upper() - enclosure.lower() <= Rational::power_of_two(-126));
+}
+
+/// ((a - b)^2 + a b - 3) / (1 + b^2), whose value every rung must agree on.
+template <Scalar S>
+S some_quantity(const Rational& x, const Rational& y) {
+  const S a = scalar_from<S>(x);
+  const S b = scalar_from<S>(y);
+  return (square(a - b) + a * b - S(3)) / (S(1) + square(b));
+}
+
+TEST(Scalar, one_template_computed_in_every_rung_encloses_the_same_value) {
+  RandomNumbers random(32);
+  for (int round = 0; round < 3000; ++round) {
+    const Rational x = Rational(static_cast<long>(random.below(2001)) - 1000) / Rational(random.below(99) + 1);
+    const Rational y = Rational(static_cast<long>(random.below(2001)) - 1000) / Rational(random.below(99) + 1);
+    const Rational exact = some_quantity<Rational>(x, y);
+    ASSERT_TRUE(some_quantity<Algebraic>(x, y).rational() == exact);
+    const BigInterval big = some_quantity<BigInterval>(x, y);
+    ASSERT_TRUE(big.lower() <= exact && exact <= big.upper());
+    Interval interval;
+    {
+      const RoundingGuard guard;
+      interval = some_quantity<Interval>(x, y);
+    }
+    ASSERT_TRUE(contains(interval, exact));
+    const double approximate = some_quantity<PlainDouble>(x, y).lower();
+    ASSERT_TRUE(std::fabs(approximate - approximate_double(exact)) <= 0x1p-30 * (1 + std::fabs(approximate)));
+  }
+}
+
+}  // namespace
+}  // namespace delcert

@@ -1,0 +1,11 @@
+#include "kernel/number/interval.hpp"
+
+using namespace delcert;
+
+Verdict compare(const Interval& a, const Interval& b) {
+#ifdef MUST_NOT_COMPILE
+  return verdict_of(a < b);  // must not compile
+#else
+  return less(a, b);
+#endif
+}
