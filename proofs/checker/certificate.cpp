@@ -131,8 +131,8 @@ std::vector<Level> rests_on(std::size_t level) {
 }
 
 std::string label_set(const Label* begin, const Label* end) {
-  std::string text;
-  for (; begin != end; ++begin) text += (text.empty() ? "{" : ", ") + std::to_string(*begin);
+  std::string text = "{";
+  for (const Label* j = begin; j != end; ++j) text += (j == begin ? "" : ", ") + std::to_string(*j);
   return text + "}";
 }
 

@@ -15,7 +15,7 @@ Grid::Grid(const PointSet& points)
       origin_[k] = std::min(origin_[k], x.lower());
       last = std::max(last, x.upper());
     }
-    extent[k] = std::max(last - origin_[k], 0x1p-500);
+    extent[k] = last - origin_[k];
   }
   // About as many cells as points, as cubical in the metric as boxes of the frame can be.
   double volume = 1;
@@ -29,7 +29,9 @@ Grid::Grid(const PointSet& points)
     return 1.0 * static_cast<double>(cells_[0] * cells_[1]) * static_cast<double>(cells_[2] * cells_[3]);
   };
   while (total() > 64 + 4.0 * n) *std::max_element(cells_.begin(), cells_.end()) /= 2;
-  for (std::size_t k = 0; k < 4; ++k) scale_[k] = static_cast<double>(cells_[k]) / extent[k];
+  // Of a bounding box a single cell has everything, however flat the box is.
+  for (std::size_t k = 0; k < 4; ++k)
+    scale_[k] = points.periodic() || cells_[k] > 1 ? static_cast<double>(cells_[k]) / extent[k] : 0;
 
   std::vector<std::size_t> cell_of(n);
   begin_.assign(static_cast<std::size_t>(total()) + 1, 0);

@@ -39,14 +39,14 @@ class Interval {
   }
   friend Interval operator-(const Interval& a) { return {a.upper_, a.minus_lower_}; }
 
-  /// The extreme products are among those of the endpoints. 0 times infinity is NaN and is left out by `larger`; the
-  /// bound 0 that it stands for is then given by another product, unless all are NaN, which `known` makes infinite.
+  /// The extreme products are among those of the endpoints. The whole line if an endpoint is infinite (or nearly), so
+  /// that no product is NaN.
   friend Interval operator*(const Interval& a, const Interval& b) {
-    const double lower = larger(larger(a.minus_lower_ * -b.minus_lower_, a.minus_lower_ * b.upper_),
-                                larger(a.upper_ * b.minus_lower_, -a.upper_ * b.upper_));
-    const double upper = larger(larger(a.minus_lower_ * b.minus_lower_, -a.minus_lower_ * b.upper_),
-                                larger(a.upper_ * -b.minus_lower_, a.upper_ * b.upper_));
-    return {known(lower), known(upper)};
+    if (!(a.minus_lower_ + a.upper_ + b.minus_lower_ + b.upper_ < infinity)) return {infinity, infinity};
+    return {larger(larger(a.minus_lower_ * -b.minus_lower_, a.minus_lower_ * b.upper_),
+                   larger(a.upper_ * b.minus_lower_, -a.upper_ * b.upper_)),
+            larger(larger(a.minus_lower_ * b.minus_lower_, -a.minus_lower_ * b.upper_),
+                   larger(a.upper_ * -b.minus_lower_, a.upper_ * b.upper_))};
   }
 
   /// The whole line if b contains 0.
@@ -78,7 +78,6 @@ class Interval {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   Interval(double minus_lower, double upper) : minus_lower_(minus_lower), upper_(upper) {}
   static double larger(double a, double b) { return a > b ? a : b; }
-  static double known(double bound) { return bound == bound ? bound : infinity; }
 
   double minus_lower_ = 0;
   double upper_ = 0;

@@ -39,7 +39,9 @@ std::string theory_flake(int m) {
 
 }  // namespace
 
-Margins roomy(const Margins& measured) { return {measured.protection / 2, measured.thickness / 2, measured.circumradius * 1.2}; }
+Margins roomy(const Margins& measured) {
+  return {measured.protection / 2, measured.thickness / 2, measured.circumradius * 1.2};
+}
 
 Json certificate(const Model& model, const Claims& claims) {
   Json manifold{{"name", "a test"}, {"family", model.torus ? "flat-torus" : "euclidean-ball"}, {"dimension", model.m}};
@@ -75,7 +77,8 @@ Json certificate(const Model& model, const Claims& claims) {
                           {"thickness", at_most(claims.margins.thickness).text()},
                           {"circumradius", (at_most(claims.margins.circumradius) + Fraction{1, 1ll << 40}).text()}};
     }
-    if (name == "2") levels[name] = Json{{"simplices", simplices}, {"euler_characteristic", euler}, {"closed", model.torus}};
+    if (name == "2")
+      levels[name] = Json{{"simplices", simplices}, {"euler_characteristic", euler}, {"closed", model.torus}};
     if (name == "3") levels[name]["tested"] = "P1 to P4";
     if (name == "5") levels[name]["route"] = "space-form";
     if (name == "6") levels[name] = Json{{"self_delaunay", true}, {"bilipschitz", "1"}};

@@ -93,9 +93,11 @@ std::string Fraction::text() const {
   const std::string sign = numerator < 0 ? "-" : "";
   const unsigned long long magnitude = static_cast<unsigned long long>(std::llabs(numerator));
   if (denominator == 1) return sign + std::to_string(magnitude);
-  if ((denominator & (denominator - 1)) != 0) return sign + std::to_string(magnitude) + "/" + std::to_string(denominator);
+  if ((denominator & (denominator - 1)) != 0)
+    return sign + std::to_string(magnitude) + "/" + std::to_string(denominator);
   std::array<char, 64> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "0x%llxp-%d", magnitude, static_cast<int>(std::log2(static_cast<double>(denominator))));
+  std::snprintf(buffer.data(), buffer.size(), "0x%llxp-%d", magnitude,
+                static_cast<int>(std::log2(static_cast<double>(denominator))));
   return sign + buffer.data();
 }
 
@@ -106,7 +108,9 @@ Fraction operator+(const Fraction& a, const Fraction& b) {
   return {sum / divisor, common / divisor};
 }
 
-Fraction at_most(double value) { return Fraction{static_cast<long long>(std::floor(value * 0x1p40)), 1ll << 40} + Fraction{}; }
+Fraction at_most(double value) {
+  return Fraction{static_cast<long long>(std::floor(value * 0x1p40)), 1ll << 40} + Fraction{};
+}
 
 std::vector<std::vector<Labels>> stars_of(const std::vector<Labels>& simplices, const std::vector<bool>& interior) {
   std::vector<std::vector<Labels>> stars(interior.size());
@@ -200,7 +204,8 @@ Model staggered_disc(int N, double size, std::uint64_t seed) {
   for (int row = -reach; row <= reach; ++row) {
     for (int column = -reach; column <= reach; ++column) {
       const bool odd = row % 2 != 0;
-      const Fraction x = Fraction{2 * column + (odd ? 1 : 0), 2 * N} + Fraction{}, y = Fraction{7 * row, 8 * N} + Fraction{};
+      const Fraction x = Fraction{2 * column + (odd ? 1 : 0), 2 * N} + Fraction{},
+                     y = Fraction{7 * row, 8 * N} + Fraction{};
       if (std::hypot(x.value(), y.value()) > 13 * epsilon) continue;
       labels[{row, column}] = static_cast<int>(model.net.size());
       model.net.push_back({x, y});
@@ -226,7 +231,8 @@ Model staggered_disc(int N, double size, std::uint64_t seed) {
   return model;
 }
 
-Model in_basis(const Model& model, const std::vector<std::vector<int>>& basis, const std::vector<std::vector<int>>& inverse) {
+Model in_basis(const Model& model, const std::vector<std::vector<int>>& basis,
+               const std::vector<std::vector<int>>& inverse) {
   Model result = model;
   const std::size_t m = index(model.m);
   for (std::size_t i = 0; i < m; ++i) {
@@ -242,7 +248,8 @@ Model in_basis(const Model& model, const std::vector<std::vector<int>>& basis, c
       const std::vector<Fraction> old = point;
       for (std::size_t i = 0; i < m; ++i) {
         point[i] = {};
-        for (std::size_t j = 0; j < m; ++j) point[i] = point[i] + Fraction{inverse[i][j] * old[j].numerator, old[j].denominator};
+        for (std::size_t j = 0; j < m; ++j)
+          point[i] = point[i] + Fraction{inverse[i][j] * old[j].numerator, old[j].denominator};
       }
     }
   }
@@ -271,7 +278,8 @@ Margins measure(const Model& model, int labels) {
       for (std::size_t a = 0; a < k; ++a) {
         for (std::size_t b = 0; b < k; ++b) gram[a][b] = product(model, edges[a], edges[b]);
         half[a] = gram[a][a] / 2;
-        for (std::size_t b = 0; b <= a; ++b) longest = std::max(longest, b == a ? gram[a][a] : gram[a][a] + gram[b][b] - 2 * gram[a][b]);
+        for (std::size_t b = 0; b <= a; ++b)
+          longest = std::max(longest, b == a ? gram[a][a] : gram[a][a] + gram[b][b] - 2 * gram[a][b]);
       }
       const Row weights = solve(gram, half);
       Row centre(k, 0);

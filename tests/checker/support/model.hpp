@@ -32,8 +32,8 @@ struct Model {
   Fraction radius;                     // of the ball
   Fraction epsilon, mu, rho;
   std::vector<std::vector<Fraction>> net, points;
-  std::vector<Labels> net_simplices;        // of positive determinant
-  std::vector<std::vector<Labels>> stars;   // for each label its simplices, without the label
+  std::vector<Labels> net_simplices;       // of positive determinant
+  std::vector<std::vector<Labels>> stars;  // for each label its simplices, without the label
   std::vector<bool> interior;
 };
 
@@ -47,12 +47,13 @@ struct Margins {
 /// the covering radius, mu the largest permitted value, about.
 Model kuhn_torus(int m, int N, double stretch, double size, std::uint64_t seed);
 
-/// Rows of points at distance h = 1/N, the rows at distance 7h/8 and shifted by h/2 in turn, in a disc of 13 epsilon; the
-/// triangulated ball has radius 11 epsilon.
+/// Rows of points at distance h = 1/N, the rows at distance 7h/8 and shifted by h/2 in turn, in a disc of 13 epsilon;
+/// the triangulated ball has radius 11 epsilon.
 Model staggered_disc(int N, double size, std::uint64_t seed);
 
 /// The same torus in another basis, the columns of an integer matrix of determinant 1 with the given inverse.
-Model in_basis(const Model& model, const std::vector<std::vector<int>>& basis, const std::vector<std::vector<int>>& inverse);
+Model in_basis(const Model& model, const std::vector<std::vector<int>>& basis,
+               const std::vector<std::vector<int>>& inverse);
 
 /// What the stars of the perturbed points have; of the first `labels` only, if that is said.
 Margins measure(const Model& model, int labels = 1 << 30);

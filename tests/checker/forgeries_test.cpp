@@ -1,0 +1,95 @@
+#include "tests/checker/support/forgeries.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <map>
+#include <regex>
+
+#include "tests/checker/support/run_checker.hpp"
+
+namespace delcert::checker_tests {
+namespace {
+
+std::vector<Forgery> all_forgeries() {
+  std::vector<Forgery> all;
+  for (const auto& part : {form_forgeries(), level_0_forgeries(), star_forgeries(), configuration_forgeries()})
+    all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+std::set<std::string> matches(const std::string& path, const std::regex& pattern) {
+  std::ifstream file(path);
+  const std::string text((std::istreambuf_iterator<char>(file)), {});
+  std::set<std::string> found;
+  for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match)
+    found.insert((*match)[1]);
+  return found;
+}
+
+/// The rules that the checker's sources name.
+std::set<std::string> rules_of_the_checker() {
+  std::set<std::string> rules;
+  for (const auto& file : std::filesystem::directory_iterator(DELCERT_SOURCE_DIR "/proofs/checker")) {
+    rules.merge(matches(file.path(), std::regex(R"re("((?:form|[0-6]s?)\.[a-z][a-z0-9-]*|seal)")re")));
+  }
+  return rules;
+}
+
+TEST(Forgeries, are_made_from_certificates_that_the_checker_accepts) {
+  for (const auto& [name, bytes] : valid_certificates()) {
+    const CheckerRun run = run_checker(bytes);
+    EXPECT_EQ(run.status, 0) << name << "\n" << run.output;
+    EXPECT_TRUE(run.rules.empty()) << name << "\n" << run.output;
+  }
+}
+
+TEST(Forgeries, are_rejected_each_by_its_rule_and_accepted_without_it) {
+  std::cout << "rule               exit  without  forgery: message\n";
+  for (const Forgery& forgery : all_forgeries()) {
+    SCOPED_TRACE(forgery.name);
+    const CheckerRun run = run_checker(forgery.bytes);
+    EXPECT_EQ(run.status, forgery.status) << run.output;
+    std::set<std::string> expected = forgery.others;
+    expected.insert(forgery.rule);
+    EXPECT_EQ(run.rules, expected) << run.output;
+    EXPECT_EQ(run.output.find("verified"), std::string::npos) << run.output;
+    const CheckerRun crippled = run_checker(forgery.bytes, forgery.rule);
+    std::cout << forgery.rule << std::string(19 - forgery.rule.size(), ' ') << run.status << "     " << crippled.status
+              << "        " << forgery.name << ": " << run.message << "\n";
+    if (forgery.others.empty()) {
+      EXPECT_EQ(crippled.status, 0) << crippled.output;
+    } else {
+      EXPECT_EQ(crippled.rules, forgery.others) << crippled.output;
+    }
+  }
+}
+
+TEST(Forgeries, there_is_one_for_every_rule_that_only_this_rule_rejects) {
+  std::set<std::string> tested;
+  for (const Forgery& forgery : all_forgeries()) {
+    if (forgery.others.empty()) tested.insert(forgery.rule);
+  }
+  // Without these there is no document to look at; malformed_test.cpp has them.
+  for (const char* structural :
+       {"form.bytes", "form.keys", "form.types", "form.numbers", "form.lengths", "form.labels"}) {
+    EXPECT_FALSE(tested.contains(structural));
+    tested.insert(structural);
+  }
+  EXPECT_EQ(tested, rules_of_the_checker());
+}
+
+TEST(Forgeries, the_rules_of_the_levels_are_those_of_the_format_page) {
+  std::set<std::string> rules;
+  for (const std::string& rule : rules_of_the_checker()) {
+    if (rule != "seal" && !rule.starts_with("form.")) rules.insert(rule);
+  }
+  EXPECT_EQ(rules, matches(DELCERT_SOURCE_DIR "/docs/certificate-format.md",
+                           std::regex(R"re((?:^|[^a-z0-9.])([0-6]s?\.[a-z][a-z0-9-]+))re")));
+}
+
+}  // namespace
+}  // namespace delcert::checker_tests

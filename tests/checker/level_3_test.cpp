@@ -1,0 +1,117 @@
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "proofs/checker/configuration.hpp"
+#include "proofs/checker/run.hpp"
+#include "proofs/checker/self_test.hpp"
+#include "tests/checker/support/samples.hpp"
+
+namespace delcert::checker_tests {
+namespace {
+
+using namespace checker;
+
+/// Whether any set of 3 … m + 2 lifts near a point is a forbidden configuration, by looking at all in exact arithmetic.
+bool has_forbidden_configuration(const Certificate& c) {
+  const ConfigurationBounds bounds(c);
+  const Quantity reach(Rational(4) * c.epsilon.exact);
+  bool found = false;
+  for (Label first = 0; first < c.n && !found; ++first) {
+    Vertices near;
+    for (Label j = first + 1; j < c.n; ++j) {
+      for (const Lift& lift : c.points.lifts_within({first, {}}, j, reach, true)) near.push_back({j, lift});
+    }
+    const auto grow = [&](const auto& self, const Vertices& chosen, std::size_t from) -> void {
+      if (chosen.size() >= 3) found = found || is_forbidden<Rational>(c, bounds, chosen) == Verdict::proved;
+      for (std::size_t k = from; chosen.size() < static_cast<std::size_t>(c.m) + 2 && k < near.size() && !found; ++k) {
+        if (near[k].label == chosen.back().label) continue;
+        Vertices longer = chosen;
+        longer.push_back(near[k]);
+        bool all_short = true;
+        for (const Vertex& v : chosen)
+          all_short =
+              all_short && is_short<Rational>(bounds, c.points.between<Rational>(v, near[k])) == Verdict::proved;
+        if (all_short) self(self, longer, k + 1);
+      }
+    };
+    grow(grow, {{first, {}}}, 0);
+  }
+  return found;
+}
+
+/// Few points in a small torus (only the form and level 3 are looked at), some of them in special position.
+Model small_model(int m, int n, std::mt19937_64& random) {
+  Model model;
+  model.m = m;
+  for (int i = 0; i < m; ++i) {
+    model.gram.emplace_back(m, 0);
+    model.gram.back()[static_cast<std::size_t>(i)] = 1;
+  }
+  model.epsilon = {1, 6};
+  model.mu = {1, 1};
+  model.rho = {1, 4};
+  for (int i = 0; i < n; ++i) {
+    auto& point = model.net.emplace_back();
+    // A coarse raster makes cospherical sets, repeated and collinear points.
+    const long long raster = random() % 3 == 0 ? 1000 : 8;
+    for (int k = 0; k < m; ++k)
+      point.push_back(Fraction{static_cast<long long>(random() % static_cast<unsigned long long>(raster)), raster} +
+                      Fraction{});
+  }
+  model.points = model.net;
+  model.stars.assign(static_cast<std::size_t>(n), {Labels(static_cast<std::size_t>(m))});
+  for (int i = 0; i < n; ++i) {
+    for (int k = 0, j = 0; k < m; ++k, ++j) {
+      if (j == i) ++j;
+      model.stars[static_cast<std::size_t>(i)][0][static_cast<std::size_t>(k)] = j;
+    }
+  }
+  model.interior.assign(static_cast<std::size_t>(n), true);
+  return model;
+}
+
+TEST(Level3, finds_a_forbidden_configuration_exactly_if_looking_at_all_sets_does) {
+  ASSERT_EQ(self_test(), "");
+  std::mt19937_64 random(1);
+  int with = 0, without = 0;
+  for (int k = 0; k < 300; ++k) {
+    const int m = 1 + k % 3;
+    const Model model = small_model(m, m == 1 ? 5 : m == 2 ? 11 : 13, random);
+    Json document = certificate(model, {{"0"}, {}, false});
+    const char* flakes[] = {"0x1p-100", "0x1p-60", "0x1p-40", "1/10000000000"};
+    document["parameters"]["flake_parameter_squared"] = flakes[random() % 4];
+    const std::string text = sealed(document);
+    const Certificate c(text);
+    Report report;
+    check_level_3(c, report);
+    const bool expected = has_forbidden_configuration(c);
+    EXPECT_EQ(!report.findings.empty(), expected) << "case " << k;
+    ++(expected ? with : without);
+  }
+  EXPECT_GT(with, 20);
+  EXPECT_GT(without, 20);
+}
+
+TEST(Level3, decides_P3_at_its_irrational_bound) {
+  ASSERT_EQ(self_test(), "");
+  // m = 2, Gamma_0^2 = 2^-3: delta_0 = 2^-4.5, and the bound (5/2)(1 + delta_0/2) epsilon is irrational.
+  Json document = wide_torus().document();
+  document["parameters"]["flake_parameter_squared"] = "1/8";
+  document["parameters"]["separation"] = "1";
+  document["parameters"]["sampling_radius"] = "2/5";
+  const std::string text = sealed(document);
+  const Certificate c(text);
+  const ConfigurationBounds bounds(c);
+  // (1 + 2^-5.5)^2 = 1.04468245507415922027505277263…
+  const std::string digits = "10446824550741592202750527726";
+  const std::string scale = "/1" + std::string(28, '0');
+  EXPECT_EQ(is_short<Rational>(bounds, exact_value(digits + "3" + "/1" + std::string(29, '0'))), Verdict::proved);
+  EXPECT_EQ(is_short<Rational>(bounds, exact_value(digits + scale)), Verdict::proved);
+  EXPECT_EQ(is_short<Rational>(bounds, exact_value("10446824550741592202750527727" + scale)), Verdict::refuted);
+  EXPECT_EQ(is_short<Rational>(bounds, Rational(2)), Verdict::refuted);
+  EXPECT_EQ(is_short<Interval>(bounds, enclosure(exact_value(digits + scale))), Verdict::undecided);
+}
+
+}  // namespace
+}  // namespace delcert::checker_tests

@@ -1,0 +1,243 @@
+// One malformed file for each rule of the sections "Bytes" and "Document" of the format page, sealed where that can be.
+
+#include <gtest/gtest.h>
+
+#include "tests/checker/support/run_checker.hpp"
+#include "tests/checker/support/samples.hpp"
+
+namespace delcert::checker_tests {
+namespace {
+
+const std::string& valid() {
+  static const std::string text = sealed(circle().document());
+  return text;
+}
+
+/// The valid text with one occurrence replaced, sealed anew.
+std::string with(const std::string& old, const std::string& replacement) {
+  std::string text = valid();
+  const std::size_t place = text.find(old);
+  EXPECT_NE(place, std::string::npos) << old;
+  text.replace(place, old.size(), replacement);
+  return resealed(text);
+}
+
+/// The point 3, as an example of a number.
+std::string with_number(const std::string& text) {
+  Json document = circle().document();
+  document["points"][3][0] = text;
+  return sealed(document);
+}
+
+struct Case {
+  std::string name, rule, bytes;
+};
+
+void expect_malformed(const std::vector<Case>& cases) {
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.name);
+    const CheckerRun run = run_checker(c.bytes);
+    EXPECT_EQ(run.status, 3) << run.output;
+    EXPECT_EQ(run.rules, std::set<std::string>{c.rule}) << run.output;
+  }
+}
+
+TEST(Malformed, the_unchanged_text_and_the_resealed_one_are_accepted) {
+  EXPECT_EQ(run_checker(valid()).status, 0);
+  EXPECT_EQ(resealed(valid()), valid());
+  EXPECT_EQ(run_checker(zstd_compressed(valid())).status, 0);
+}
+
+TEST(Malformed, bytes_are_one_document_on_one_line) {
+  const std::string text = valid(), cut = text.substr(0, text.size() - 1);
+  expect_malformed(
+      {{"no line feed", "form.bytes", cut},
+       {"carriage return", "form.bytes", cut + "\r\n"},
+       {"two line feeds", "form.bytes", text + "\n"},
+       {"trailing bytes", "form.bytes", text + "x"},
+       {"trailing zero byte", "form.bytes", text + std::string(1, '\0')},
+       {"two documents", "form.bytes", text + text},
+       {"empty", "form.keys", ""},
+       {"a single brace", "form.keys", "{"},
+       {"cut in a string", "form.bytes", text.substr(0, text.find("a test") + 3)},
+       {"a byte order mark", "form.keys", "\xef\xbb\xbf" + text},
+       {"deep nesting", "form.keys", std::string(1000000, '[')},
+       {"deep nesting inside", "form.keys", with("\"levels\":{", "\"levels\":" + std::string(1000000, '{'))}});
+}
+
+TEST(Malformed, compressed_bytes_are_one_frame_of_sane_size) {
+  const std::string frame = zstd_compressed(valid());
+  std::string damaged = frame;
+  damaged[damaged.size() / 2] = static_cast<char>(damaged[damaged.size() / 2] ^ 0x40);
+  expect_malformed({{"cut short", "form.bytes", frame.substr(0, frame.size() - 5)},
+                    {"only the magic number", "form.bytes", frame.substr(0, 4)},
+                    {"two frames", "form.bytes", frame + frame},
+                    {"bytes after the frame", "form.bytes", frame + "x"},
+                    {"grows without end", "form.bytes", zstd_compressed(std::string(100'000'000, '['))},
+                    {"compressed twice", "form.keys", zstd_compressed(frame)},
+                    {"skippable frame", "form.keys", std::string("\x50\x2a\x4d\x18\x00\x00\x00\x00", 8) + frame}});
+  EXPECT_EQ(run_checker(damaged).status, 3);
+}
+
+TEST(Malformed, keys_are_those_of_the_page_in_its_order_without_white_space) {
+  expect_malformed(
+      {{"white space", "form.keys", with("\"version\":1", "\"version\": 1")},
+       {"white space between labels", "form.keys", with("[[1],[29]]", "[[1], [29]]")},
+       {"another format", "form.keys", with("delcert-certificate", "delcert-certificate-2")},
+       {"another version", "form.keys", with("\"version\":1", "\"version\":2")},
+       {"a version that begins right", "form.keys", with("\"version\":1", "\"version\":1.0")},
+       {"an unknown key", "form.keys", with("\"version\":1", "\"version\":1,\"note\":1")},
+       {"a repeated key", "form.keys", with("\"version\":1", "\"version\":1,\"version\":1")},
+       {"a missing key", "form.keys", with("\"candidates\":\"pruned\",", "")},
+       {"keys out of order", "form.keys",
+        with("\"candidates\":\"pruned\",\"seed\":\"7\"", "\"seed\":\"7\",\"candidates\":\"pruned\"")},
+       {"an unknown level", "form.keys", with("\"levels\":{", "\"levels\":{\"7\":{},")},
+       {"levels out of order", "form.keys",
+        with("\"2s\":{},\"3\":{\"tested\":\"P1 to P4\"}", "\"3\":{\"tested\":\"P1 to P4\"},\"2s\":{}")},
+       {"a level twice", "form.keys", with("\"4\":{}", "\"4\":{},\"4\":{}")},
+       {"a margin too many", "form.keys", with("\"4\":{}", "\"4\":{\"a\":1}")},
+       {"another family", "form.types", with("flat-torus", "round-torus")},
+       {"a radius of a torus", "form.keys", with("\"gram\":[[\"1\"]]", "\"radius\":\"1\"")},
+       {"an escaped key", "form.keys", with("\"net\":", "\"n\\u0065t\":")},
+       {"software without delcert", "form.keys", with("{\"delcert\":\"test\"}", "{\"other\":\"test\"}")},
+       {"software repeated", "form.keys",
+        with("{\"delcert\":\"test\"}", "{\"delcert\":\"test\",\"delcert\":\"test\"}")},
+       {"software repeated in disguise", "form.keys",
+        with("{\"delcert\":\"test\"}", "{\"delcert\":\"test\",\"d\\u0065lcert\":\"test\"}")},
+       {"no software", "form.types", with("{\"delcert\":\"test\"}", "{}")},
+       {"level 6 with another constant", "form.keys", with("\"bilipschitz\":\"1\"", "\"bilipschitz\":\"2\"")},
+       {"level 5 by another route", "form.keys", with("space-form", "fan")}});
+}
+
+TEST(Malformed, values_have_the_types_of_the_page) {
+  expect_malformed(
+      {{"mode", "form.types", with("\"measured\"", "\"guessed\"")},
+       {"candidates", "form.types", with("\"pruned\"", "\"some\"")},
+       {"seed", "form.numbers", with("\"seed\":\"7\"", "\"seed\":\"0x7\"")},
+       {"seed with a fraction", "form.numbers", with("\"seed\":\"7\"", "\"seed\":\"7/2\"")},
+       {"dimension 0", "form.types", with("\"dimension\":1", "\"dimension\":0")},
+       {"dimension 5", "form.types", with("\"dimension\":1", "\"dimension\":5")},
+       {"a string for a truth value", "form.types", with("\"hypotheses_2\":false", "\"hypotheses_2\":\"false\"")},
+       {"a number for a string", "form.types", with("\"seed\":\"7\"", "\"seed\":7")},
+       {"a string for a count", "form.types", with("\"simplices\":30", "\"simplices\":\"30\"")},
+       {"a count with a sign", "form.types", with("\"simplices\":30", "\"simplices\":-30")},
+       {"a count with a leading zero", "form.types", with("\"simplices\":30", "\"simplices\":030")},
+       {"a count with an exponent", "form.keys", with("\"simplices\":30", "\"simplices\":3e1")},
+       {"a count beyond 64 bits", "form.types", with("\"simplices\":30", "\"simplices\":18446744073709551646")},
+       {"minus zero", "form.types", with("\"euler_characteristic\":0", "\"euler_characteristic\":-0")},
+       {"a label as a string", "form.types", with("[[1],[29]]", "[[\"1\"],[29]]")},
+       {"a negative label", "form.types", with("[[1],[29]]", "[[-1],[29]]")},
+       {"null", "form.keys", with("\"net\":[", "\"net\":null,\"x\":[")},
+       {"a control character in a string", "form.bytes", with("a test", "a\ttest")},
+       {"invalid UTF-8", "form.bytes", with("a test", "a \xff test")},
+       {"an overlong form", "form.bytes", with("a test", "a \xc0\xaf test")},
+       {"a surrogate", "form.bytes", with("a test", "a \xed\xa0\x80 test")},
+       {"half a surrogate pair", "form.bytes", with("a test", "a \\ud800 test")},
+       {"an unknown escape", "form.bytes", with("a test", "a \\x test")}});
+  EXPECT_EQ(run_checker(with("a test", "\\\"quotes\\\" \\u00e9 \\ud83d\\ude00 \xc3\xa9 \xf0\x9f\x98\x80")).status, 0);
+}
+
+TEST(Malformed, numbers_are_exact_and_in_one_of_three_forms) {
+  std::vector<Case> cases;
+  for (const char* number :
+       {"",    "-",     "+1",    "0.5", ".5",  "1.",   "1e5",  "1/0",      "1/00",     "1/-2",   "-1/-2",      "/2",
+        "1/",  "1/2/3", " 1",    "1 ",  "0x",  "0x.8", "0x1.", "0x1p",     "0x1p+3",   "0x1p-",  "0x1p123456", "0x1P3",
+        "0X1", "0xA",   "0x1/2", "1p3", "inf", "nan",  "--1",  "1\\u0030", "\xd9\xa3", "0x1p1p1"}) {
+    cases.push_back({std::string("number ") + number, "form.numbers", with_number(number)});
+  }
+  expect_malformed(cases);
+  Json document = circle().document();
+  document["points"][3][0] = 1;
+  expect_malformed({{"a JSON number", "form.types", sealed(document)}});
+}
+
+TEST(Malformed, the_same_number_in_another_form_is_accepted) {
+  Json document = circle().document();
+  document["manifold"]["gram"][0][0] = "0x00.800p1";
+  document["parameters"]["radius_variation"] = "-0/7";
+  document["parameters"]["distortion"] = "0x0.0p-99999";
+  document["points"][15][0] = "00500/1000";
+  EXPECT_EQ(run_checker(sealed(document)).status, 0);
+}
+
+TEST(Malformed, lengths_and_labels_fit_together) {
+  const auto changed = [](auto change) {
+    Json document = circle().document();
+    change(document);
+    return sealed(document);
+  };
+  const Json ball = disc().document();
+  Json without_net = disc().claiming({"1", "2"}).document();
+  without_net["net"] = Json::array();
+  expect_malformed(
+      {{"a point too many", "form.lengths", changed([](Json& d) { d["points"].push_back(d["points"][0]); })},
+       {"a net point too few", "form.lengths", changed([](Json& d) { d["net"].erase(4); })},
+       {"no net although level 0 is claimed", "form.lengths", changed([](Json& d) { d["net"] = Json::array(); })},
+       {"no net of a ball", "form.lengths", sealed(without_net)},
+       {"a star too few", "form.lengths", changed([](Json& d) { d["stars"].erase(29); })},
+       {"a star too many", "form.lengths", changed([](Json& d) { d["stars"].push_back(d["stars"][0]); })},
+       {"no points", "form.lengths", changed([](Json& d) {
+          for (const char* key : {"net", "points", "stars", "net_simplices"}) d[key] = Json::array();
+        })},
+       {"a point with two coordinates", "form.keys", changed([](Json& d) { d["points"][3].push_back("1"); })},
+       {"a point without coordinates", "form.types", changed([](Json& d) { d["points"][3] = Json::array(); })},
+       {"a star simplex with two labels", "form.keys", changed([](Json& d) { d["stars"][3][0].push_back(17); })},
+       {"a net simplex with one label", "form.keys", changed([](Json& d) { d["net_simplices"][3].erase(1); })},
+       {"gram with two rows", "form.keys", changed([](Json& d) { d["manifold"]["gram"].push_back({"1"}); })},
+       {"a label of a star that is no label", "form.labels", changed([](Json& d) { d["stars"][3][1] = {30}; })},
+       {"a label of a net simplex that is no label", "form.labels",
+        changed([](Json& d) { d["net_simplices"][3][1] = 30; })},
+       {"gram not positive", "form.gram", changed([](Json& d) { d["manifold"]["gram"][0][0] = "-1"; })},
+       {"gram zero", "form.gram", changed([](Json& d) { d["manifold"]["gram"][0][0] = "0"; })},
+       {"seal in capitals", "seal",
+        [] {
+          std::string text = valid();
+          for (std::size_t k = text.rfind(":\""); k < text.size(); ++k)
+            text[k] = static_cast<char>(std::toupper(text[k]));
+          return text;
+        }()},
+       {"seal too short", "seal", [] {
+          std::string text = valid();
+          return text.erase(text.size() - 5, 1);
+        }()}});
+}
+
+TEST(Malformed, numbers_too_large_for_the_filter_end_undecided_and_never_crash) {
+  for (const char* number : {"0x1p99999", "-0x1p99999", "0x1p-99999", "123456789012345678901234567890", "0x1p40"}) {
+    const CheckerRun run = run_checker(with_number(number));
+    EXPECT_TRUE(run.status == 1 || run.status == 2) << number << run.output;
+    Json document = circle().document();
+    document["parameters"]["sampling_radius"] = number;
+    EXPECT_GT(run_checker(sealed(document)).status, 0) << number;
+    document = circle().document();
+    document["levels"]["1"]["circumradius"] = number;
+    EXPECT_GT(run_checker(sealed(document)).status, 0) << number;
+    document = circle().document();
+    document["manifold"]["gram"][0][0] = number;
+    EXPECT_GT(run_checker(sealed(document)).status, 0) << number;
+    document = disc().document();
+    document["points"][0][0] = number;
+    EXPECT_GT(run_checker(sealed(document)).status, 0) << number;
+  }
+}
+
+TEST(Malformed, the_command_line_is_checked) {
+  const std::string file = temporary_file(valid());
+  EXPECT_EQ(run_checker_with("").status, 64);
+  EXPECT_EQ(run_checker_with(file + " " + file).status, 64);
+  EXPECT_EQ(run_checker_with("--without-rule seal " + file).status, 64) << "the real program leaves out no rule";
+  EXPECT_EQ(run_checker_with(file + " --levels 7").status, 64);
+  EXPECT_EQ(run_checker_with(file + ".absent").status, 64);
+  EXPECT_EQ(run_checker_with("--help").status, 0);
+  EXPECT_EQ(run_checker_with("--quiet " + file).output, "");
+  EXPECT_EQ(run_checker_with("--quiet " + file).status, 0);
+  const CheckerRun some = run_checker_with(file + " --levels 3");
+  EXPECT_EQ(some.status, 0);
+  EXPECT_NE(some.output.find("verified: levels 0 3; claimed but not checked: 1 2 2s 4 5 6"), std::string::npos)
+      << some.output;
+  const std::string part = temporary_file(sealed(circle().claiming({"0"}).document()));
+  EXPECT_EQ(run_checker_with(part + " --levels 1").status, 64) << "a level that is not claimed is not verified";
+}
+
+}  // namespace
+}  // namespace delcert::checker_tests

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace delcert::checker_tests {
+
+/// A certificate with something false in it and a seal that fits.
+struct Forgery {
+  std::string name;
+  std::string rule;  // a rule that rejects it
+  std::string bytes;
+  int status = 1;
+  std::set<std::string> others{};  // the other rules that reject it; if there are none, this forgery tests the rule
+};
+
+std::vector<Forgery> form_forgeries();
+std::vector<Forgery> level_0_forgeries();
+std::vector<Forgery> star_forgeries();  // levels 1, 2, 2s
+std::vector<Forgery> configuration_forgeries();
+
+/// The certificates from which the forgeries are made, by name; they are valid.
+std::vector<std::pair<std::string, std::string>> valid_certificates();
+
+}  // namespace delcert::checker_tests

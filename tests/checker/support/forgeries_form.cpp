@@ -1,0 +1,76 @@
+#include "tests/checker/support/forgeries.hpp"
+#include "tests/checker/support/samples.hpp"
+
+namespace delcert::checker_tests {
+
+std::vector<std::pair<std::string, std::string>> valid_certificates() {
+  std::vector<std::pair<std::string, std::string>> result;
+  for (const auto& [name, sample] : {std::pair("wide torus", wide_torus()),
+                                     {"narrow torus", narrow_torus()},
+                                     {"skewed torus", skewed_torus()},
+                                     {"circle", circle()},
+                                     {"cubic torus", cubic_torus()},
+                                     {"disc", disc()},
+                                     {"four-torus", four_torus()}}) {
+    result.emplace_back(name, sealed(sample.document()));
+  }
+  return result;
+}
+
+std::vector<Forgery> form_forgeries() {
+  std::vector<Forgery> result;
+  const auto forge = [&](const std::string& name, const std::string& rule, Json document, auto change) {
+    change(document);
+    result.push_back({name, rule, sealed(document), 3});
+  };
+  const Json torus = wide_torus().document(), ball = disc().document(), input = wide_torus().claiming({"0"}).document();
+
+  std::string other = sealed(torus);
+  other[other.rfind('"') - 1] = other[other.rfind('"') - 1] == '0' ? '1' : '0';
+  result.push_back({"one digit of the seal is another", "seal", other, 3});
+  std::string changed = sealed(torus);
+  changed.replace(changed.find("a test"), 6, "A test");
+  result.push_back({"the name is changed after sealing", "seal", changed, 3});
+
+  forge("gram is not symmetric", "form.gram", torus, [](Json& d) { d["manifold"]["gram"][1][0] = "-1023/1024"; });
+  forge("radius_variation is not 0", "form.ranges", torus,
+        [](Json& d) { d["parameters"]["radius_variation"] = "1/3"; });
+  forge("distortion is not 0", "form.ranges", torus, [](Json& d) { d["parameters"]["distortion"] = "0x1p-99999"; });
+  forge("tolerance is negative", "form.ranges", torus, [](Json& d) { d["parameters"]["tolerance"] = "-1"; });
+  forge("perturbation is just above separation/4", "form.ranges", torus, [](Json& d) {
+    d["parameters"]["perturbation"] = (wide_torus().model.rho + Fraction{1, 1ll << 40}).text();
+  });
+  forge("protection is 0", "form.ranges", torus, [](Json& d) { d["levels"]["1"]["protection"] = "0"; });
+  forge("thickness is 0", "form.ranges", torus, [](Json& d) { d["levels"]["1"]["thickness"] = "0x0"; });
+  forge("separation is 0", "form.ranges", input, [](Json& d) { d["parameters"]["separation"] = "0"; });
+  forge("level 5 without level 4", "form.levels", torus, [](Json& d) { d["levels"].erase("4"); });
+  forge("level 2s without level 0", "form.levels", wide_torus().claiming({"1", "2", "2s"}).document(), [](Json&) {});
+  forge("no level is claimed", "form.levels", wide_torus().claiming({}).document(), [](Json&) {});
+  forge("level 5 of a ball", "form.family", ball, [](Json& d) { d["levels"]["5"]["route"] = "space-form"; });
+  forge("net simplices although level 0 is not claimed", "form.net-simplices",
+        wide_torus().claiming({"1", "2"}).document(), [&](Json& d) { d["net_simplices"] = torus["net_simplices"]; });
+
+  // The star of a label that is not interior, out of simplices that are listed elsewhere.
+  Sample ring = disc();
+  const auto inside = static_cast<std::size_t>(
+      std::find_if(ring.model.stars.begin(), ring.model.stars.end(), [](const auto& s) { return !s.empty(); }) -
+      ring.model.stars.begin());
+  const Labels& triangle = ring.model.stars[inside][0];
+  for (const int j : triangle) {
+    if (ring.model.interior[static_cast<std::size_t>(j)]) continue;
+    const int k = triangle[0] + triangle[1] - j, i = static_cast<int>(inside);
+    ring.model.stars[static_cast<std::size_t>(j)] = {{std::min(i, k), std::max(i, k)}};
+    break;
+  }
+  forge("a star of a label that is not interior", "form.interior", ring.document(), [](Json&) {});
+  forge("labels of a star simplex out of order", "form.star-labels", input,
+        [](Json& d) { std::swap(d["stars"][5].back()[0], d["stars"][5].back()[1]); });
+  forge("a star simplex with the label of the star", "form.star-labels", input,
+        [](Json& d) { d["stars"][783][5][1] = 783; });
+  forge("simplices of a star out of order", "form.star-order", input,
+        [](Json& d) { std::swap(d["stars"][5][2], d["stars"][5][3]); });
+  forge("a simplex twice in a star", "form.star-order", input, [](Json& d) { d["stars"][5][2] = d["stars"][5][1]; });
+  return result;
+}
+
+}  // namespace delcert::checker_tests
