@@ -80,6 +80,24 @@ std::pair<Vector<double, m>, double> enclosing_ball(const MetricOn<PlainDouble, 
   return best;
 }
 
+/// Whether nothing of the simplex is in the open ball of this radius about the origin: by a vertex or by its enclosing
+/// ball where that is clear, otherwise exactly.
+template <int m>
+bool is_outside_ball(const Rational& radius, const PointSet<m>& net, const LiftedSimplex<m>& simplex,
+                     const Vector<double, m>& centre, double squared_radius) {
+  constexpr double slack = 1 + 0x1p-30;
+  const double approximate_radius = approximate_double(radius);
+  const double reach = (approximate_radius + std::sqrt(squared_radius)) * slack;
+  if (pairing(centre, centre) > reach * reach) return true;
+  std::vector<Vector<Rational, m>> vertices;
+  for (const auto& vertex : simplex) {
+    const auto position = net.approximate(Label(vertex.index));
+    if (pairing(position, position) * slack < approximate_radius * approximate_radius) return false;
+    vertices.push_back(net.exact(Label(vertex.index)));
+  }
+  return hull_is_outside_ball<m>(vertices, radius);
+}
+
 template <int m>
 struct SignedFace {
   std::array<std::uint32_t, static_cast<std::size_t>(m)> labels;
@@ -170,23 +188,24 @@ Covering<m> certified_covering(const FlatSpace<m>& space, const PointSet<m>& net
     const FilterGuard guard;
     return space.metric.template on<Filter>();
   }();
-  const double ball = space.is_torus() ? 0 : approximate_double(*space.ball_radius);
-
-  std::vector<std::pair<Vector<double, m>, double>> balls;
+  std::vector<bool> needed;
   double covering = 0;
+  double farthest = 0;
   Covering<m> result;
+  const double ball = space.box_radius().value_or(0);
   for (const auto& simplex : proposed) {
-    balls.push_back(enclosing_ball<m>(plain, filter, net, simplex, covering));
-    const auto& [centre, squared_radius] = balls.back();
-    const bool counts = space.is_torus() || pairing(centre, centre) <= ball * ball;
-    if (counts && squared_radius > covering) {
-      covering = squared_radius;
+    const auto [centre, squared_radius] = enclosing_ball<m>(plain, filter, net, simplex, covering);
+    needed.push_back(space.is_torus() || !is_outside_ball<m>(*space.ball_radius, net, simplex, centre, squared_radius));
+    if (!needed.back()) continue;
+    covering = std::max(covering, squared_radius);
+    if (squared_radius > farthest && (space.is_torus() || pairing(centre, centre) <= ball * ball)) {
+      farthest = squared_radius;
       result.farthest_centre = centre;
     }
   }
   if (!std::isfinite(covering) || covering == 0) throw Rejection("density: no simplex of the net could be measured");
   for (std::size_t at = 0; at < proposed.size(); ++at) {
-    if (balls[at].second > covering) continue;
+    if (!needed[at]) continue;
     std::array<Vector<PlainDouble, m>, corners<m>> vertices;
     for (std::size_t corner = 0; corner < corners<m>; ++corner) {
       const Lift<m>& lift = proposed[at][corner];

@@ -15,19 +15,40 @@ namespace delcert {
 
 namespace {
 
-constexpr double jitter = 0x1p-42;
+constexpr double jitter = 0x1p-32;
+/// Displaced coordinates are multiples of this, so that they stay exact doubles after any translation that occurs: in a
+/// Cartesian frame cospherical points are then triangulated the same way in every copy, in others nearly always.
+constexpr double grid_step = 0x1p-48;
+constexpr std::uint32_t most_displacements = 4;
 constexpr long separation_exponent = -20;
 /// ε is rounded up to this many binary digits: far less than the 0.1 % that it may exceed the covering radius by.
 constexpr long radius_digits = 30;
 
 template <int m>
-std::vector<Vector<double, m>> jittered(const PointSet<m>& net) {
+std::vector<Vector<double, m>> jittered(const PointSet<m>& net, std::uint32_t attempt) {
   std::vector<Vector<double, m>> points = net.approximate_all();
   for (std::uint32_t index = 0; index < points.size(); ++index) {
-    CounterRandom random(0, RandomPurpose::jitter, index, 0);
-    for (double& coordinate : points[index]) coordinate += jitter * (2 * random.next_unit() - 1);
+    CounterRandom random(0, RandomPurpose::jitter, index, attempt);
+    for (double& coordinate : points[index]) {
+      coordinate = std::nearbyint((coordinate + jitter * (2 * random.next_unit() - 1)) / grid_step) * grid_step;
+    }
   }
   return points;
+}
+
+/// The covering that a triangulation of displaced points gives. On a torus its copies may disagree about a cospherical
+/// set; the next displacement decides differently.
+template <int m>
+Covering<m> covering_of(const FlatSpace<m>& space, const PointSet<m>& net, double usual) {
+  for (std::uint32_t attempt = 0;; ++attempt) {
+    const auto points = jittered(net, attempt);
+    const auto proposed = propose_delaunay<m>(space, points, usual);
+    try {
+      return certified_covering<m>(space, net, points, proposed);
+    } catch (const Rejection&) {
+      if (!space.is_torus() || attempt + 1 == most_displacements) throw;
+    }
+  }
 }
 
 /// The radius of a ball of which each point would have its share of the volume.
@@ -69,8 +90,7 @@ NetDensity<m> measure_density(const FlatSpace<m>& space, const PointSet<m>& net,
   progress("measure density", 0, 1);
   if (net.size() <= m) throw Rejection("a net needs more than " + std::to_string(m) + " points");
   const double usual = nominal ? approximate_double(*nominal) : usual_distance(space, net.size());
-  const auto points = jittered(net);
-  Covering<m> covering = certified_covering<m>(space, net, points, propose_delaunay<m>(space, points, usual));
+  Covering<m> covering = covering_of<m>(space, net, usual);
   NetDensity<m> result;
   result.covering_radius_lower = distance_lower(space, net, covering.farthest_centre);
   const Rational& upper = covering.radius_upper;

@@ -21,11 +21,12 @@ struct NetDensity {
 };
 
 /// Measures the covering radius of a net through a triangulation of it, made from a copy of the points displaced by
-/// less than 2⁻⁴⁰, so that cospherical points are triangulated the same way wherever they are seen. Nothing is assumed
+/// less than 2⁻³¹, so that cospherical points are triangulated the same way wherever they are seen. Nothing is assumed
 /// of that triangulation but what is checked: the balls, and that its simplices cover.
 ///
 /// `nominal`: the radius the net was made for; it is taken as the sampling radius if it is one and exceeds the
-/// covering radius by at most a factor 1.001, otherwise a tight upper bound is.
+/// covering radius by at most a factor 1.001, otherwise a tight upper bound is. On a ball it also has to exceed the
+/// circumradii of the simplices that meet the ball, whose centres may lie beyond it, and may be larger for that.
 /// Throws Rejection when the density cannot be certified, saying where.
 template <int m>
 [[nodiscard]] NetDensity<m> measure_density(const FlatSpace<m>& space, const PointSet<m>& net,
