@@ -8,11 +8,7 @@ set_target_properties(delcert_kernel PROPERTIES EXPORT_NAME kernel)
 set_target_properties(delcert_proofs PROPERTIES EXPORT_NAME proofs)
 install(TARGETS delcert_rigour delcert_kernel delcert_proofs EXPORT delcert
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-foreach(program delcert delcert-check)
-  if(TARGET ${program})
-    install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-  endif()
-endforeach()
+install(TARGETS delcert delcert-check RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 
 # Below include/delcert/, so that consumers write the same includes as we do.
 foreach(folder kernel proofs/constants proofs/certificate)
