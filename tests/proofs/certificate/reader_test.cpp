@@ -1,0 +1,54 @@
+#include "proofs/certificate/reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include "kernel/error.hpp"
+#include "tests/proofs/certificate/small_run.hpp"
+
+namespace delcert {
+namespace {
+
+TEST(Reader, ReadsBackWhatWasWrittenBitForBit) {
+  const TemporaryFolder folder;
+  for (const char* name : {"c.json", "c.json.zst"}) {
+    small_run().write(folder / name);
+    const CertificateSummary read = read_certificate(folder / name);
+    EXPECT_EQ(read.manifold.name, "torus-2");
+    EXPECT_EQ(read.manifold.dimension, Dimension(2));
+    ASSERT_EQ(read.points.size(), small_run().atlas.size());
+    for (std::uint32_t index = 0; index < read.points.size(); ++index) {
+      const auto& exact = small_run().run.points.exact(Label(index));
+      EXPECT_TRUE(std::equal(read.points[index].begin(), read.points[index].end(), exact.begin(), exact.end()));
+    }
+    EXPECT_EQ(read.levels.size(), all_levels().size());
+    EXPECT_EQ(read.net_simplices, small_run().density.simplices.size());
+    EXPECT_EQ(read.seal.size(), 64U);
+  }
+}
+
+TEST(Reader, SaysWhichFileCannotBeRead) {
+  const TemporaryFolder folder;
+  const auto message = [](const std::filesystem::path& path) -> std::string {
+    try {
+      (void)read_certificate(path);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(message(folder / "none.json").find("none.json: cannot be opened"), std::string::npos);
+
+  small_run().write(folder / "c.json.zst");
+  const std::string bytes = bytes_of(folder / "c.json.zst");
+  std::ofstream(folder / "cut.zst", std::ios::binary) << bytes.substr(0, bytes.size() / 2);
+  EXPECT_NE(message(folder / "cut.zst").find("cut.zst: zstd: the file ends too early"), std::string::npos);
+
+  small_run().write(folder / "c.json");
+  std::ofstream(folder / "cut.json", std::ios::binary) << bytes_of(folder / "c.json").substr(0, 5000);
+  EXPECT_NE(message(folder / "cut.json").find("cut.json: "), std::string::npos);
+  std::ofstream(folder / "other.json") << "{\"format\":1}\n";
+  EXPECT_NE(message(folder / "other.json").find("software"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace delcert

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "kernel/manifold/flat_space.hpp"
+#include "kernel/sample/net_measure.hpp"
+#include "kernel/sample/poisson_disk.hpp"
+#include "proofs/certificate/writer.hpp"
+
+namespace delcert {
+
+/// A certified run on the square torus with some 400 points, made once.
+struct SmallRun {
+  ManifoldDescription manifold = find_manifold("torus-2");
+  FlatSpace<2> space = flat_space_of<2>(manifold);
+  PointSet<2> net{poisson_disk_net<2>(space, radius(), 1, no_progress())};
+  NetDensity<2> density = measure_density<2>(space, net, radius(), no_progress());
+  FlatAtlas<2> atlas{space, net, density.sampling_radius};
+  RunParameters parameters = parameters_for(Dimension(2), measure_separation<2>(atlas), {});
+  RunResult<2> run = run_algorithm<2>(atlas, parameters.algorithm, {}, no_progress());
+
+  static Rational radius() { return Rational(Integer(1), Integer(24)); }
+
+  [[nodiscard]] Claims claims(const LevelSelection& levels = all_levels()) const {
+    std::vector<std::string> reasons;
+    return derive_claims<2>(atlas, parameters, run, levels, no_progress(), reasons);
+  }
+  void write(const std::filesystem::path& path) const {
+    const Claims all = claims();
+    write_certificate<2>(path, {manifold, parameters, atlas, density.simplices, run, all});
+  }
+};
+
+[[nodiscard]] inline const SmallRun& small_run() {
+  static const SmallRun run;
+  return run;
+}
+
+/// A folder of its own for one test, removed with everything in it.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "delcert-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
+    path_ = name;
+  }
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  [[nodiscard]] bool is_empty() const { return std::filesystem::is_empty(path_); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+[[nodiscard]] inline std::string bytes_of(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace delcert
