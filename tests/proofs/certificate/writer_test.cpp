@@ -55,7 +55,7 @@ TEST(Writer, IsOneLineWithoutWhiteSpaceOutsideStrings) {
   bool in_string = false;
   for (const char c : bytes.substr(0, bytes.size() - 1)) {
     if (c == '"') in_string = !in_string;
-    if (!in_string) EXPECT_NE(c, ' ');
+    EXPECT_FALSE(!in_string && c == ' ');
   }
 }
 
