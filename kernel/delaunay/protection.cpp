@@ -74,7 +74,7 @@ class Measurement {
   }
 
   ProtectionReport run(const std::optional<Rational>& required, const Progress& progress) {
-    if (required && *required > Rational::exactly(look_beyond_)) {
+    if (required && Rational(2) * *required > atlas_.sampling_radius()) {
       throw InputError("a protection of " + exact_text(*required) +
                        " cannot be required: it is looked for up to half the sampling radius only");
     }
@@ -282,7 +282,7 @@ class Measurement {
   }
 
   /// A lift that is not farther from the circumcentre than the circumradius and `protection`, if there is one.
-  /// Preconditions: near_ is that of the simplex, and the protection at most `look_beyond_`.
+  /// Preconditions: near_ is that of the simplex, and the protection at most about `look_beyond_`.
   std::optional<Lift<m>> less_protected(std::size_t at, const Rational& protection) const {
     const auto& simplex = complex_.simplices()[at];
     const auto enough = [&protection]<class S>(const S& power, const S& squared_radius) {
