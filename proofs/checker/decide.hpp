@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stdexcept>
 #include <type_traits>
 
 #include "proofs/checker/rational.hpp"
@@ -29,7 +30,7 @@ struct Quantity {
   }
 };
 
-/// How many decisions each arithmetic made.
+/// How many decisions each arithmetic has made.
 struct Decisions {
   std::uint64_t filtered = 0;
   std::uint64_t exact = 0;
@@ -47,7 +48,9 @@ bool decide(const Predicate& predicate) {
     return filtered == Verdict::proved;
   }
   ++decisions.exact;
-  return predicate(In<Rational>{}) == Verdict::proved;
+  const Verdict exact = predicate(In<Rational>{});
+  if (exact == Verdict::undecided) throw std::logic_error("rational arithmetic left a question open");
+  return exact == Verdict::proved;
 }
 
 template <class N>

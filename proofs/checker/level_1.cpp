@@ -46,15 +46,15 @@ class StarChecker {
     };
     Vertices vertices{{i, {}}};
     for (int k = 0; k < c_.m; ++k) {
-      const auto [known, is_new] = lifts_.try_emplace(labels[k]);
-      if (is_new) known->second = c_.points.lifts_within({i, {}}, labels[k], reach_, true);
-      if (known->second.size() != 1) {
+      if (!lifts_.contains(labels[k])) lifts_[labels[k]] = c_.points.lifts_within({i, {}}, labels[k], reach_, true);
+      const std::vector<Lift>& found = lifts_[labels[k]];
+      if (found.size() != 1) {
         return reject("1.vertices", [&] {
-          return "has " + std::to_string(known->second.size()) + " lifts of " + std::to_string(labels[k]) +
+          return "has " + std::to_string(found.size()) + " lifts of " + std::to_string(labels[k]) +
                  " within 2 circumradius";
         });
       }
-      vertices.push_back({labels[k], known->second[0]});
+      vertices.push_back({labels[k], found[0]});
     }
     const auto exact = [&] { return Simplex<Rational>(c_.metric, c_.points.positions<Rational>(vertices)); };
     Simplex<Interval> filter(c_.metric, c_.points.positions<Interval>(vertices));

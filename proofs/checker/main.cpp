@@ -36,7 +36,9 @@ int main(int argc, char** argv) {
   std::vector<std::string> levels;
   bool json = false, quiet = false;
   app.add_option("FILE", file, "the certificate, plain or compressed with zstd")->required();
-  app.add_option("--levels", levels, "check these levels only, and those on which they rest")->delimiter(',');
+  app.add_option("--levels", levels, "check these levels only, and those on which they rest")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   app.add_flag("--json", json, "print one JSON object");
   app.add_flag("--quiet", quiet, "print nothing; the exit status tells");
 #ifdef DELCERT_CHECK_TESTING

@@ -34,7 +34,9 @@ std::string as_text(const Outcome& outcome) {
   }
   for (const std::string& level : outcome.unchecked) unchecked += " " + level;
   return text + status_name(outcome.status) + ": levels" + checked +
-         (unchecked.empty() ? "" : "; claimed but not checked:" + unchecked) + "\n";
+         (unchecked.empty() ? "" : "; claimed but not checked:" + unchecked) + " (" +
+         std::to_string(outcome.decisions.filtered) + " decisions by intervals, " +
+         std::to_string(outcome.decisions.exact) + " by rationals)\n";
 }
 
 std::string as_json(const std::string& file, const Outcome& outcome) {
@@ -52,6 +54,7 @@ std::string as_json(const std::string& file, const Outcome& outcome) {
   object["malformed"] = outcome.malformed ? as_object(*outcome.malformed) : nullptr;
   object["levels"] = levels;
   object["unchecked"] = outcome.unchecked;
+  object["decisions"] = {{"intervals", outcome.decisions.filtered}, {"rationals", outcome.decisions.exact}};
   return object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

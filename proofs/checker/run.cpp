@@ -53,6 +53,7 @@ LevelResult run_level(const Certificate& certificate, std::size_t level) {
 
 Outcome check(std::string_view text, const std::vector<std::string>& selected) {
   Outcome outcome;
+  decisions = {};
   try {
     const Certificate certificate(text);
     const Levels chosen = selection(certificate, selected);
@@ -70,6 +71,7 @@ Outcome check(std::string_view text, const std::vector<std::string>& selected) {
   for (const LevelResult& result : outcome.levels) {
     if (result.status != 0 && outcome.status != 1) outcome.status = result.status;
   }
+  outcome.decisions = decisions;
   return outcome;
 }
 

@@ -36,6 +36,7 @@ struct Outcome {
   std::optional<Finding> malformed;
   std::vector<LevelResult> levels;
   std::vector<std::string> unchecked;  // claimed, but not selected
+  Decisions decisions;
 };
 
 /// Checks the selected levels (all that are claimed if none is selected) and those on which they rest. The text is a

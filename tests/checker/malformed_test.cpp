@@ -231,6 +231,7 @@ TEST(Malformed, the_command_line_is_checked) {
   EXPECT_EQ(run_checker_with("--help").status, 0);
   EXPECT_EQ(run_checker_with("--quiet " + file).output, "");
   EXPECT_EQ(run_checker_with("--quiet " + file).status, 0);
+  EXPECT_EQ(run_checker_with("--levels 3,0 " + file).status, 0);
   const CheckerRun some = run_checker_with(file + " --levels 3");
   EXPECT_EQ(some.status, 0);
   EXPECT_NE(some.output.find("verified: levels 0 3; claimed but not checked: 1 2 2s 4 5 6"), std::string::npos)
