@@ -93,7 +93,9 @@ TEST_F(GridVisits, all_lifts_within_more_than_the_torus) { compare({2, {"1", "0"
 TEST_F(GridVisits, all_lifts_on_a_torus_with_a_skewed_basis) {
   compare({2, {"1", "7/2", "7/2", "50/4"}, true, 30, 4}, "1/5", 10);
 }
-TEST_F(GridVisits, all_lifts_on_a_long_thin_torus) { compare({2, {"100", "0", "0", "1/100"}, true, 30, 5}, "1/10", 10); }
+TEST_F(GridVisits, all_lifts_on_a_long_thin_torus) {
+  compare({2, {"100", "0", "0", "1/100"}, true, 30, 5}, "1/10", 10);
+}
 TEST_F(GridVisits, all_lifts_on_a_torus_of_dimension_3) {
   compare({3, {"3", "-1", "-1", "-1", "3", "-1", "-1", "-1", "3"}, true, 12, 6}, "1/2", 9);
 }
