@@ -36,8 +36,8 @@ void expect_same_complex(RunMode mode) {
   EXPECT_EQ(complex_of_middle_copy(points), run.simplices());
 
   EXPECT_NE(complex_of_middle_copy(points), with_one_flip<2>(run.simplices()));
-  const double third = approximate_double(run.atlas.sampling_radius()) / 3;
-  EXPECT_NE(complex_of_middle_copy(with_one_point_moved<2>(points, points.size() / 2, third)), run.simplices());
+  const double two_radii = 2 * approximate_double(run.atlas.sampling_radius());
+  EXPECT_NE(complex_of_middle_copy(with_one_point_moved<2>(points, points.size() / 2, two_radii)), run.simplices());
 }
 
 TEST(CopiesOfASkewedTorus, have_the_certified_complex_in_theory_mode) { expect_same_complex(RunMode::theory); }

@@ -15,8 +15,8 @@ void expect_twins_noticed(const CertifiedRun<m>& run) {
   EXPECT_TRUE(StarComplex<m>(flipped, std::vector<bool>(run.atlas.size(), true)).combinatorial_failures().empty());
   EXPECT_NE(CgalTorus<m>(run.result.points.approximate_all()).complex(), flipped);
 
-  const double third = approximate_double(run.atlas.sampling_radius()) / 3;
-  const auto moved = with_one_point_moved<m>(run.result.points.approximate_all(), run.atlas.size() / 2, third);
+  const double two_radii = 2 * approximate_double(run.atlas.sampling_radius());
+  const auto moved = with_one_point_moved<m>(run.result.points.approximate_all(), run.atlas.size() / 2, two_radii);
   EXPECT_NE(CgalTorus<m>(moved).complex(), run.simplices());
 }
 
