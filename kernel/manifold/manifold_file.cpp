@@ -152,7 +152,7 @@ class Reader {
 
   Rational radius() const {
     const toml::node& node = required("radius", number_expected);
-    const Rational value = number(node, "key \"radius\"");
+    Rational value = number(node, "key \"radius\"");
     if (value <= Rational(0)) fail(node, "key \"radius\"", "a number above 0");
     return value;
   }
@@ -183,7 +183,7 @@ class Reader {
     if (given_gram != nullptr && given_basis != nullptr)
       fail(given_basis->source(), "both \"gram\" and \"basis\" are given, expected one of them");
     if (given_gram != nullptr) {
-      const Matrix result = square_matrix(*given_gram, "gram", dimension);
+      Matrix result = square_matrix(*given_gram, "gram", dimension);
       require_symmetric(*given_gram, result);
       require_positive_definite(*given_gram, result);
       return result;

@@ -188,7 +188,7 @@ std::vector<std::uint32_t> PointGrid<m>::spatial_order() const {
     std::uint64_t code = 0;
     for (unsigned bit = 0; bit < 16; ++bit) {
       for (std::size_t axis = 0; axis < m; ++axis) {
-        code |= ((static_cast<std::uint64_t>(cell[axis]) >> bit) & 1U) << (bit * m + axis);
+        code |= ((static_cast<std::uint64_t>(cell[axis]) >> bit) & 1U) << (std::size_t{bit} * m + axis);
       }
     }
     cells.emplace_back(code, flat);

@@ -3,6 +3,7 @@
 #include <CGAL/Interval_nt.h>
 
 #include <concepts>
+#include <limits>
 
 #include "kernel/number/verdict.hpp"
 
@@ -32,7 +33,15 @@ class Interval {
 
   friend Interval operator+(const Interval& a, const Interval& b) { return Interval(a.value_ + b.value_); }
   friend Interval operator-(const Interval& a, const Interval& b) { return Interval(a.value_ - b.value_); }
-  friend Interval operator*(const Interval& a, const Interval& b) { return Interval(a.value_ * b.value_); }
+  friend Interval operator*(const Interval& a, const Interval& b) {
+#if defined(CGAL_USE_SSE2) && (defined(__SSE4_1__) || defined(__AVX__))
+    // Compiled for these processors, CGAL 5.5.1 takes [-2, 0] * [1, infinity] for [-infinity, -2], and [-0, 3] *
+    // [2, infinity] for [6, infinity]: of 0 * infinity it forgets the 0.
+    if (some_is_unbounded(a, b)) [[unlikely]]
+      return Interval(Wrapped::largest());
+#endif
+    return Interval(a.value_ * b.value_);
+  }
   /// Unbounded if b contains 0.
   friend Interval operator/(const Interval& a, const Interval& b) { return Interval(a.value_ / b.value_); }
   friend Interval operator-(const Interval& a) { return Interval(-a.value_); }
@@ -63,6 +72,15 @@ class Interval {
  private:
   using Wrapped = CGAL::Interval_nt<false>;
   explicit Interval(const Wrapped& value) : value_(value) {}
+
+#ifdef CGAL_USE_SSE2
+  // The pair (-lower, upper): unbounded where a component is infinity.
+  static bool some_is_unbounded(const Interval& a, const Interval& b) {
+    const __m128d infinity = _mm_set1_pd(std::numeric_limits<double>::infinity());
+    return _mm_movemask_pd(_mm_cmpeq_pd(_mm_max_pd(a.value_.simd(), b.value_.simd()), infinity)) != 0;
+  }
+#endif
+
   Wrapped value_;
 };
 

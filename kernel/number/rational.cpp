@@ -75,7 +75,7 @@ Rational square_root_lower(const Rational& x, unsigned bits) {
 }
 
 Rational square_root_upper(const Rational& x, unsigned bits) {
-  const Rational lower = square_root_lower(x, bits);
+  Rational lower = square_root_lower(x, bits);
   if (lower * lower == x) return lower;
   const long exponent = binary_exponent(x) / 2 - static_cast<long>(bits) - 1;
   return lower + Rational::power_of_two(exponent);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "kernel/number/rational.hpp"
 
 namespace delcert {
@@ -14,7 +16,7 @@ struct RationalBounds {
 /// `is_at_least(t)` tells exactly whether x ≥ t.
 template <class Predicate>
 [[nodiscard]] RationalBounds bisected(Rational upper, unsigned bits, const Predicate& is_at_least) {
-  RationalBounds bounds{Rational(0), upper};
+  RationalBounds bounds{Rational(0), std::move(upper)};
   const Rational width = Rational::power_of_two(-static_cast<long>(bits));
   while (bounds.upper - bounds.lower > width * bounds.upper) {
     const Rational middle = (bounds.lower + bounds.upper) / Rational(2);

@@ -25,9 +25,7 @@ constexpr const char* examples =
     "Exit status: 0 verified, 1 a check failed, 2 a check could not be decided, 3 malformed certificate,\n"
     "64 wrong usage or unreadable file, 70 internal error (among them: the self-test of the arithmetic fails).";
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   using namespace delcert::checker;
   CLI::App app{description, "delcert-check"};
   app.footer(examples);
@@ -70,5 +68,15 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     std::cerr << "delcert-check: internal error: " << error.what() << "\n";
     return internal_error;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (...) {
+    return 70;
   }
 }

@@ -38,7 +38,7 @@ void require_domain(const Ledger& ledger) {
 
 /// δ₀ rounded up: to a power of 2 near 2^-128 where it is smaller, else to 128 digits.
 Rational upper_bound_of(const PowerProduct& protection_parameter) {
-  const Rational tiny = Rational::power_of_two(-128);
+  Rational tiny = Rational::power_of_two(-128);
   if (protection_parameter.log2().upper <= Rational(-128)) return tiny;
   return square_root_upper(protection_parameter.squared(), 192);
 }
