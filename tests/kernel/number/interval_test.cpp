@@ -181,6 +181,22 @@ TEST(Interval, unbounded_operands_give_neither_nan_nor_a_wrong_enclosure) {
   }
 }
 
+// CGAL 5.5.1 compiled for SSE 4.1 forgets that 0 times anything is 0; wrong_flags builds this file so as well.
+TEST(Interval, products_of_an_end_at_zero_with_an_unbounded_factor_contain_zero) {
+  const RoundingGuard guard;
+  for (const double zero : {0.0, -0.0}) {
+    for (const Interval& a :
+         {Interval::between(-2, zero), Interval::between(zero, 3), Interval::between(-infinity, zero),
+          Interval::between(zero, infinity), Interval::between(zero, zero)}) {
+      for (const Interval& b : {Interval::between(1, infinity), Interval::between(2, infinity),
+                                Interval::between(-infinity, -1), Interval::between(-infinity, infinity)}) {
+        EXPECT_TRUE(contains(a * b, Rational(0))) << shown(a) << shown(b) << shown(a * b);
+        EXPECT_TRUE(contains(b * a, Rational(0))) << shown(b) << shown(a) << shown(b * a);
+      }
+    }
+  }
+}
+
 TEST(Interval, division_by_an_interval_around_zero_is_unbounded) {
   const RoundingGuard guard;
   for (const Interval& divisor :
