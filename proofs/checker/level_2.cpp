@@ -98,8 +98,8 @@ std::int64_t euler_characteristic(const Certificate& c, const std::vector<LabelS
 std::string check_level_2(const Certificate& c, Report& report) {
   const std::vector<LabelSet> simplices = check_agreement(c, report);
   const std::int64_t euler = euler_characteristic(c, simplices);
-  std::string found = std::to_string(simplices.size()) + " simplices, Euler characteristic " +
-                            std::to_string(euler) + (c.torus ? ", closed" : ", not closed");
+  std::string found = std::to_string(simplices.size()) + " simplices, Euler characteristic " + std::to_string(euler) +
+                      (c.torus ? ", closed" : ", not closed");
   if (c.simplices != simplices.size() || c.euler_characteristic != euler || c.closed != c.torus) {
     report.reject("2.count", [&] {
       return "stated are " + std::to_string(c.simplices) + " simplices, Euler characteristic " +
