@@ -96,6 +96,9 @@ void Certificate::require_levels() const {
 }
 
 void Certificate::require_stars() const {
+  // Level 1 would hold of nothing.
+  const bool any = std::find(interior.begin(), interior.end(), true) != interior.end();
+  Report::require("form.interior", any || !claimed[level_1], "no label is interior");
   for (Label i = 0; i < n; ++i) {
     const auto require = [&](const char* rule, bool holds, const char* what) {
       if (!holds) Report::require(rule, false, "star of " + std::to_string(i) + what);

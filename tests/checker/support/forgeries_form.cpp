@@ -63,6 +63,10 @@ std::vector<Forgery> form_forgeries() {
     break;
   }
   forge("a star of a label that is not interior", "form.interior", ring.document(), [](Json&) {});
+  Sample empty = disc().claiming({"1", "2"});
+  empty.model.radius = {79 * empty.model.epsilon.numerator, 10 * empty.model.epsilon.denominator};
+  for (auto& star : empty.model.stars) star.clear();
+  forge("stars of no label at all", "form.interior", empty.document(), [](Json&) {});
   forge("labels of a star simplex out of order", "form.star-labels", input,
         [](Json& d) { std::swap(d["stars"][5].back()[0], d["stars"][5].back()[1]); });
   forge("a star simplex with the label of the star", "form.star-labels", input,
