@@ -17,7 +17,8 @@ template <int m>
 
 /// The Delaunay simplices of the lifts of these points (approximate frame coordinates), each once mod the lattice, in
 /// increasing order. A proposal: nothing is certified. On a torus copies of the points around the unit cell stand in
-/// for the lifts; their number grows until every proposed circumball is well inside.
+/// for the lifts; their number grows, from what the usual circumradius (> 0) asks for, until every proposed circumball
+/// is well inside.
 /// Throws Rejection when the points are too few for that, or span no m-simplex, InputError for coordinates of 2³⁰ or
 /// more.
 template <int m>

@@ -1,5 +1,7 @@
 #include "kernel/sample/lattice_net.hpp"
 
+#include <string>
+
 #include "kernel/error.hpp"
 #include "kernel/sample/counter_random.hpp"
 #include "kernel/simplex/dimensions.hpp"
@@ -9,6 +11,7 @@ namespace delcert {
 namespace {
 
 constexpr std::uint64_t most_points = 4000000;
+constexpr unsigned most_displacement_digits = 1024;
 
 /// All integer points first … last in every coordinate, divided, and with the centres of the cells if asked.
 template <int m>
@@ -75,6 +78,10 @@ std::vector<Vector<Rational, m>> in_spatial_order(const FlatSpace<m>& space,
 template <int m>
 std::vector<Vector<Rational, m>> lattice_net(const FlatSpace<m>& space, const LatticeNet& lattice) {
   if (lattice.divisions == 0) throw InputError("a lattice needs at least one division");
+  if (lattice.displacement_exponent.value_or(0) > most_displacement_digits) {
+    throw InputError("a displacement of 2^-" + std::to_string(*lattice.displacement_exponent) + ": at most 2^-" +
+                     std::to_string(most_displacement_digits) + " is supported");
+  }
   std::vector<Vector<Rational, m>> points;
   std::optional<double> box_radius;
   if (space.is_torus()) {

@@ -88,6 +88,9 @@ template <int m>
 NetDensity<m> measure_density(const FlatSpace<m>& space, const PointSet<m>& net, const std::optional<Rational>& nominal,
                               const Progress& progress) {
   progress("measure density", 0, 1);
+  if (nominal && *nominal <= Rational(0)) {
+    throw InputError("the nominal sampling radius " + exact_text(*nominal) + " is not above 0");
+  }
   if (net.size() <= m) throw Rejection("a net needs more than " + std::to_string(m) + " points");
   const double usual = nominal ? approximate_double(*nominal) : usual_distance(space, net.size());
   Covering<m> covering = covering_of<m>(space, net, usual);

@@ -27,7 +27,8 @@ struct NetDensity {
 /// `nominal`: the radius the net was made for; it is taken as the sampling radius if it is one and exceeds the
 /// covering radius by at most a factor 1.001, otherwise a tight upper bound is. On a ball it also has to exceed the
 /// circumradii of the simplices that meet the ball, whose centres may lie beyond it, and may be larger for that.
-/// Throws Rejection when the density cannot be certified, saying where.
+/// Throws Rejection when the density cannot be certified, saying where, InputError unless the nominal radius is above
+/// 0.
 template <int m>
 [[nodiscard]] NetDensity<m> measure_density(const FlatSpace<m>& space, const PointSet<m>& net,
                                             const std::optional<Rational>& nominal, const Progress& progress);

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <string>
 #include <vector>
@@ -34,6 +35,21 @@ template <int m>
 void sort_and_unite(Complex<m>& simplices) {
   std::sort(simplices.begin(), simplices.end());
   simplices.erase(std::unique(simplices.begin(), simplices.end()), simplices.end());
+}
+
+/// The simplices that are in one of two complexes only, the first few of them by their labels; empty if there are none.
+template <int m>
+std::string disagreement(const Complex<m>& ours, const Complex<m>& theirs) {
+  constexpr std::size_t most_shown = 5;
+  Complex<m> different;
+  std::set_symmetric_difference(ours.begin(), ours.end(), theirs.begin(), theirs.end(), std::back_inserter(different));
+  if (different.empty()) return "";
+  std::string result = std::to_string(different.size()) + " simplices of one complex only:";
+  for (std::size_t at = 0; at < std::min(different.size(), most_shown); ++at) {
+    for (const Lift<m>& lift : different[at]) result += " " + std::to_string(lift.index);
+    result += std::binary_search(ours.begin(), ours.end(), different[at]) ? " (ours)" : " (theirs)";
+  }
+  return result;
 }
 
 namespace detail {

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
+#include "kernel/delaunay/approximate_sphere.hpp"
 #include "tests/oracles/cgal_delaunay.hpp"
 
 // What an oracle must notice.
@@ -67,27 +69,60 @@ Complex<m> around_segment(const std::vector<Lift<m>>& facet, const Lift<m>& one,
 /// each facet does not notice.
 template <int m>
 Complex<m> with_one_flip(Complex<m> simplices) {
-  const LiftedSimplex<m> first = simplices.front();
-  const auto facet = detail::facet_of<m>(first, 0, {});
-  for (const LiftedSimplex<m>& second : simplices) {
-    const auto beyond = detail::other_side<m>(facet, second);
-    if (!beyond) continue;
-    const LiftedSimplex<m> gone = second;
-    std::erase_if(simplices, [&](const auto& simplex) { return simplex == first || simplex == gone; });
-    const auto added = detail::around_segment<m>(facet.vertices, facet.apex, beyond->apex);
-    simplices.insert(simplices.end(), added.begin(), added.end());
-    sort_and_unite<m>(simplices);
-    return simplices;
+  for (const LiftedSimplex<m> first : simplices) {
+    const auto facet = detail::facet_of<m>(first, 0, {});
+    for (const LiftedSimplex<m> second : simplices) {
+      const auto beyond = detail::other_side<m>(facet, second);
+      if (!beyond) continue;
+      std::erase_if(simplices, [&](const auto& simplex) { return simplex == first || simplex == second; });
+      const auto added = detail::around_segment<m>(facet.vertices, facet.apex, beyond->apex);
+      simplices.insert(simplices.end(), added.begin(), added.end());
+      sort_and_unite<m>(simplices);
+      return simplices;
+    }
   }
-  ADD_FAILURE() << "the first simplex has no neighbour at its first facet";
+  ADD_FAILURE() << "no two simplices share a facet";
   return simplices;
 }
 
-/// The points with one of them moved along the first axis.
+/// The points with one of them moved by `distance` so that it gets into the ball of a simplex that it is no vertex of:
+/// that simplex is then no Delaunay simplex. The first vertex beyond a first facet that is near enough is moved.
 template <int m>
-Doubles<m> with_one_point_moved(Doubles<m> points, std::size_t index, double by) {
-  points.at(index)[0] += by;
+Doubles<m> with_one_point_in_a_ball(Doubles<m> points, const FrameMetric<m>& metric, const Complex<m>& simplices,
+                                    double distance) {
+  const auto plain = metric.template on<PlainDouble>();
+  const auto position = [&points](const Lift<m>& lift) {
+    Vector<double, m> x = points[lift.index];
+    for (std::size_t axis = 0; axis < m; ++axis) x[axis] += lift.shift[axis];
+    return x;
+  };
+  for (const LiftedSimplex<m>& first : simplices) {
+    std::array<Vector<double, m>, corner_count<m>> vertices;
+    for (std::size_t corner = 0; corner <= m; ++corner) vertices[corner] = position(first[corner]);
+    const auto sphere = approximate_sphere<m>(plain, vertices);
+    for (const LiftedSimplex<m>& second : simplices) {
+      const auto beyond = detail::other_side<m>(detail::facet_of<m>(first, 0, {}), second);
+      if (!beyond) continue;
+      Vector<PlainDouble, m> inwards;
+      const Vector<double, m> apex = position(beyond->apex);
+      for (std::size_t axis = 0; axis < m; ++axis)
+        inwards[axis] = PlainDouble::exactly(sphere.centre[axis] - apex[axis]);
+      const double to_centre = square_root(plain.squared_norm(inwards)).lower();
+      if (to_centre - distance > std::sqrt(sphere.squared_radius) - distance / 100) break;
+      for (std::size_t axis = 0; axis < m; ++axis) {
+        points[beyond->apex.index][axis] += distance / to_centre * inwards[axis].lower();
+      }
+      return points;
+    }
+  }
+  ADD_FAILURE() << "no vertex is near enough to a ball";
   return points;
+}
+
+/// A third of the sampling radius.
+template <int m>
+double third_of_radius(const FlatAtlas<m>& atlas) {
+  return approximate_double(atlas.sampling_radius()) / 3;
 }
 
 }  // namespace delcert::test

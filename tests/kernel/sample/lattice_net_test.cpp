@@ -116,5 +116,15 @@ TEST(LatticeNet, refuses_none_and_too_many) {
   EXPECT_THROW((void)lattice_net<2>(ball_of<2>(Rational(1000)), lattice_of(1000)), InputError);
 }
 
+// Defect: a displacement of 2^-2000000000 took all memory.
+TEST(LatticeNet, refuses_displacements_that_are_too_fine) {
+  LatticeNet displaced = lattice_of(2);
+  displaced.displacement_exponent = 1024;
+  EXPECT_EQ(lattice_net<2>(cubic_torus<2>(), displaced).size(), 4U);
+  displaced.displacement_exponent = 1025;
+  const auto refusal = message_of<InputError>([&] { (void)lattice_net<2>(cubic_torus<2>(), displaced); });
+  EXPECT_TRUE(mentions(refusal, "2^-1025: at most 2^-1024"));
+}
+
 }  // namespace
 }  // namespace delcert::test

@@ -121,6 +121,15 @@ TEST(MeasureDensity, refuses_too_few_points) {
                        "more than 2 points"));
 }
 
+// Defect: a nominal radius of 0 for a given net never came to an end.
+TEST(MeasureDensity, refuses_a_nominal_radius_that_is_not_above_0) {
+  const auto space = cubic_torus<2>();
+  for (const Rational& nominal : {Rational(0), ratio(-1, 2)}) {
+    const auto refusal = message_of<InputError>([&] { (void)density_of<2>(space, lattice<2>(space, 5), nominal); });
+    EXPECT_TRUE(mentions(refusal, exact_text(nominal) + " is not above 0"));
+  }
+}
+
 TEST(MeasureDensity, of_a_ball_looks_at_the_ball_only) {
   const auto space = ball_of<2>(Rational(1));
   const auto points = lattice<2>(space, 10);

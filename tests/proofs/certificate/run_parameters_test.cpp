@@ -1,75 +1,138 @@
 #include "proofs/certificate/run_parameters.hpp"
 
-#include <gtest/gtest.h>
+#include <array>
 
 #include "kernel/error.hpp"
+#include "tests/kernel/manifold/exhaustive.hpp"
 
-namespace delcert {
+namespace delcert::test {
 namespace {
 
-Rational fraction(long numerator, long denominator) { return Rational(Integer(numerator), Integer(denominator)); }
-
-TEST(RunParameters, TheoryModeHasThePapersConstants) {
-  // m = 2, μ₀ = 1, ρ₀ = 1/4: C = 2^{3/2}·2^47, Γ₀² = 2^-101, 2α̃₀ = 2^-32.
-  const RunParameters two = parameters_for(Dimension(2), Rational(1), {});
-  EXPECT_EQ(two.algorithm.perturbation, fraction(1, 4));
-  EXPECT_EQ(two.algorithm.tolerance, Rational::power_of_two(-32));
-  EXPECT_EQ(two.squared_flake_parameter, Rational::power_of_two(-101));
-  const RunParameters three = parameters_for(Dimension(3), Rational(1), {});
-  EXPECT_EQ(three.algorithm.tolerance, Rational::power_of_two(-57));
-  EXPECT_EQ(three.squared_flake_parameter * Rational(27), Rational::power_of_two(-148));
-  EXPECT_EQ(two.algorithm.circumradius_bound, Rational(2));
+ParameterChoice choice_of(RunMode mode) {
+  ParameterChoice choice;
+  choice.mode = mode;
+  return choice;
 }
 
-TEST(RunParameters, TheEdgeBoundIsAboveTheRealOne) {
+// docs/claims/theory-mode.md
+constexpr std::array<long, 5> exponent_of_dimension{0, 30, 47, 72, 105};
+
+TEST(ParametersFor, theory_mode_are_the_constants_of_the_paper) {
+  const std::array<long, 5> tolerance_exponents{0, -15, -32, -57, -90};
   for (int m = 1; m <= 4; ++m) {
-    const RunParameters parameters = parameters_for(Dimension(m), fraction(1, 2), {});
-    EXPECT_GT(parameters.algorithm.edge_bound, fraction(5, 2));
-    EXPECT_LT(parameters.algorithm.edge_bound, fraction(5, 2) * (Rational(1) + Rational::power_of_two(-60)));
-    // (edge/(5/2) − 1) ≥ δ₀μ₀/2, on squares.
-    const Rational excess = parameters.algorithm.edge_bound * fraction(2, 5) - Rational(1);
-    EXPECT_GE(square(excess), power(parameters.squared_flake_parameter, m + 1) * square(fraction(1, 4)));
+    const auto index = static_cast<std::size_t>(m);
+    const auto parameters = parameters_for(Dimension(m), Rational(1), choice_of(RunMode::theory));
+    EXPECT_EQ(parameters.mode, RunMode::theory);
+    EXPECT_EQ(parameters.algorithm.separation, Rational(1));
+    EXPECT_EQ(parameters.algorithm.perturbation, ratio(1, 4));
+    EXPECT_EQ(parameters.algorithm.tolerance, Rational::power_of_two(tolerance_exponents[index]));
+    EXPECT_EQ(parameters.squared_flake_parameter,
+              Rational::power_of_two(-2 * exponent_of_dimension[index] - 4) / Rational(m * m * m));
+    EXPECT_EQ(parameters.algorithm.circumradius_bound, Rational(2));
+    EXPECT_EQ(parameters.algorithm.candidates, CandidateRule::pruned);
   }
 }
 
-TEST(RunParameters, MeasuredModeTurnsTheToleranceIntoTheFlakeParameter) {
-  ParameterChoice choice;
-  choice.mode = RunMode::measured;
-  choice.tolerance = fraction(1, 50);
-  const Rational separation = fraction(3, 4);
-  const RunParameters parameters = parameters_for(Dimension(3), separation, choice);
-  // (2¹⁷m^{3/2}Γ₀/μ₀³)² = tolerance².
-  EXPECT_EQ(Rational::power_of_two(34) * Rational(27) * parameters.squared_flake_parameter / power(separation, 6),
-            square(fraction(1, 50)));
-  EXPECT_EQ(parameters.algorithm.perturbation, fraction(3, 16));
+/// The edge bound is an upper bound of (5/2)(1 + δ₀μ₀/2), δ₀² = (Γ₀²)^{m+1}, and exceeds it by next to nothing.
+void expect_edge_bound(const RunParameters& parameters, int m) {
+  const Rational& separation = parameters.algorithm.separation;
+  const Rational excess = (parameters.algorithm.edge_bound / ratio(5, 2) - Rational(1)) * Rational(2) / separation;
+  const Rational squared_protection = power(parameters.squared_flake_parameter, m + 1);
+  EXPECT_GE(square(excess), squared_protection);
+  const Rational less_excess = excess - Rational::power_of_two(-120);
+  EXPECT_TRUE(less_excess < Rational(0) || square(less_excess) < squared_protection);
 }
 
-TEST(RunParameters, TheHoopBoundOfTheSearchIsThePapers) {
-  const RunParameters parameters = parameters_for(Dimension(2), fraction(1, 2), {});
-  const auto forbidden = parameters.forbidden(fraction(1, 24));
-  EXPECT_EQ(forbidden.squared_hoop_bound * power(fraction(1, 2), 6),
-            Rational::power_of_two(26) * parameters.squared_flake_parameter);
-  EXPECT_EQ(forbidden.edge_bound, parameters.algorithm.edge_bound * fraction(1, 24));
+TEST(ParametersFor, other_separations_follow_the_formulas) {
+  for (int m = 1; m <= 4; ++m) {
+    const long exponent = exponent_of_dimension[static_cast<std::size_t>(m)];
+    for (const auto& separation : {Rational(1), ratio(1, 2), ratio(7, 9)}) {
+      for (const auto& perturbation : {separation / Rational(4), separation / Rational(11)}) {
+        auto choice = choice_of(RunMode::theory);
+        choice.perturbation = perturbation;
+        const auto parameters = parameters_for(Dimension(m), separation, choice);
+        // 2α̃₀ = 2¹⁷ρ₀/(μ₀³(2/μ₀)^E); Γ₀ = ρ₀/(m^{3/2}(2/μ₀)^E).
+        const Rational divisor = power(Rational(2) / separation, exponent);
+        EXPECT_EQ(parameters.algorithm.tolerance,
+                  Rational::power_of_two(17) * perturbation / (power(separation, 3) * divisor));
+        EXPECT_EQ(parameters.squared_flake_parameter, square(perturbation / divisor) / Rational(m * m * m));
+        EXPECT_EQ(parameters.algorithm.perturbation, perturbation);
+        expect_edge_bound(parameters, m);
+      }
+    }
+  }
 }
 
-TEST(RunParameters, DefaultTolerancesShrinkWithTheDimension) {
-  for (int m = 2; m <= 4; ++m) EXPECT_LT(default_tolerance(Dimension(m)), default_tolerance(Dimension(m - 1)));
+TEST(ParametersFor, measured_mode_have_the_flake_parameter_of_their_tolerance) {
+  for (int m = 1; m <= 4; ++m) {
+    auto choice = choice_of(RunMode::measured);
+    choice.tolerance = ratio(1, 100);
+    choice.seed = 77;
+    choice.candidates = CandidateRule::whole;
+    const auto parameters = parameters_for(Dimension(m), ratio(3, 4), choice);
+    EXPECT_EQ(parameters.mode, RunMode::measured);
+    EXPECT_EQ(parameters.algorithm.tolerance, ratio(1, 100));
+    EXPECT_EQ(parameters.algorithm.perturbation, ratio(3, 16));
+    EXPECT_EQ(parameters.algorithm.seed, 77U);
+    EXPECT_EQ(parameters.algorithm.candidates, CandidateRule::whole);
+    // 2α̃₀ = 2¹⁷m^{3/2}Γ₀/μ₀³, squared.
+    EXPECT_EQ(square(parameters.algorithm.tolerance), Rational::power_of_two(34) * Rational(m * m * m) *
+                                                          parameters.squared_flake_parameter / power(ratio(3, 4), 6));
+    expect_edge_bound(parameters, m);
+  }
 }
 
-TEST(RunParameters, RefusesWhatIsOutOfRange) {
-  ParameterChoice choice;
-  choice.tolerance = fraction(1, 64);
-  EXPECT_THROW((void)parameters_for(Dimension(2), Rational(1), choice), InputError);
-  choice.mode = RunMode::measured;
-  choice.tolerance = fraction(1, 4);
-  EXPECT_THROW((void)parameters_for(Dimension(2), Rational(1), choice), InputError);
-  choice.tolerance = fraction(1, 5);
-  EXPECT_NO_THROW((void)parameters_for(Dimension(2), Rational(1), choice));
-  choice.perturbation = fraction(26, 100);
-  EXPECT_THROW((void)parameters_for(Dimension(2), Rational(1), choice), InputError);
-  choice.perturbation = Rational(0);
-  EXPECT_THROW((void)parameters_for(Dimension(2), Rational(1), choice), InputError);
+TEST(ParametersFor, measured_mode_have_a_default_tolerance_for_each_dimension) {
+  Rational before(1);
+  for (int m = 1; m <= 4; ++m) {
+    const auto parameters = parameters_for(Dimension(m), Rational(1), choice_of(RunMode::measured));
+    EXPECT_EQ(parameters.algorithm.tolerance, default_tolerance(Dimension(m)));
+    EXPECT_LT(default_tolerance(Dimension(m)), before) << "harder to have in higher dimensions";
+    before = default_tolerance(Dimension(m));
+  }
+  EXPECT_THROW((void)default_tolerance(Dimension(5)), std::out_of_range);
+}
+
+TEST(ParametersFor, no_perturbation_is_one_by_0) {
+  const auto parameters = parameters_for(Dimension(2), Rational(1), choice_of(RunMode::none));
+  EXPECT_EQ(parameters.mode, RunMode::none);
+  EXPECT_EQ(parameters.algorithm.perturbation, Rational(0));
+  EXPECT_GT(parameters.squared_flake_parameter, Rational(0));
+}
+
+TEST(ParametersFor, refuse_what_is_out_of_range) {
+  const auto refusal = [](RunMode mode, std::optional<Rational> perturbation, std::optional<Rational> tolerance,
+                          const Rational& separation = ratio(1, 2)) {
+    auto choice = choice_of(mode);
+    choice.perturbation = std::move(perturbation);
+    choice.tolerance = std::move(tolerance);
+    return message_of<InputError>([&] { (void)parameters_for(Dimension(2), separation, choice); });
+  };
+  const std::optional<Rational> none;
+  for (const auto mode : {RunMode::theory, RunMode::measured, RunMode::none}) {
+    EXPECT_TRUE(mentions(refusal(mode, Rational(0), none), "perturbation 0 is not in (0, μ₀/4], μ₀ = 1/2"));
+    EXPECT_TRUE(mentions(refusal(mode, ratio(-1, 9), none), "perturbation -1/9"));
+    EXPECT_TRUE(mentions(refusal(mode, ratio(1, 8) + Rational::power_of_two(-300), none), "μ₀ = 1/2"));
+  }
+  EXPECT_TRUE(mentions(refusal(RunMode::theory, none, ratio(1, 100)), "measured mode only"));
+  EXPECT_TRUE(mentions(refusal(RunMode::measured, none, Rational(0)), "tolerance 0 is not in (0, ρ₀), ρ₀ = 1/8"));
+  EXPECT_TRUE(mentions(refusal(RunMode::measured, none, ratio(1, 8)), "tolerance 1/8"));
+  EXPECT_TRUE(mentions(refusal(RunMode::measured, none, ratio(-1, 8)), "tolerance -1/8"));
+  EXPECT_FALSE(refusal(RunMode::theory, none, none, Rational(2)).empty());
+  EXPECT_FALSE(refusal(RunMode::theory, ratio(1, 8), none, Rational(0)).empty());
+}
+
+TEST(RunParameters, say_what_a_search_for_forbidden_configurations_looks_for) {
+  const auto parameters = parameters_for(Dimension(2), ratio(1, 2), choice_of(RunMode::theory));
+  const auto forbidden = parameters.forbidden(ratio(1, 24));
+  EXPECT_EQ(forbidden.squared_flake_parameter, parameters.squared_flake_parameter);
+  // α₀ = 2¹³Γ₀/μ₀³, and 2α₀ is no more than the tolerance.
+  EXPECT_EQ(forbidden.squared_hoop_bound,
+            square(Rational(1U << 13U)) * parameters.squared_flake_parameter / power(ratio(1, 2), 6));
+  EXPECT_LE(Rational(4) * forbidden.squared_hoop_bound, square(parameters.algorithm.tolerance));
+  EXPECT_EQ(forbidden.sampling_radius, ratio(1, 24));
+  EXPECT_EQ(forbidden.edge_bound, parameters.algorithm.edge_bound / Rational(24));
 }
 
 }  // namespace
-}  // namespace delcert
+}  // namespace delcert::test

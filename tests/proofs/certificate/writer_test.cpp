@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 #include <nettle/sha2.h>
+#include <zstd.h>
 
 #include <nlohmann/json.hpp>
 
+#include "delcert_version.hpp"
+#include "kernel/number/exact_text.hpp"
+#include "kernel/number/self_test.hpp"
 #include "tests/proofs/certificate/small_run.hpp"
 
 namespace delcert {
@@ -49,6 +53,71 @@ TEST(Writer, KeysStandInTheOrderOfTheFormat) {
   EXPECT_EQ(json.at("stars").size(), small_run().atlas.size());
 }
 
+Rational number(const nlohmann::json& text) { return parse_exact(text.get<std::string>()); }
+
+TEST(Writer, SaysWhatWasRun) {
+  const auto json = nlohmann::json::parse(certificate_bytes());
+  EXPECT_EQ(json.at("format"), "delcert-certificate");
+  EXPECT_EQ(json.at("version"), 1);
+  EXPECT_EQ(json.at("software").at("delcert"), version);
+  for (const auto& [name, value] : library_versions()) EXPECT_EQ(json.at("software").at(name), value);
+  EXPECT_EQ(json.at("manifold"), nlohmann::json::parse(R"({"name":"torus-2","family":"flat-torus","dimension":2,
+                                                           "gram":[["1","0"],["0","1"]]})"));
+  const auto& parameters = json.at("parameters");
+  const PerturbationParameters& algorithm = small_run().parameters.algorithm;
+  EXPECT_EQ(parameters.at("mode"), "theory");
+  EXPECT_EQ(parameters.at("candidates"), "pruned");
+  EXPECT_EQ(parameters.at("seed"), std::to_string(algorithm.seed));
+  EXPECT_EQ(number(parameters.at("sampling_radius")), small_run().atlas.sampling_radius());
+  EXPECT_EQ(number(parameters.at("separation")), algorithm.separation);
+  EXPECT_EQ(number(parameters.at("radius_variation")), Rational(0));
+  EXPECT_EQ(number(parameters.at("distortion")), Rational(0));
+  EXPECT_EQ(number(parameters.at("perturbation")), algorithm.perturbation);
+  EXPECT_EQ(number(parameters.at("flake_parameter_squared")), small_run().parameters.squared_flake_parameter);
+  EXPECT_EQ(number(parameters.at("tolerance")), algorithm.tolerance);
+}
+
+TEST(Writer, HasTheLevelsWithTheirMarginsInOrder) {
+  const auto levels = nlohmann::ordered_json::parse(certificate_bytes()).at("levels");
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : levels.items()) keys.push_back(key);
+  EXPECT_EQ(keys, all_levels());
+  const StarMargins& margins = small_run().run.protection.margins.value();
+  EXPECT_EQ(levels.at("0").dump(), R"({"hypotheses_2":true})");
+  EXPECT_EQ(levels.at("1").size(), 3U);
+  EXPECT_EQ(number(levels.at("1").at("protection")), margins.protection);
+  EXPECT_EQ(number(levels.at("1").at("thickness")), margins.thickness);
+  EXPECT_EQ(number(levels.at("1").at("circumradius")), margins.circumradius);
+  EXPECT_EQ(levels.at("2").dump(), "{\"simplices\":" + std::to_string(small_run().run.complex.simplices().size()) +
+                                       R"(,"euler_characteristic":0,"closed":true})");
+  EXPECT_EQ(levels.at("2s").dump(), "{}");
+  EXPECT_EQ(levels.at("3").at("tested"), small_run().claims().no_forbidden.value());
+  EXPECT_EQ(levels.at("4").dump(), "{}");
+  EXPECT_EQ(levels.at("5").dump(), R"({"route":"space-form"})");
+  EXPECT_EQ(levels.at("6").dump(), R"({"self_delaunay":true,"bilipschitz":"1"})");
+}
+
+TEST(Writer, HasEveryPointExactly) {
+  const auto json = nlohmann::json::parse(certificate_bytes());
+  for (std::uint32_t index = 0; index < small_run().atlas.size(); ++index) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      EXPECT_EQ(number(json.at("net")[index][axis]), small_run().atlas.net().exact(Label(index))[axis]);
+      EXPECT_EQ(number(json.at("points")[index][axis]), small_run().run.points.exact(Label(index))[axis]);
+    }
+    std::vector<std::vector<std::uint32_t>> star;
+    for (const auto& others : small_run().run.complex.star(Label(index)))
+      star.emplace_back(others.begin(), others.end());
+    EXPECT_EQ(json.at("stars")[index].get<decltype(star)>(), star);
+  }
+  const auto& simplices = small_run().density.simplices;
+  ASSERT_EQ(json.at("net_simplices").size(), simplices.size());
+  for (std::size_t at = 0; at < simplices.size(); ++at) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      EXPECT_EQ(json.at("net_simplices")[at][corner], simplices[at][corner].index);
+    }
+  }
+}
+
 TEST(Writer, IsOneLineWithoutWhiteSpaceOutsideStrings) {
   const std::string bytes = certificate_bytes();
   EXPECT_EQ(bytes.find('\n'), bytes.size() - 1);
@@ -72,6 +141,40 @@ TEST(Writer, EqualRunsGiveEqualBytes) {
   const TemporaryFolder folder;
   again.write(folder / "again.json");
   EXPECT_EQ(bytes_of(folder / "again.json"), certificate_bytes());
+}
+
+TEST(Writer, CompressesTheSameBytesTheSameWay) {
+  const TemporaryFolder folder;
+  small_run().write(folder / "a.json.zst");
+  small_run().write(folder / "b.json.zst");
+  const std::string packed = bytes_of(folder / "a.json.zst");
+  EXPECT_EQ(bytes_of(folder / "b.json.zst"), packed);
+  std::string text(certificate_bytes().size() + 1, ' ');
+  text.resize(ZSTD_decompress(text.data(), text.size(), packed.data(), packed.size()));
+  EXPECT_EQ(text, certificate_bytes());
+}
+
+TEST(Writer, DescribesABallByItsRadius) {
+  ManifoldDescription disk = small_run().manifold;
+  disk.family = ManifoldFamily::euclidean_ball;
+  disk.name = "a \"disk\"";
+  disk.radius = Rational(Integer(7), Integer(3));
+  const TemporaryFolder folder;
+  const Claims claims = small_run().claims({"1"});
+  write_certificate<2>(folder / "c.json", {disk, small_run().parameters, small_run().atlas,
+                                           small_run().density.simplices, small_run().run, claims});
+  const auto json = nlohmann::ordered_json::parse(bytes_of(folder / "c.json"));
+  EXPECT_EQ(json.at("manifold").dump(),
+            R"({"name":"a \"disk\"","family":"euclidean-ball","dimension":2,"radius":"7/3"})");
+}
+
+TEST(Writer, NamesModesAndCandidateRulesAsInFiles) {
+  EXPECT_EQ(name_of(RunMode::theory), "theory");
+  EXPECT_EQ(name_of(RunMode::measured), "measured");
+  EXPECT_EQ(name_of(RunMode::none), "none");
+  EXPECT_EQ(name_of(CandidateRule::pruned), "pruned");
+  EXPECT_EQ(name_of(CandidateRule::whole), "whole");
+  EXPECT_EQ(name_of(CandidateRule::printed), "printed");
 }
 
 TEST(Writer, StarsAreSortedAndOfOtherLabels) {
