@@ -39,7 +39,7 @@ void expect_edge_bound(const RunParameters& parameters, int m) {
   const Rational excess = (parameters.algorithm.edge_bound / ratio(5, 2) - Rational(1)) * Rational(2) / separation;
   const Rational squared_protection = power(parameters.squared_flake_parameter, m + 1);
   EXPECT_GE(square(excess), squared_protection);
-  const Rational less_excess = excess - Rational::power_of_two(-120);
+  const Rational less_excess = excess * (Rational(1) - Rational::power_of_two(-60)) - Rational::power_of_two(-120);
   EXPECT_TRUE(less_excess < Rational(0) || square(less_excess) < squared_protection);
 }
 
