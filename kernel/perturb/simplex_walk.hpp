@@ -101,7 +101,8 @@ class SimplexWalk {
     }
   }
 
-  void walk_over(SphereStack<Filter, m>& stack, std::size_t count) {
+  // Nearly all of the time goes here: everything inlined but the exact way out.
+  [[gnu::flatten]] void walk_over(SphereStack<Filter, m>& stack, std::size_t count) {
     visitor_->facet(stack);
     const std::span<const std::uint32_t> vertices(vertices_.data(), count + 1);
     for_each_bit(masks_[count - 1], [&](std::uint32_t next) {
@@ -152,7 +153,7 @@ class SimplexWalk {
     stack.pop();
   }
 
-  void step_exactly(std::size_t count, std::uint32_t next) {
+  [[gnu::noinline]] void step_exactly(std::size_t count, std::uint32_t next) {
     SphereStack<Rational, m> stack(*exact_);
     for (std::size_t at = 1; at < count; ++at) {
       const auto vector = edge<Rational>(vertices_[at]);

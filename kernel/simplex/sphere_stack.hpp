@@ -32,16 +32,17 @@ class SphereStack {
 
   /// Adds the vertex v0 + edge. Returns whether the simplex stays non-degenerate; unless that is proved, the stack
   /// is left as it was. Precondition: dimension() < m.
-  Verdict push(const Point& edge, const S& squared_edge) {
+  // Flattened, here and below: a call that is not inlined passes its intervals through memory.
+  [[gnu::flatten]] Verdict push(const Point& edge, const S& squared_edge) {
     const auto k = static_cast<std::size_t>(depth_ + 1);
     const Level& below = level_[k - 1];
     Level& here = level_[k];
-    const S excess = squared_edge - S(2) * metric_->inner(edge, below.centre);
+    const S excess = squared_edge - twice(metric_->inner(edge, below.centre));
     if (depth_ + 1 == m) {
       const S slope = metric_->determinant() * pairing(covector_, edge);  // ⟨normal, edge⟩
       const Verdict non_degenerate = negation(is_zero(slope));
       if (!is_proved(non_degenerate)) return non_degenerate;
-      const S factor = excess / (S(2) * slope);
+      const S factor = excess / twice(slope);
       here.centre = sum(below.centre, scaled(factor, normal_));
       here.squared_radius = below.squared_radius + square(factor) * squared_normal_;
       here.squared_altitude = square(slope) / squared_normal_;
@@ -54,7 +55,7 @@ class SphereStack {
       here.squared_altitude = metric_->squared_norm(here.orthogonal);
       const Verdict non_degenerate = negation(is_zero(here.squared_altitude));
       if (!is_proved(non_degenerate)) return non_degenerate;
-      const S factor = excess / (S(2) * here.squared_altitude);
+      const S factor = excess / twice(here.squared_altitude);
       here.centre = sum(below.centre, scaled(factor, here.orthogonal));
       here.squared_radius = below.squared_radius + square(factor) * here.squared_altitude;
       edges_[k - 1] = edge;
@@ -73,7 +74,7 @@ class SphereStack {
   [[nodiscard]] const S& squared_altitude() const { return level_[static_cast<std::size_t>(depth_)].squared_altitude; }
   /// |y − c|² − R² for the point v0 + y: negative inside the diametric sphere.
   [[nodiscard]] S power(const Point& y, const S& squared_norm) const {
-    return squared_norm - S(2) * metric_->inner(y, centre());
+    return squared_norm - twice(metric_->inner(y, centre()));
   }
 
   /// The m-simplex over the current facet with apex v0 + edge, without pushing: its centre is that of the facet plus
@@ -90,7 +91,7 @@ class SphereStack {
     if (!metric_->is_cartesian()) slope *= metric_->determinant();
     result.non_degenerate = negation(is_zero(slope));
     if (!is_proved(result.non_degenerate)) return result;
-    result.factor = power(edge, squared_edge) / (S(2) * slope);
+    result.factor = power(edge, squared_edge) / twice(slope);
     result.squared_radius = squared_radius() + square(result.factor) * squared_normal_;
     return result;
   }
@@ -103,7 +104,7 @@ class SphereStack {
     return {power(y, squared_norm), metric_->inner(normal_, y)};
   }
   [[nodiscard]] static S power_over(const Apex& apex, const Probe& probe) {
-    return probe.power - S(2) * apex.factor * probe.height;
+    return probe.power - twice(apex.factor * probe.height);
   }
   [[nodiscard]] Point centre_over(const Apex& apex) const { return sum(centre(), scaled(apex.factor, normal_)); }
 
@@ -115,7 +116,7 @@ class SphereStack {
     S squared_altitude;
   };
 
-  void prepare_wedge() {
+  [[gnu::flatten]] void prepare_wedge() {
     covector_ = wedge(edges_);
     normal_ = metric_->raised(covector_);
     squared_normal_ = metric_->squared_norm(normal_);

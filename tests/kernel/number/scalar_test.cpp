@@ -72,6 +72,22 @@ TEST(Scalar, exact_rungs_take_a_rational_as_it_is_and_big_intervals_enclose_it) 
   EXPECT_TRUE(enclosure.upper() - enclosure.lower() <= Rational::power_of_two(-126));
 }
 
+TEST(Scalar, twice_is_the_product_by_two_to_the_last_bit) {
+  const RoundingGuard guard;
+  RandomNumbers random(33);
+  for (int round = 0; round < 1000; ++round) {
+    const Rational x = Rational(static_cast<long>(random.below(2001)) - 1000) / Rational(random.below(99) + 1);
+    const Rational y = x * Rational::power_of_two(static_cast<long>(random.below(2140)) - 1080);
+    ASSERT_TRUE(twice(y) == Rational(2) * y);
+    const Interval interval = twice(scalar_from<Interval>(y));
+    ASSERT_EQ(interval.lower(), (Interval(2) * scalar_from<Interval>(y)).lower());
+    ASSERT_EQ(interval.upper(), (Interval(2) * scalar_from<Interval>(y)).upper());
+    const BigInterval big = twice(scalar_from<BigInterval>(y));
+    ASSERT_TRUE(big.lower() == Rational(2) * scalar_from<BigInterval>(y).lower());
+    ASSERT_TRUE(big.upper() == Rational(2) * scalar_from<BigInterval>(y).upper());
+  }
+}
+
 /// ((a - b)^2 + a b - 3) / (1 + b^2), whose value every rung must agree on.
 template <Scalar S>
 S some_quantity(const Rational& x, const Rational& y) {
