@@ -93,7 +93,8 @@ ExitStatus certify(const CertifyOptions& options, const ManifoldDescription& man
     throw Rejection("no level is reached: " + fmt::format("{}", fmt::join(report.reasons, "; ")));
   clock.begin("write the certificate");
   report.certificate = options.output.empty() ? manifold.name + ".delcert.json.zst" : options.output;
-  write_certificate<m>(report.certificate, {manifold, report.parameters, atlas, density.simplices, run, report.claims});
+  write_certificate<m>(report.certificate, {manifold, report.parameters, atlas, density.simplices, run, report.claims},
+                       progress);
 
   report.perturbed = request.perturb;
   report.simplices = run.complex.simplices().size();

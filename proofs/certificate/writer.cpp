@@ -33,7 +33,9 @@ std::string listed(const Range& range, const Text& text) {
 /// Writes long arrays without holding them.
 class Document {
  public:
-  explicit Document(const std::filesystem::path& path) : sink_(path) {}
+  /// `elements`: how many there are in all arrays, for the progress.
+  Document(const std::filesystem::path& path, std::size_t elements, const Progress& progress)
+      : sink_(path), elements_(elements), progress_(progress) {}
 
   void add(std::string_view text) {
     buffer_ += text;
@@ -45,6 +47,7 @@ class Document {
     for (std::size_t at = 0; at < count; ++at) {
       if (at > 0) add(",");
       add(text(at));
+      if (++written_ % 256 == 0) report();
     }
     add("]");
   }
@@ -52,16 +55,21 @@ class Document {
     flush();
     add(fmt::format(",\"sha256\":\"{}\"}}\n", sink_.digest()));
     flush();
+    report();
     sink_.commit();
   }
 
  private:
+  void report() const { progress_("write the certificate", written_, elements_); }
   void flush() {
     sink_.write(buffer_);
     buffer_.clear();
   }
   ByteSink sink_;
   std::string buffer_;
+  std::size_t written_ = 0;
+  std::size_t elements_;
+  const Progress& progress_;
 };
 
 std::string software_object() {
@@ -123,17 +131,19 @@ std::string_view name_of(CandidateRule rule) {
 }
 
 template <int m>
-void write_certificate(const std::filesystem::path& path, const CertificateContent<m>& content) {
+void write_certificate(const std::filesystem::path& path, const CertificateContent<m>& content,
+                       const Progress& progress) {
   const auto label = [](std::uint32_t index) { return std::to_string(index); };
   const std::size_t count = content.atlas.size();
-  Document document(path);
+  const std::size_t net_simplices = content.claims.input ? content.net_simplices.size() : 0;
+  Document document(path, 3 * count + net_simplices, progress);
   document.add(R"({"format":"delcert-certificate","version":1,"software":)" + software_object());
   document.add(",\"manifold\":" + manifold_object(content.manifold));
   document.add(",\"parameters\":" + parameters_object(content.parameters, content.atlas.sampling_radius()));
   document.add(",\"levels\":" + levels_object(content.claims));
   document.add_array("net", count,
                      [&](std::size_t at) { return listed(content.atlas.net().exact(Label(at)), number); });
-  document.add_array("net_simplices", content.claims.input ? content.net_simplices.size() : 0, [&](std::size_t at) {
+  document.add_array("net_simplices", net_simplices, [&](std::size_t at) {
     return listed(content.net_simplices[at], [](const Lift<m>& lift) { return std::to_string(lift.index); });
   });
   document.add_array("points", count,
@@ -145,7 +155,7 @@ void write_certificate(const std::filesystem::path& path, const CertificateConte
 }
 
 #define DELCERT_INSTANTIATE(m) \
-  template void write_certificate<m>(const std::filesystem::path&, const CertificateContent<m>&);
+  template void write_certificate<m>(const std::filesystem::path&, const CertificateContent<m>&, const Progress&);
 DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
 #undef DELCERT_INSTANTIATE
 

@@ -5,6 +5,7 @@
 
 #include "kernel/manifold/manifold_file.hpp"
 #include "kernel/perturb/run.hpp"
+#include "kernel/progress.hpp"
 #include "proofs/certificate/claims.hpp"
 #include "proofs/certificate/run_parameters.hpp"
 
@@ -22,9 +23,11 @@ struct CertificateContent {
 };
 
 /// Writes a certificate as docs/certificate-format.md specifies, compressed if the name ends in ".zst". The file
-/// appears whole or not at all. Equal contents give equal bytes.
+/// appears whole or not at all: `progress` may throw until all but the renaming is done. Equal contents give equal
+/// bytes.
 template <int m>
-void write_certificate(const std::filesystem::path& path, const CertificateContent<m>& content);
+void write_certificate(const std::filesystem::path& path, const CertificateContent<m>& content,
+                       const Progress& progress = no_progress());
 
 /// "theory", "measured", "none"; "pruned", "whole", "printed": as in files.
 [[nodiscard]] std::string_view name_of(RunMode mode);
