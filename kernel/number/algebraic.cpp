@@ -1,5 +1,6 @@
 #include "kernel/number/algebraic.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -144,5 +145,34 @@ Verdict less(const Algebraic& a, const Algebraic& b) {
 }
 
 Verdict is_zero(const Algebraic& a) { return verdict_of(qqbar_is_zero(a.value_->number) != 0); }
+
+std::vector<Algebraic> real_roots(std::span<const Rational> coefficients) {
+  fmpq_poly_t polynomial;
+  fmpq_poly_init(polynomial);
+  fmpq_t fraction;
+  fmpq_init(fraction);
+  for (std::size_t power = 0; power < coefficients.size(); ++power) {
+    fmpq_set_mpq(fraction, coefficients[power].gmp());
+    fmpq_poly_set_coeff_fmpq(polynomial, static_cast<slong>(power), fraction);
+  }
+  fmpq_clear(fraction);
+  const slong degree = fmpq_poly_degree(polynomial);
+  fmpz_poly_t integral;
+  fmpz_poly_init(integral);
+  fmpq_poly_get_numerator(integral, polynomial);
+  fmpq_poly_clear(polynomial);
+  qqbar_ptr roots = _qqbar_vec_init(std::max(degree, slong{0}));
+  qqbar_roots_fmpz_poly(roots, integral, 0);
+  fmpz_poly_clear(integral);
+  std::vector<Algebraic> result;
+  for (slong at = 0; at < degree; ++at) {
+    if (qqbar_is_real(roots + at) == 0) continue;
+    result.emplace_back();
+    qqbar_set(result.back().value_->number, roots + at);
+  }
+  _qqbar_vec_clear(roots, std::max(degree, slong{0}));
+  std::sort(result.begin(), result.end(), [](const Algebraic& a, const Algebraic& b) { return is_proved(less(a, b)); });
+  return result;
+}
 
 }  // namespace delcert

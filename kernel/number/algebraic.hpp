@@ -2,6 +2,8 @@
 
 #include <concepts>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "kernel/error.hpp"
 #include "kernel/number/scalar.hpp"
@@ -66,10 +68,16 @@ class Algebraic {
   friend Verdict less_equal(const Algebraic& a, const Algebraic& b) { return negation(less(b, a)); }
   friend Verdict is_zero(const Algebraic& a);
 
+  /// The real roots of Σ coefficients[i] xⁱ in increasing order, each as often as its multiplicity.
+  /// Precondition: some coefficient is not 0.
+  friend std::vector<Algebraic> real_roots(std::span<const Rational> coefficients);
+
  private:
   struct Value;
   std::unique_ptr<Value> value_;
 };
+
+[[nodiscard]] std::vector<Algebraic> real_roots(std::span<const Rational> coefficients);
 
 template <>
 [[nodiscard]] inline Algebraic scalar_from<Algebraic>(const Rational& x) {

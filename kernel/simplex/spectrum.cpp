@@ -1,0 +1,170 @@
+#include "kernel/simplex/spectrum.hpp"
+
+#include <arb.h>
+#include <arb_fmpz_poly.h>
+#include <flint/fmpq_mat.h>
+#include <flint/fmpz_poly_factor.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "kernel/simplex/inertia.hpp"
+
+namespace delcert {
+
+namespace {
+
+/// Eigenvalues in doubles without error bounds, the smallest first; nothing if the entries do not fit into doubles.
+std::optional<Eigen::VectorXd> approximate_eigenvalues(const SymmetricMatrix<Rational>& matrix) {
+  const auto order = static_cast<Eigen::Index>(matrix.order());
+  Eigen::MatrixXd approximate(order, order);
+  for (Eigen::Index row = 0; row < order; ++row) {
+    for (Eigen::Index column = 0; column < order; ++column) {
+      approximate(row, column) =
+          approximate_double(matrix(static_cast<std::size_t>(row), static_cast<std::size_t>(column)));
+      if (!std::isfinite(approximate(row, column))) return std::nullopt;
+    }
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(approximate, Eigen::EigenvaluesOnly);
+  if (solver.info() != Eigen::Success) return std::nullopt;
+  return solver.eigenvalues();
+}
+
+/// [approximate − width, approximate + width] if the inertia proves that the eigenvalue of this index (from 0, the
+/// largest first) is in it.
+std::optional<Interval> proved_around(const SymmetricMatrix<Interval>& matrix, std::size_t index, double approximate,
+                                      double width) {
+  const Interval around = Interval::exactly(approximate) + Interval::between(-width, width);
+  const auto above = inertia(matrix.shifted(-Interval::exactly(around.lower())));
+  if (!above || above->positive < index + 1) return std::nullopt;
+  const auto below = inertia(matrix.shifted(-Interval::exactly(around.upper())));
+  if (!below || below->negative < matrix.order() - index) return std::nullopt;
+  return around;
+}
+
+/// Enclosures of the roots of a polynomial all of whose roots are real and simple, appended as often as asked.
+void append_roots(std::vector<BigInterval>& result, const fmpz_poly_t polynomial, slong multiplicity) {
+  const auto bits = static_cast<slong>(BigInterval::working_precision().value);
+  const slong degree = fmpz_poly_degree(polynomial);
+  acb_ptr roots = _acb_vec_init(degree);
+  arb_fmpz_poly_complex_roots(roots, polynomial, 0, bits);
+  mpfr_t lower;
+  mpfr_t upper;
+  mpfr_init2(lower, bits);
+  mpfr_init2(upper, bits);
+  for (slong at = 0; at < degree; ++at) {
+    arb_get_interval_mpfr(lower, upper, acb_realref(roots + at));
+    Rational::Wrapped least;
+    Rational::Wrapped greatest;
+    mpfr_get_q(least.backend().data(), lower);
+    mpfr_get_q(greatest.backend().data(), upper);
+    const auto root = BigInterval::between(Rational(std::move(least)), Rational(std::move(greatest)));
+    for (slong time = 0; time < multiplicity; ++time) result.push_back(root);
+  }
+  mpfr_clear(lower);
+  mpfr_clear(upper);
+  _acb_vec_clear(roots, degree);
+}
+
+}  // namespace
+
+std::vector<Rational> characteristic_polynomial(const SymmetricMatrix<Rational>& matrix) {
+  const auto order = static_cast<slong>(matrix.order());
+  fmpq_mat_t entries;
+  fmpq_mat_init(entries, order, order);
+  for (slong row = 0; row < order; ++row) {
+    for (slong column = 0; column < order; ++column) {
+      fmpq_set_mpq(fmpq_mat_entry(entries, row, column),
+                   matrix(static_cast<std::size_t>(row), static_cast<std::size_t>(column)).gmp());
+    }
+  }
+  fmpq_poly_t polynomial;
+  fmpq_poly_init(polynomial);
+  fmpq_mat_charpoly(polynomial, entries);
+  fmpq_mat_clear(entries);
+  std::vector<Rational> result;
+  fmpq_t coefficient;
+  fmpq_init(coefficient);
+  for (slong power = 0; power <= order; ++power) {
+    fmpq_poly_get_coeff_fmpq(coefficient, polynomial, power);
+    Rational::Wrapped value;
+    fmpq_get_mpq(value.backend().data(), coefficient);
+    result.emplace_back(std::move(value));
+  }
+  fmpq_clear(coefficient);
+  fmpq_poly_clear(polynomial);
+  return result;
+}
+
+template <>
+Partial<std::vector<Interval>> eigenvalues<Interval>(const SymmetricMatrix<Rational>& matrix) {
+  const std::size_t order = matrix.order();
+  const auto enclosures = matrix_from<Interval>(matrix);
+  if (order == 1) return std::vector<Interval>{enclosures(0, 0)};
+  const auto undecided = Partial<std::vector<Interval>>::absent(Verdict::undecided);
+  const auto approximate = approximate_eigenvalues(matrix);
+  if (!approximate) return undecided;
+  const double size = order == 0 ? 0 : approximate->cwiseAbs().maxCoeff();
+  std::vector<Interval> result;
+  for (std::size_t index = 0; index < order; ++index) {
+    const double value = (*approximate)(static_cast<Eigen::Index>(order - 1 - index));
+    std::optional<Interval> proved;
+    for (double width = 0x1p-48 * size; !proved && width < 0x1p-30 * size; width *= 0x1p4) {
+      proved = proved_around(enclosures, index, value, width);
+    }
+    if (!proved) return undecided;
+    result.push_back(*proved);
+  }
+  return result;
+}
+
+template <>
+Partial<std::vector<BigInterval>> eigenvalues<BigInterval>(const SymmetricMatrix<Rational>& matrix) {
+  fmpq_poly_t rational;
+  fmpq_poly_init(rational);
+  const std::vector<Rational> coefficients = characteristic_polynomial(matrix);
+  fmpq_t fraction;
+  fmpq_init(fraction);
+  for (std::size_t power = 0; power < coefficients.size(); ++power) {
+    fmpq_set_mpq(fraction, coefficients[power].gmp());
+    fmpq_poly_set_coeff_fmpq(rational, static_cast<slong>(power), fraction);
+  }
+  fmpq_clear(fraction);
+  fmpz_poly_t integral;
+  fmpz_poly_init(integral);
+  fmpq_poly_get_numerator(integral, rational);
+  fmpq_poly_clear(rational);
+  fmpz_poly_factor_t factors;
+  fmpz_poly_factor_init(factors);
+  fmpz_poly_factor_squarefree(factors, integral);
+  std::vector<BigInterval> result;
+  for (slong at = 0; at < factors->num; ++at) append_roots(result, factors->p + at, factors->exp[at]);
+  fmpz_poly_factor_clear(factors);
+  fmpz_poly_clear(integral);
+  // Enclosures of different roots may overlap at a low precision: then the order of their lower ends and that of their
+  // upper ends each enclose the sorted roots.
+  std::vector<Rational> lower;
+  std::vector<Rational> upper;
+  for (const BigInterval& root : result) {
+    lower.push_back(root.lower());
+    upper.push_back(root.upper());
+  }
+  std::sort(lower.begin(), lower.end());
+  std::sort(upper.begin(), upper.end());
+  const std::size_t order = result.size();
+  for (std::size_t at = 0; at < order; ++at) {
+    result[at] = BigInterval::between(lower[order - 1 - at], upper[order - 1 - at]);
+  }
+  return result;
+}
+
+template <>
+Partial<std::vector<Algebraic>> eigenvalues<Algebraic>(const SymmetricMatrix<Rational>& matrix) {
+  std::vector<Algebraic> result = real_roots(characteristic_polynomial(matrix));
+  std::reverse(result.begin(), result.end());
+  return result;
+}
+
+}  // namespace delcert

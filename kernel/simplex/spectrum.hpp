@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "kernel/number/algebraic.hpp"
+#include "kernel/simplex/partial.hpp"
+#include "kernel/simplex/symmetric_matrix.hpp"
+
+namespace delcert {
+
+// Eigenvalues of an exactly known symmetric matrix on the rungs that have roots. Singular values of P are roots of
+// those of PᵀP, the norm of a symmetric matrix is the larger size of the first and the last.
+
+/// All eigenvalues, the largest first, each as often as its multiplicity. There is no generic way, hence no primary
+/// definition.
+template <class S>
+[[nodiscard]] Partial<std::vector<S>> eigenvalues(const SymmetricMatrix<Rational>& matrix) = delete;
+
+/// Approximations are found in doubles, widened until the inertia on intervals proves them; absent (undecided) where
+/// it does not. Intervals are at most 2⁻³⁰ of the largest size of an eigenvalue wide. Needs a `RoundingGuard`.
+template <>
+[[nodiscard]] Partial<std::vector<Interval>> eigenvalues<Interval>(const SymmetricMatrix<Rational>& matrix);
+/// Isolated roots of the characteristic polynomial, to the working precision. Always there.
+template <>
+[[nodiscard]] Partial<std::vector<BigInterval>> eigenvalues<BigInterval>(const SymmetricMatrix<Rational>& matrix);
+/// Roots of the characteristic polynomial. Always there.
+template <>
+[[nodiscard]] Partial<std::vector<Algebraic>> eigenvalues<Algebraic>(const SymmetricMatrix<Rational>& matrix);
+
+/// The coefficients of det(xI − A), that of x⁰ first.
+[[nodiscard]] std::vector<Rational> characteristic_polynomial(const SymmetricMatrix<Rational>& matrix);
+
+/// ‖A‖ for a symmetric matrix with these eigenvalues, the largest first; 0 if there are none.
+template <class S>
+[[nodiscard]] S norm_from_eigenvalues(const std::vector<S>& eigenvalues) {
+  if (eigenvalues.empty()) return S(0);
+  return maximum(absolute(eigenvalues.front()), absolute(eigenvalues.back()));
+}
+
+}  // namespace delcert

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kernel/number/ladder.hpp"
+#include "proofs/formula/scene.hpp"
+
+namespace delcert {
+
+/// The value of formulas on one instance and one rung.
+///
+/// A number is an enclosure of the exact value, or absent: undecided when the rung cannot enclose it, refuted when it
+/// certainly has no value (a division by 0, the root of a negative number, the circumradius of three points of a line).
+/// A statement about an absent number is undecided. Precondition for S = Interval: a `RoundingGuard` is alive.
+template <class S>
+class Evaluation {
+ public:
+  explicit Evaluation(Scene& scene);
+
+  [[nodiscard]] Verdict truth(const Expression& statement);
+  [[nodiscard]] Partial<S> number(const Expression& term);
+  [[nodiscard]] Item item(const Expression& term);
+
+  /// How much of what it allows a statement takes up: the smaller side over the larger one as the comparison has them
+  /// (a/b for a ≤ b, b/a for a ≥ b), at most 1 where it holds; the greatest of the parts of a conjunction or a
+  /// `forall`, the least for `or` and `exists`. Nothing where the divisor is not certainly positive, both sides are 0,
+  /// or there is no comparison.
+  [[nodiscard]] std::optional<S> ratio(const Expression& statement);
+
+  /// What a function keeps for an object on this rung, such as a simplex's Gram matrix; `make()` is called once.
+  template <class T, class Make>
+  [[nodiscard]] const T& attached(const Object& object, const Make& make) {
+    auto& attachments = scene_.template cache<S>().attachments;
+    for (const auto& known : attachments) {
+      if (known.object == &object && known.type == typeid(T)) return *static_cast<const T*>(known.value.get());
+    }
+    auto made = std::make_shared<const T>(make());
+    const T& result = *made;
+    attachments.push_back({&object, typeid(T), std::move(made)});
+    return result;
+  }
+
+ private:
+  struct Local {
+    std::string name;
+    Argument<S> value;
+  };
+
+  [[nodiscard]] const Argument<S>* local(const std::string& name) const;
+  [[nodiscard]] std::optional<Argument<S>> argument(const Expression& term, Verdict& absence);
+  [[nodiscard]] Partial<S> call(const Expression& term);
+  [[nodiscard]] Partial<S> call_definition(const Expression& term);
+  [[nodiscard]] Partial<S> arithmetic(const Expression& term);
+  [[nodiscard]] Verdict comparison(const Expression& statement);
+  [[nodiscard]] Verdict quantified(const Expression& statement);
+  [[nodiscard]] std::optional<S> ratio_of_comparison(const Expression& statement);
+  [[nodiscard]] std::vector<Item> items_of(const Expression& set);
+  [[nodiscard]] Rational exact(const Expression& term);
+
+  Scene& scene_;
+  std::vector<Local> locals_;
+  std::size_t visible_from_ = 0;  ///< a definition sees its parameters only
+  bool sees_bindings_ = true;
+};
+
+extern template class Evaluation<Interval>;
+extern template class Evaluation<BigInterval>;
+extern template class Evaluation<Algebraic>;
+
+/// Decides a statement on an instance: interval, 128 … 4096 bits, algebraic numbers, until a rung is sure.
+[[nodiscard]] Verdict decide_statement(const Expression& statement, Scene& scene);
+
+/// Bounds of a real number. Infinite where unbounded.
+struct DoubleBounds {
+  double lower = 0;
+  double upper = 0;
+};
+
+/// Bounds of the ratio of a statement (see `Evaluation::ratio`), from the filter; `sharp`: from 256 bits.
+[[nodiscard]] std::optional<DoubleBounds> ratio_bounds(const Expression& statement, Scene& scene, bool sharp);
+
+/// The value of a term if it is rational, decided exactly; nothing if it is irrational, undefined or too large.
+[[nodiscard]] std::optional<Rational> exact_value(const Expression& term, Scene& scene);
+
+/// A rational lower bound of a term within 2^−bits of it, relatively; nothing if the term is undefined or cannot be
+/// enclosed so well.
+[[nodiscard]] std::optional<Rational> lower_bound(const Expression& term, Scene& scene, unsigned bits);
+
+}  // namespace delcert

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "proofs/formula/object.hpp"
+
+namespace delcert {
+
+struct Function;
+struct Definition;
+
+enum class Operation : unsigned char {
+  literal,        ///< a rational number
+  name,           ///< a bound name
+  call,           ///< a function of the vocabulary, or a definition
+  negate,         ///< −a
+  add,            ///< a + b
+  subtract,       ///< a − b
+  multiply,       ///< a · b
+  divide,         ///< a / b
+  power,          ///< a ^ b, b an integer or half an integer that depends on integers only
+  less,           ///< a < b
+  less_equal,     ///< a ≤ b
+  greater,        ///< a > b
+  greater_equal,  ///< a ≥ b
+  equal,          ///< a = b
+  negation,       ///< not a
+  conjunction,    ///< a and b
+  disjunction,    ///< a or b
+  implication,    ///< a implies b
+  for_all,        ///< forall text in a: b
+  exists,         ///< exists text in a: b
+};
+
+/// One node of the syntax tree that all readers share: the exact decision, the enclosure of ratios, LaTeX, the prover.
+struct Expression {
+  Operation operation = Operation::literal;
+  std::size_t offset = 0;  ///< where in the text of the formula it begins
+  std::string text;        ///< the name, the function's name, or the variable that a quantifier binds
+  Rational value;          ///< of a literal
+  std::vector<std::shared_ptr<const Expression>> children;
+
+  // What the type check finds.
+  Type type;
+  const Function* function = nullptr;      ///< of a call, unless it is a definition
+  const Definition* definition = nullptr;  ///< of a call of a definition
+};
+
+using ExpressionPointer = std::shared_ptr<const Expression>;
+
+[[nodiscard]] constexpr bool is_comparison(Operation operation) {
+  return operation >= Operation::less && operation <= Operation::equal;
+}
+
+}  // namespace delcert

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "proofs/formula/expression.hpp"
+#include "proofs/formula/vocabulary.hpp"
+
+namespace delcert {
+
+/// The same tree with the type of every node and the function of every call filled in. An integer serves as a number.
+/// Throws FormulaError for an unknown name (with a suggestion), a wrong number or type of arguments, an exponent that
+/// is not made of integers, a quantifier over what is no set, or a whole that is not of the type expected.
+[[nodiscard]] ExpressionPointer type_checked(const ExpressionPointer& expression, const Vocabulary& vocabulary,
+                                             const Signature& signature, const Type& expected);
+
+/// The names of the signature that occur in the expression, each once, in alphabetical order.
+[[nodiscard]] std::vector<std::string> free_names(const Expression& expression);
+
+}  // namespace delcert
