@@ -13,7 +13,7 @@ struct BuiltinManifold {
   std::string text;
 };
 
-/// All of them, ordered by name. The definition is generated (cmake/EmbedManifolds.cmake).
+/// All of them, ordered by name. The definition is generated (cmake/EmbedFiles.cmake).
 [[nodiscard]] const std::vector<BuiltinManifold>& builtin_manifolds();
 
 }  // namespace delcert

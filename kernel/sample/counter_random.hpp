@@ -10,7 +10,7 @@
 namespace delcert {
 
 /// What a random number is for: streams never share numbers.
-enum class RandomPurpose : std::uint32_t { darts, gap_filling, jitter, perturbation };
+enum class RandomPurpose : std::uint32_t { darts, gap_filling, jitter, perturbation, instances };
 
 /// Random numbers that depend on (seed, purpose, label, attempt) only: the same on every machine, for every compiler
 /// and any order of evaluation. Philox 4x32-10 of Random123.

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "proofs/formula/parser.hpp"
+#include "proofs/formula/vocabulary.hpp"
+
+namespace delcert {
+
+/// A hypothesis or a conclusion of a claim.
+struct Statement {
+  std::string name;
+  std::string text;
+  ExpressionPointer formula;
+};
+
+struct Hypothesis : Statement {
+  /// Why the claim without this hypothesis need not be refuted; empty if it has to be.
+  std::string no_twin;
+};
+
+struct Conclusion : Statement {
+  /// The conclusion with its constant moved past what holds: it has to be refuted.
+  std::optional<Statement> twin;
+  /// Why there is no twin, if there is none.
+  std::string no_twin;
+};
+
+enum class ClaimStatus : unsigned char {
+  paper,   ///< as the paper states it
+  mended,  ///< with what the paper's statement lacks
+  user     ///< not in the paper
+};
+
+/// A claim about all instances of a class (docs/claim-format.md): whenever the hypotheses hold, so do the conclusions.
+struct Claim {
+  std::string file;
+  std::string name;
+  std::string title;
+  std::string source;  ///< the LaTeX label in the paper, or a citation; may be empty for a user's claim
+  ClaimStatus status = ClaimStatus::user;
+  std::string instance;  ///< the instance class
+  std::string note;
+  std::map<std::string, ParameterRange> parameters;
+  std::vector<Hypothesis> hypotheses;
+  std::vector<Conclusion> conclusions;
+};
+
+/// The names that each instance class binds.
+using Signatures = std::map<std::string, Signature>;
+
+/// Reads a claim. Throws InputError for anything that is not as docs/claim-format.md says, in the form
+/// "file:line:column: what is wrong", with a suggestion where a word is nearly one that exists.
+[[nodiscard]] Claim parse_claim(const std::string& text, const std::string& file, const Vocabulary& vocabulary,
+                                const Signatures& signatures);
+
+/// The same from a file. Throws InputError also if it cannot be read or is larger than 1 MiB.
+[[nodiscard]] Claim read_claim(const std::string& file, const Vocabulary& vocabulary, const Signatures& signatures);
+
+[[nodiscard]] std::string_view name_of(ClaimStatus status);
+
+}  // namespace delcert

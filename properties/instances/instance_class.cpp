@@ -1,0 +1,44 @@
+#include "properties/instances/instance_class.hpp"
+
+#include "kernel/error.hpp"
+#include "proofs/formula/arithmetic_vocabulary.hpp"
+#include "proofs/formula/formula_error.hpp"
+#include "proofs/formula/simplex_vocabulary.hpp"
+
+namespace delcert {
+
+void InstanceClass::extend(Vocabulary&) const {}
+
+const InstanceClass& instance_class(const std::string& name) {
+  std::vector<std::string> known;
+  for (const InstanceClass* candidate : instance_classes()) {
+    if (candidate->name() == name) return *candidate;
+    known.push_back(candidate->name());
+  }
+  throw InputError("no instance class is called " + name + suggestion(name, known));
+}
+
+const Vocabulary& full_vocabulary() {
+  static const Vocabulary vocabulary = [] {
+    Vocabulary result;
+    add_arithmetic(result);
+    add_constants_of_the_paper(result);
+    add_simplex_quantities(result);
+    for (const InstanceClass* each : instance_classes()) each->extend(result);
+    return result;
+  }();
+  return vocabulary;
+}
+
+void require_signature(const InstanceClass& instance_class, const Bindings& bindings) {
+  for (const auto& [name, type] : instance_class.signature()) {
+    const auto found = bindings.find(name);
+    if (found == bindings.end()) throw InputError(instance_class.name() + ": " + name + " is missing");
+    const bool fits = type == types::number    ? std::holds_alternative<Rational>(found->second)
+                      : type == types::integer ? std::holds_alternative<long>(found->second)
+                                               : std::holds_alternative<ObjectPointer>(found->second);
+    if (!fits) throw InputError(instance_class.name() + ": " + name + " is not a " + type.text());
+  }
+}
+
+}  // namespace delcert

@@ -1,0 +1,14 @@
+#include "properties/instances/instance_class.hpp"
+#include "properties/instances/simplex_class.hpp"
+
+namespace delcert {
+
+// One line for each class, in alphabetical order.
+const std::vector<const InstanceClass*>& instance_classes() {
+  static const std::vector<const InstanceClass*> classes{
+      &simplex_class(),
+  };
+  return classes;
+}
+
+}  // namespace delcert

@@ -1,0 +1,189 @@
+#include "properties/instances/random_simplex.hpp"
+
+#include <algorithm>
+
+#include "kernel/number/ladder.hpp"
+#include "kernel/simplex/realisability.hpp"
+#include "kernel/simplex/thickness.hpp"
+
+namespace delcert {
+
+namespace {
+
+using Points = SimplexObject::Points;
+using Point = std::vector<Rational>;
+
+constexpr unsigned coordinate_bits = 24;
+constexpr long thinnest = 100;
+
+enum class Family : unsigned char { generic, integers, corner, near_hull, cluster, squashed };
+constexpr long family_count = 6;
+
+Point random_point(std::size_t dimension, Choices& choices) {
+  Point point;
+  for (std::size_t axis = 0; axis < dimension; ++axis) point.push_back(choices.symmetric(coordinate_bits));
+  return point;
+}
+
+/// a + factor · b
+Point combined(const Point& a, const Rational& factor, const Point& b) {
+  Point result = a;
+  for (std::size_t axis = 0; axis < a.size(); ++axis) result[axis] += factor * b[axis];
+  return result;
+}
+
+/// The last vertex at a distance of about 2^−depth from the hull of the others.
+void move_near_hull(Points& points, Choices& choices) {
+  const long depth = choices.between(1, thinnest);
+  Point near = points[0];
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    near = combined(near, choices.symmetric(6), combined(points[i], Rational(-1), points[0]));
+  }
+  points.back() = combined(near, Rational::power_of_two(-depth), points.back());
+}
+
+/// Some vertices at a distance of about 2^−depth from the first.
+void gather(Points& points, Choices& choices) {
+  const Rational scale = Rational::power_of_two(-choices.between(1, thinnest));
+  const auto last = static_cast<std::size_t>(choices.between(1, static_cast<long>(points.size()) - 1));
+  for (std::size_t i = 1; i <= last; ++i) points[i] = combined(points[0], scale, points[i]);
+}
+
+void squash(Points& points, Choices& choices) {
+  for (std::size_t axis = 0; axis < points[0].size(); ++axis) {
+    if (choices.happens(0.5)) continue;
+    const Rational scale = Rational::power_of_two(-choices.between(1, thinnest));
+    for (Point& point : points) point[axis] *= scale;
+  }
+}
+
+void place(Points& points, Choices& choices) {
+  if (choices.happens(0.1)) {
+    const Rational scale = Rational::power_of_two(choices.between(-60, 60));
+    for (Point& point : points) {
+      for (Rational& coordinate : point) coordinate *= scale;
+    }
+  }
+  if (choices.happens(0.1)) {
+    const Rational scale = Rational::power_of_two(choices.between(0, 40));
+    const Point shift = random_point(points[0].size(), choices);
+    for (Point& point : points) point = combined(point, scale, shift);
+  }
+}
+
+Rational in_lowest_bits(const Rational& x, long exponent) {
+  // To the nearer multiple of 2^exponent.
+  return rounded_down(x + Rational::power_of_two(exponent - 1), exponent);
+}
+
+}  // namespace
+
+std::optional<Points> random_simplex(const Shape& shape, Choices& choices) {
+  const auto k = static_cast<std::size_t>(shape.k);
+  const auto m = static_cast<std::size_t>(shape.m);
+  const auto family = static_cast<Family>(choices.between(0, family_count - 1));
+  Points points;
+  for (std::size_t i = 0; i <= k; ++i) points.push_back(random_point(m, choices));
+  if (family == Family::integers || family == Family::corner) {
+    for (Point& point : points) {
+      for (Rational& coordinate : point) coordinate = Rational(floor_of(coordinate * Rational(4)));
+    }
+  }
+  if (family == Family::corner) {
+    for (std::size_t i = 0; i <= k; ++i) {
+      for (std::size_t axis = 0; axis < m; ++axis) points[i][axis] = Rational(i == axis + 1 ? 1 : 0);
+    }
+    if (m > k) points[0][m - 1] = Rational(choices.between(0, 1));
+  }
+  if (family == Family::near_hull) move_near_hull(points, choices);
+  if (family == Family::cluster) gather(points, choices);
+  if (family == Family::squashed) squash(points, choices);
+  place(points, choices);
+  const auto gram = edge_gram_from_points(points);
+  if (!is_proved(is_non_degenerate(gram))) return std::nullopt;
+  return points;
+}
+
+std::set<Trait> traits_of(const SimplexObject& simplex) {
+  const Rational bound = Rational::power_of_two(-40);
+  const EdgeGram<Rational>& gram = simplex.exact_gram();
+  std::set<Trait> traits;
+  const RoundingGuard guard;
+  SymmetricMatrix<Interval> edges(gram.vertex_count());
+  for (std::size_t i = 0; i < gram.vertex_count(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) edges(i, j) = scalar_from<Interval>(gram.squared_edge(i, j));
+  }
+  const Verdict thick =
+      is_thickness_at_least(edge_gram_from_squared_edges(std::move(edges)), scalar_from<Interval>(bound));
+  if (is_refuted(thick) || (is_undecided(thick) && is_refuted(is_thickness_at_least(gram, bound)))) {
+    traits.insert(Trait::nearly_degenerate);
+  }
+  return traits;
+}
+
+std::vector<Rational> simpler_numbers(const Rational& number) {
+  std::vector<Rational> result;
+  if (number == Rational(0)) return result;
+  const long exponent = binary_exponent(number);
+  result.push_back(number < Rational(0) ? Rational(-1) : Rational(1));
+  for (const long bits : {0L, 1L, 3L, 7L, 15L, 30L, 60L}) {
+    const Rational rounder = rounded_down(number, exponent - bits);
+    if (rounder != number) result.push_back(rounder);
+  }
+  return result;
+}
+
+std::vector<Points> simpler_points(const Points& points, std::size_t least_points, std::size_t least_dimension) {
+  std::vector<Points> result;
+  const std::size_t dimension = points.front().size();
+  for (std::size_t i = 0; points.size() > least_points && i < points.size(); ++i) {
+    result.push_back(points);
+    result.back().erase(result.back().begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  for (std::size_t axis = 0; dimension > least_dimension && axis < dimension; ++axis) {
+    result.push_back(points);
+    for (Point& point : result.back()) point.erase(point.begin() + static_cast<std::ptrdiff_t>(axis));
+  }
+  result.push_back(points);
+  for (Point& point : result.back()) point = combined(point, Rational(-1), points[0]);
+  Rational greatest(0);
+  for (const Point& point : points) {
+    for (const Rational& coordinate : point) greatest = maximum(greatest, absolute(coordinate));
+  }
+  if (greatest == Rational(0)) return result;
+  const long exponent = binary_exponent(greatest);
+  result.push_back(points);
+  for (Point& point : result.back()) {
+    for (Rational& coordinate : point) coordinate *= Rational::power_of_two(-exponent);
+  }
+  for (const long bits : {0L, 1L, 2L, 3L, 5L, 8L, 12L, 20L, 40L, 80L}) {
+    result.push_back(points);
+    for (Point& point : result.back()) {
+      for (Rational& coordinate : point) coordinate = in_lowest_bits(coordinate, exponent - bits);
+    }
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t axis = 0; axis < dimension; ++axis) {
+      const Rational& coordinate = points[i][axis];
+      if (coordinate == Rational(0)) continue;
+      std::vector<Rational> candidates = simpler_numbers(coordinate);
+      candidates.insert(candidates.begin(), Rational(0));
+      for (const Rational& candidate : candidates) {
+        if (candidate == coordinate) continue;
+        result.push_back(points);
+        result.back()[i][axis] = candidate;
+      }
+    }
+  }
+  return result;
+}
+
+std::vector<Shape> simplex_shapes() {
+  std::vector<Shape> result;
+  for (int k = 1; k <= 6; ++k) {
+    for (int m = k; m <= k + 3; ++m) result.push_back({k, m});
+  }
+  return result;
+}
+
+}  // namespace delcert

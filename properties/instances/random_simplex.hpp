@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "proofs/formula/simplex_object.hpp"
+#include "properties/instances/instance_class.hpp"
+
+namespace delcert {
+
+/// Points of a non-degenerate k-simplex in ℝᵐ, from fat to thickness 2⁻¹⁰⁰ and below: generic, of small integers,
+/// corners of cubes, a vertex near the hull of others, a cluster of vertices, axes squashed; some far from the origin,
+/// some scaled by up to 2^±60. Nothing if the choices lead to a degenerate one. Precondition: 1 ≤ k ≤ m.
+[[nodiscard]] std::optional<SimplexObject::Points> random_simplex(const Shape& shape, Choices& choices);
+
+/// The traits that can be seen in a simplex alone: thickness below 2⁻²⁰.
+[[nodiscard]] std::set<Trait> traits_of(const SimplexObject& simplex);
+
+/// Lists of points like this one, but simpler: the first at the origin, a coordinate or a point less, rounder or
+/// smaller coordinates. `least_points`, `least_dimension`: what must be left.
+[[nodiscard]] std::vector<SimplexObject::Points> simpler_points(const SimplexObject::Points& points,
+                                                                std::size_t least_points, std::size_t least_dimension);
+
+/// Simpler numbers than this one, of the same sign: powers of two, few digits.
+[[nodiscard]] std::vector<Rational> simpler_numbers(const Rational& number);
+
+/// k = 1 … 6, m = k … k + 3.
+[[nodiscard]] std::vector<Shape> simplex_shapes();
+
+}  // namespace delcert
