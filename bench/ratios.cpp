@@ -1,9 +1,7 @@
-// ratios [REPETITIONS [FILTER]]: runs the two kernels' stages in turn, several times, and prints one table in Markdown:
+// ratios [REPETITIONS]: runs the two kernels' stages in turn, several times, and prints one table in Markdown:
 // median processor times, and how they relate to CGAL's periodic Delaunay triangulation of the same points.
-// FILTER: a regular expression on the names of the benchmarks, as for --benchmark_filter.
 
 #include <fmt/format.h>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +9,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
@@ -32,11 +29,11 @@ std::string output_of(const std::string& command) {
 }
 
 /// Adds one measurement of every benchmark of a program; returns the number of points of each net.
-std::map<std::string, double> measure(const std::filesystem::path& program, const std::string& filter, Times& times) {
-  const std::string command = fmt::format(
-      "'{}' --benchmark_format=json --benchmark_min_time=0.1 --benchmark_filter='{}'", program.string(), filter);
+std::map<std::string, double> measure(const std::filesystem::path& program, Times& times) {
+  const std::string command = fmt::format("'{}' --benchmark_format=json --benchmark_min_time=0.1", program.string());
+  const auto report = nlohmann::json::parse(output_of(command));
   std::map<std::string, double> points;
-  for (const auto& one : nlohmann::json::parse(output_of(command)).at("benchmarks")) {
+  for (const auto& one : report.at("benchmarks")) {
     const std::string name = one.at("name");
     if (one.value("error_occurred", false)) {
       throw std::runtime_error(fmt::format("{}: {}", name, one.at("error_message").get<std::string>()));
@@ -60,29 +57,37 @@ void print_row(const std::string& net, const std::string& stage, double certifie
              certified / plain, certified / cgal, plain / cgal);
 }
 
+/// "torus-2:1_24" is the torus-2 at ε = 1/24.
+std::string title(std::string net, double points) {
+  std::replace(net.begin(), net.end(), '_', '/');
+  const std::size_t colon = net.find(':');
+  return fmt::format("{}, ε = {}, {} points", net.substr(0, colon), net.substr(colon + 1), std::lround(points));
+}
+
 void print_table(const Times& certified, const Times& plain, const std::map<std::string, double>& points) {
   static const std::vector<std::string> order{"sample",      "measure_density", "perturb",
                                               "triangulate", "certify_stars",   "search_forbidden"};
   fmt::print("| net | stage | certified, ms | plain doubles, ms | certified : plain | certified : plain : CGAL |\n");
   fmt::print("|---|---|--:|--:|--:|--:|\n");
-  for (const auto& [net, stages] : certified) {
+  std::vector<std::pair<double, std::string>> by_size;
+  for (const auto& [net, count] : points) by_size.emplace_back(count, net);
+  std::sort(by_size.begin(), by_size.end());
+  for (const auto& [count, net] : by_size) {
+    const auto& stages = certified.at(net);
     const double cgal = median(stages.at("cgal_periodic_delaunay"));
+    const std::string name = title(net, count);
     double certified_sum = 0;
     double plain_sum = 0;
-    const auto found = points.find(net);
-    const std::string name =
-        found == points.end() ? net : fmt::format("{}, {} points", net, std::lround(found->second));
     for (const std::string& stage : order) {
-      if (!stages.contains(stage)) continue;
       const double ours = median(stages.at(stage));
       const double theirs = median(plain.at(net).at(stage));
+      if (stage == "search_forbidden") print_row(name, "all but the search", certified_sum, plain_sum, cgal);
       print_row(name, stage, ours, theirs, cgal);
-      if (stage == "search_forbidden") continue;
       certified_sum += ours;
       plain_sum += theirs;
     }
-    print_row(name, "all but search_forbidden", certified_sum, plain_sum, cgal);
-    fmt::print("| {} | CGAL's periodic Delaunay | {:.1f} | | | 1 |\n", name, cgal);
+    print_row(name, "all", certified_sum, plain_sum, cgal);
+    fmt::print("| {} | cgal_periodic_delaunay | | {:.1f} | | 1 |\n", name, cgal);
   }
 }
 
@@ -91,14 +96,13 @@ void print_table(const Times& certified, const Times& plain, const std::map<std:
 int main(int argc, char** argv) {
   try {
     const int repetitions = argc > 1 ? std::stoi(argv[1]) : 5;
-    const std::string filter = argc > 2 ? argv[2] : ".";
     const auto folder = std::filesystem::canonical(argv[0]).parent_path();
     Times certified;
     Times plain;
     std::map<std::string, double> points;
     for (int repetition = 0; repetition < repetitions; ++repetition) {
-      points = measure(folder / "stages_certified", filter, certified);
-      if (measure(folder / "stages_plain", filter, plain) != points) throw std::runtime_error("the nets differ");
+      points = measure(folder / "stages_certified", certified);
+      if (measure(folder / "stages_plain", plain) != points) throw std::runtime_error("the nets differ");
     }
     print_table(certified, plain, points);
     return 0;

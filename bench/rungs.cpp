@@ -52,9 +52,8 @@ void circumcentre(benchmark::State& state) {
       benchmark::DoNotOptimize(stack.squared_radius());
     }
   }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(tetrahedra));
-  state.counters["each"] = benchmark::Counter(static_cast<double>(state.iterations() * tetrahedra),
-                                              benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  const double spheres = static_cast<double>(state.iterations()) * static_cast<double>(tetrahedra);
+  state.counters["each"] = benchmark::Counter(spheres, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
 void circumcentre_in_double(benchmark::State& state) { circumcentre<PlainDouble>(state); }
