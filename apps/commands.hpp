@@ -17,6 +17,9 @@ void add_sample(CLI::App& program, Action& chosen);
 void add_certify(CLI::App& program, Action& chosen);
 void add_check(CLI::App& program, Action& chosen);
 void add_info(CLI::App& program, Action& chosen);
+void add_claims(CLI::App& program, Action& chosen);
+void add_attack(CLI::App& program, Action& chosen);
+void add_tighten(CLI::App& program, Action& chosen);
 
 /// Replaces this process by delcert-check with these arguments. Returns only by throwing: std::runtime_error if the
 /// checker is not found or cannot be run.

@@ -8,6 +8,8 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET GLOBAL tomlplusplus)
 pkg_check_modules(zstd REQUIRED IMPORTED_TARGET GLOBAL libzstd)
 pkg_check_modules(nettle REQUIRED IMPORTED_TARGET GLOBAL nettle)
+pkg_check_modules(nlopt REQUIRED IMPORTED_TARGET GLOBAL nlopt_cxx)
+find_package(Threads REQUIRED)
 
 # Libraries without a package file: a header to find and a library to link.
 function(delcert_find_library name header library)

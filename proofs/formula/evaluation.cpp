@@ -286,6 +286,8 @@ Rational Evaluation<S>::exact(const Expression& term) {
       return part(0) * part(1);
     case Operation::divide:
       return part(0) / part(1);
+    case Operation::power:
+      return delcert::power(part(0), static_cast<long>(part(1).numerator()));
     default:
       return Rational(std::get<long>(item(term)));
   }

@@ -30,6 +30,7 @@ class Evaluation {
   [[nodiscard]] std::optional<S> ratio(const Expression& statement);
 
   /// What a function keeps for an object on this rung, such as a simplex's Gram matrix; `make()` is called once.
+  /// It is found again by its type: a type of its own for each use.
   template <class T, class Make>
   [[nodiscard]] const T& attached(const Object& object, const Make& make) {
     auto& attachments = scene_.template cache<S>().attachments;

@@ -8,6 +8,7 @@
 #include "kernel/simplex/faces.hpp"
 #include "kernel/simplex/flake.hpp"
 #include "kernel/simplex/good.hpp"
+#include "kernel/simplex/gram_elimination.hpp"
 #include "kernel/simplex/hoop.hpp"
 #include "kernel/simplex/realisability.hpp"
 #include "kernel/simplex/spectrum.hpp"
@@ -176,6 +177,80 @@ void add_lengths(Vocabulary& vocabulary) {
       []<class S>(Evaluation<S>& e, Arguments<S> a) -> Partial<S> { return circumradius(simplex_of(a[0]).gram(e)); }));
 }
 
+/// ⟨w_i, p_j − p_0⟩ for i = 0 … k, j = 1 … k, from the coordinates where there are any; empty if degenerate.
+struct DualProducts {
+  std::vector<std::vector<Rational>> of;
+};
+
+DualProducts dual_products(const SimplexObject& simplex) {
+  const std::size_t k = simplex.dimension();
+  const auto& gram = simplex.exact_gram().gram();
+  const GramElimination<Rational> elimination(gram);
+  DualProducts result;
+  if (!is_proved(elimination.definite())) return result;
+  result.of.assign(k + 1, std::vector<Rational>(k, Rational(0)));
+  const auto edge = [&simplex](std::size_t j, std::size_t axis) {
+    return simplex.points()[j + 1][axis] - simplex.points()[0][axis];
+  };
+  for (std::size_t i = 0; i < k; ++i) {
+    std::vector<Rational> unit(k, Rational(0));
+    unit[i] = Rational(1);
+    const std::vector<Rational> coefficients = elimination.solve(std::move(unit))->x;
+    std::vector<Rational> dual(simplex.has_coordinates() ? simplex.ambient_dimension() : 0, Rational(0));
+    for (std::size_t axis = 0; axis < dual.size(); ++axis) {
+      for (std::size_t j = 0; j < k; ++j) dual[axis] += coefficients[j] * edge(j, axis);
+    }
+    for (std::size_t j = 0; j < k; ++j) {
+      Rational& product = result.of[i + 1][j];
+      for (std::size_t axis = 0; axis < dual.size(); ++axis) product += dual[axis] * edge(j, axis);
+      for (std::size_t a = 0; dual.empty() && a < k; ++a) product += coefficients[a] * gram(a, j);
+      result.of[0][j] -= product;
+    }
+  }
+  return result;
+}
+
+void add_dual_basis(Vocabulary& vocabulary) {
+  vocabulary.add(number_function(
+      "dual_length", {types::simplex, types::integer},
+      "‖w_i‖, an inverse length: row i = 1 … k of the pseudo-inverse of P; minus their sum for i = 0.",
+      "\\lVert w_{#2}(#1)\\rVert", []<class S>(Evaluation<S>& e, Arguments<S> a) -> Partial<S> {
+        const SimplexObject& s = simplex_of(a[0]);
+        const std::size_t i = vertex_of(s, a[1]);
+        using Duals = Partial<std::vector<S>>;
+        const auto& squared = e.template attached<Duals>(s, [&] { return squared_dual_lengths(s.gram(e)); });
+        return squared ? Partial<S>(square_root((*squared)[i])) : Partial<S>::absent(squared.exists());
+      }));
+  vocabulary.add(number_function(
+      "altitude_times_dual_length", {types::simplex, types::integer},
+      "D(p_i, σ)‖w_i‖, from the exact squares of both on every rung; undefined for a degenerate simplex.",
+      "D(#2, #1)\\,\\lVert w_{#2}(#1)\\rVert", []<class S>(Evaluation<S>& e, Arguments<S> a) -> Partial<S> {
+        const SimplexObject& s = simplex_of(a[0]);
+        const std::size_t i = vertex_of(s, a[1]);
+        if (s.dimension() == 0) return Partial<S>::absent(Verdict::refuted);
+        struct ExactDuals {
+          Partial<std::vector<Rational>> squared_lengths;
+        };
+        const auto& duals =
+            e.template attached<ExactDuals>(s, [&] { return ExactDuals{squared_dual_lengths(s.exact_gram())}; });
+        const auto altitude = squared_altitude(s.exact_gram(), i);
+        if (!duals.squared_lengths || !altitude) return Partial<S>::absent(Verdict::refuted);
+        return square_root(scalar_from<S>(*altitude * (*duals.squared_lengths)[i]));
+      }));
+  vocabulary.add(number_function(
+      "dual_product", {types::simplex, types::integer, types::integer},
+      "⟨w_i, p_j − p_0⟩, a ratio, exact on every rung: the dual vector i = 0 … k and the edge to vertex j = 0 … k; "
+      "undefined for a degenerate simplex.",
+      "\\langle w_{#2}, {#1}_{#3} - {#1}_0\\rangle", []<class S>(Evaluation<S>& e, Arguments<S> a) -> Partial<S> {
+        const SimplexObject& s = simplex_of(a[0]);
+        const std::size_t i = vertex_of(s, a[1]);
+        const std::size_t j = vertex_of(s, a[2]);
+        const auto& products = e.template attached<DualProducts>(s, [&] { return dual_products(s); });
+        if (products.of.empty()) return Partial<S>::absent(Verdict::refuted);
+        return j == 0 ? S(0) : scalar_from<S>(products.of[i][j - 1]);
+      }));
+}
+
 void add_singular_values(Vocabulary& vocabulary) {
   vocabulary.add(
       number_function("singular_value", {types::simplex, types::integer},
@@ -191,16 +266,6 @@ void add_singular_values(Vocabulary& vocabulary) {
   vocabulary.add(number_function(
       "largest_singular_value", {types::simplex}, "s_1(P) = ‖P‖, a length; k ≥ 1.", "s_1(#1)",
       []<class S>(Evaluation<S>& e, Arguments<S> a) -> Partial<S> { return singular_value(e, simplex_of(a[0]), 1); }));
-  vocabulary.add(number_function(
-      "dual_length", {types::simplex, types::integer},
-      "‖w_i‖, an inverse length: row i = 1 … k of the pseudo-inverse of P; minus their sum for i = 0.",
-      "\\lVert w_{#2}(#1)\\rVert", []<class S>(Evaluation<S>& e, Arguments<S> a) -> Partial<S> {
-        const SimplexObject& s = simplex_of(a[0]);
-        const std::size_t i = vertex_of(s, a[1]);
-        using Duals = Partial<std::vector<S>>;
-        const auto& squared = e.template attached<Duals>(s, [&] { return squared_dual_lengths(s.gram(e)); });
-        return squared ? Partial<S>(square_root((*squared)[i])) : Partial<S>::absent(squared.exists());
-      }));
 }
 
 void add_predicates(Vocabulary& vocabulary) {
@@ -236,6 +301,7 @@ void add_simplex_quantities(Vocabulary& vocabulary) {
   add_sets(vocabulary);
   add_lengths(vocabulary);
   add_singular_values(vocabulary);
+  add_dual_basis(vocabulary);
   add_predicates(vocabulary);
 }
 

@@ -56,7 +56,11 @@ class Checker {
         if (!is_made_of_integers(*result->children[1])) {
           throw FormulaError(result->children[1]->offset, "an exponent must be made of integers and halves of them");
         }
-        result->type = types::number;
+        // So that an exponent can be 4*m^2.
+        result->type =
+            result->children[0]->type == types::integer && result->children[1]->operation == Operation::literal
+                ? types::integer
+                : types::number;
         break;
       case Operation::less:
       case Operation::less_equal:

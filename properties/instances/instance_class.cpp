@@ -9,6 +9,8 @@ namespace delcert {
 
 void InstanceClass::extend(Vocabulary&) const {}
 
+std::uint64_t InstanceClass::cost(const Shape&) const { return 1; }
+
 const InstanceClass& instance_class(const std::string& name) {
   std::vector<std::string> known;
   for (const InstanceClass* candidate : instance_classes()) {

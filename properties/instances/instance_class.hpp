@@ -39,7 +39,7 @@ class Limits {
 
   /// The largest value of `name` with which every hypothesis of the form `name <= term` or `name < term` holds, for
   /// the names that are bound already: exactly the term if it is rational and `exact`, else a lower bound of it, within
-  /// 2⁻⁶⁰ of it. Nothing if there is no such hypothesis. 0 if the term has no value.
+  /// 2⁻³⁰ of it. Nothing if there is no such hypothesis. 0 if the term has no value.
   [[nodiscard]] virtual std::optional<Rational> most(const std::string& name, const Bindings& bound,
                                                      bool exact) const = 0;
 };
@@ -71,6 +71,9 @@ class InstanceClass {
 
   /// The shapes that an attack goes through unless told otherwise, from small to large.
   [[nodiscard]] virtual std::vector<Shape> shapes() const = 0;
+
+  /// About how many simplices cost as much as one instance of this shape: a campaign of N samples has N/cost of it.
+  [[nodiscard]] virtual std::uint64_t cost(const Shape& shape) const;
 
   /// One instance. `given` holds the parameters of the claim (its `forall`), and belongs to the instance. What the
   /// class promises holds by construction; hypotheses that limit a number (a distortion, say) are met by asking

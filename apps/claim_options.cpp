@@ -1,0 +1,57 @@
+#include "apps/claim_options.hpp"
+
+#include <charconv>
+
+#include "kernel/error.hpp"
+
+namespace delcert {
+
+namespace {
+
+int dimension_from(const std::string& text, const std::string& whole) {
+  int result = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), result);
+  constexpr int largest = 16;
+  if (error != std::errc{} || end != text.data() + text.size() || result < 0 || result > largest) {
+    throw InputError("--shape " + whole + ": expected k,m such as 2,3, or m such as 2");
+  }
+  return result;
+}
+
+}  // namespace
+
+void add_claim_options(CLI::App& command, ClaimOptions& options) {
+  command.add_option("claims", options.names, "Claims: names of the library (delcert claims lists them) or TOML files");
+  command.add_flag("--all", options.all, "All claims of the library");
+  command.add_option("--shape", options.shapes,
+                     "Only k-simplices in R^m, as k,m, or nets in R^m, as m; may be repeated");
+}
+
+std::vector<Claim> claims_of(const ClaimOptions& options) {
+  if (options.all) return builtin_claim_list();
+  if (options.names.empty()) throw InputError("no claim: name some, or say --all");
+  std::vector<Claim> result;
+  for (const std::string& name : options.names) result.push_back(find_claim(name));
+  return result;
+}
+
+std::vector<Shape> shapes_of(const ClaimOptions& options, const Claim& claim) {
+  if (options.shapes.empty()) return instance_class(claim.instance).shapes();
+  std::vector<Shape> result;
+  for (const std::string& text : options.shapes) {
+    const std::size_t comma = text.find(',');
+    if (comma == std::string::npos) {
+      result.push_back({0, dimension_from(text, text)});
+    } else {
+      result.push_back({dimension_from(text.substr(0, comma), text), dimension_from(text.substr(comma + 1), text)});
+    }
+  }
+  return result;
+}
+
+std::string text_of(const Shape& shape) {
+  const std::string m = "m=" + std::to_string(shape.m);
+  return shape.k == 0 ? m : "k=" + std::to_string(shape.k) + " " + m;
+}
+
+}  // namespace delcert

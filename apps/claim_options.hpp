@@ -1,0 +1,30 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "properties/attack/attempt.hpp"
+
+namespace delcert {
+
+/// Which claims and which shapes a command is about.
+struct ClaimOptions {
+  std::vector<std::string> names;
+  bool all = false;
+  std::vector<std::string> shapes;
+};
+
+/// CLAIM…, --all, --shape.
+void add_claim_options(CLI::App& command, ClaimOptions& options);
+
+/// The claims asked for. Throws InputError for a name that is none, and if nothing was asked for.
+[[nodiscard]] std::vector<Claim> claims_of(const ClaimOptions& options);
+
+/// The shapes asked for, else those of the claim's class. Throws InputError for text that is no shape, "k,m" or "m".
+[[nodiscard]] std::vector<Shape> shapes_of(const ClaimOptions& options, const Claim& claim);
+
+/// "k=2 m=3", "m=2" for a class without k.
+[[nodiscard]] std::string text_of(const Shape& shape);
+
+}  // namespace delcert

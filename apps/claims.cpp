@@ -1,0 +1,82 @@
+#include <fmt/format.h>
+
+#include <iostream>
+#include <memory>
+
+#include "apps/claim_options.hpp"
+#include "apps/commands.hpp"
+#include "kernel/number/exact_text.hpp"
+
+namespace delcert {
+
+namespace {
+
+void print_parameters(const Claim& claim) {
+  for (const auto& [name, range] : claim.parameters) {
+    std::cout << "  for all " << name << " in " << (range.has_lower ? "[" : "(") << exact_text(range.lower) << ", "
+              << exact_text(range.upper) << (range.has_upper ? "]" : ")") << "\n";
+  }
+}
+
+void print_claim(const Claim& claim) {
+  std::cout << claim.name << (claim.title.empty() ? "" : ": " + claim.title) << "\n";
+  if (!claim.source.empty()) std::cout << "  source: " << claim.source << " (" << name_of(claim.status) << ")\n";
+  const InstanceClass& its_class = instance_class(claim.instance);
+  std::cout << "  about: " << its_class.name() << ", " << its_class.meaning() << "\n";
+  print_parameters(claim);
+  for (const Hypothesis& hypothesis : claim.hypotheses) {
+    std::cout << "  given " << hypothesis.name << ": " << hypothesis.text << "\n";
+    if (!hypothesis.no_twin.empty()) std::cout << "    without it: " << hypothesis.no_twin << "\n";
+  }
+  for (const Conclusion& conclusion : claim.conclusions) {
+    std::cout << "  show " << conclusion.name << ": " << conclusion.text << "\n";
+    if (conclusion.twin) std::cout << "    twin, to be refuted: " << conclusion.twin->text << "\n";
+    if (!conclusion.no_twin.empty()) std::cout << "    no twin: " << conclusion.no_twin << "\n";
+  }
+  if (!claim.note.empty()) std::cout << "  note: " << claim.note << "\n";
+}
+
+ExitStatus list_claims() {
+  for (const Claim& claim : builtin_claim_list()) {
+    std::cout << fmt::format("{:45} {:42} {:8} {}\n", claim.name, claim.source, name_of(claim.status), claim.instance);
+  }
+  return ExitStatus::verified;
+}
+
+ExitStatus list_classes() {
+  for (const InstanceClass* each : instance_classes()) {
+    std::cout << each->name() << ": " << each->meaning() << "\n";
+    for (const auto& [name, type] : each->signature()) std::cout << "  " << name << ", a " << type.text() << "\n";
+  }
+  return ExitStatus::verified;
+}
+
+}  // namespace
+
+void add_claims(CLI::App& program, Action& chosen) {
+  CLI::App* command = program.add_subcommand("claims", "The claims of the library, and what claims can speak of");
+  command->require_subcommand(0, 1);
+  CLI::App* show = command->add_subcommand("show", "Print claims, of the library or from TOML files");
+  const auto options = std::make_shared<ClaimOptions>();
+  add_claim_options(*show, *options);
+  show->callback([options, &chosen] {
+    chosen = [options] {
+      for (const Claim& claim : claims_of(*options)) print_claim(claim);
+      return ExitStatus::verified;
+    };
+  });
+  CLI::App* classes = command->add_subcommand("classes", "Print the instance classes and the names that they bind");
+  classes->callback([&chosen] { chosen = list_classes; });
+  command->footer(
+      "Without a subcommand: the claims of the library, one a line, with source, status and instance class.\n\n"
+      "Examples:\n"
+      "  delcert claims\n"
+      "  delcert claims show thickness-and-singular-value\n"
+      "  delcert claims show my-claim.toml\n"
+      "  delcert claims classes");
+  command->callback([command, &chosen] {
+    if (command->get_subcommands().empty()) chosen = list_claims;
+  });
+}
+
+}  // namespace delcert

@@ -1,0 +1,58 @@
+#include "properties/attack/campaign_log.hpp"
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "kernel/error.hpp"
+
+namespace delcert {
+
+namespace {
+using Json = nlohmann::ordered_json;
+}
+
+CampaignLog::CampaignLog(const std::filesystem::path& path, const std::string& identity) {
+  if (path.empty()) return;
+  if (std::filesystem::exists(path)) read(path, identity);
+  const bool is_new = !std::filesystem::exists(path) || std::filesystem::file_size(path) == 0;
+  out_.open(path, std::ios::binary | std::ios::app);
+  if (is_new) out_ << Json{{"delcert_campaign", identity}}.dump() << std::endl;
+  if (!out_) throw std::runtime_error("cannot write " + path.string());
+}
+
+void CampaignLog::read(const std::filesystem::path& path, const std::string& identity) {
+  std::ifstream stream(path, std::ios::binary);
+  std::stringstream buffer;
+  buffer << stream.rdbuf();
+  const std::string text = buffer.str();
+  std::size_t whole = 0;  // the end of the last whole line
+  std::size_t number = 0;
+  for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', whole)) {
+    const std::string line = text.substr(whole, end - whole);
+    whole = end + 1;
+    const std::string where = path.string() + ":" + std::to_string(++number) + ": ";
+    try {
+      const Json json = Json::parse(line);
+      if (number == 1) {
+        if (json.at("delcert_campaign") != identity) {
+          throw InputError(where + "the log of another campaign: other claims, samples, seed or version");
+        }
+        continue;
+      }
+      finished_[{json.at("target").get<std::size_t>(), json.at("first").get<std::uint64_t>()}] =
+          tally_from(json.at("tally"));
+    } catch (const nlohmann::json::exception& error) {
+      throw InputError(where + "not a line of a campaign's log: " + error.what());
+    }
+  }
+  // What a crash cut off.
+  if (whole < text.size()) std::filesystem::resize_file(path, whole);
+}
+
+void CampaignLog::append(const Block& block, const Tally& tally) {
+  if (!out_.is_open()) return;
+  out_ << Json{{"target", block.first}, {"first", block.second}, {"tally", tally_json(tally)}}.dump() << std::endl;
+  if (!out_) throw std::runtime_error("the log of the campaign cannot be written");
+}
+
+}  // namespace delcert

@@ -1,0 +1,48 @@
+#include "properties/attack/shrink.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "kernel/error.hpp"
+#include "properties/attack/witness.hpp"
+
+namespace delcert {
+
+std::size_t written_size(const InstanceClass& instance_class, const Bindings& bindings) {
+  constexpr std::size_t weight_of_a_dimension = 1000;
+  std::size_t result = bindings_json(bindings, instance_class.signature()).dump().size();
+  for (const auto& [name, binding] : bindings) {
+    if (const long* integer = std::get_if<long>(&binding)) {
+      result += weight_of_a_dimension * static_cast<std::size_t>(std::max(0L, *integer));
+    }
+  }
+  return result;
+}
+
+Bindings shrunk(const InstanceClass& instance_class, Bindings bindings,
+                const std::function<bool(const Bindings&)>& has_property, std::size_t most_tries) {
+  const auto keeps = [&](const Bindings& candidate) {
+    try {
+      instance_class.require(candidate);
+      return has_property(candidate);
+    } catch (const InputError&) {
+      return false;
+    }
+  };
+  std::size_t tries = 0;
+  std::size_t size = written_size(instance_class, bindings);
+  for (bool simpler = true; simpler && tries < most_tries;) {
+    simpler = false;
+    for (Bindings& candidate : instance_class.simpler(bindings)) {
+      if (++tries > most_tries) break;
+      const std::size_t candidate_size = written_size(instance_class, candidate);
+      if (candidate_size >= size || !keeps(candidate)) continue;
+      bindings = std::move(candidate);
+      size = candidate_size;
+      simpler = true;
+      break;
+    }
+  }
+  return bindings;
+}
+
+}  // namespace delcert

@@ -1,0 +1,165 @@
+#include "properties/attack/tighten.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlopt.hpp>
+
+#include "kernel/error.hpp"
+
+namespace delcert {
+
+namespace {
+
+constexpr std::size_t most_choices = 160;
+constexpr double worthless = -1;
+
+/// Random choices that are written down.
+class RecordedChoices : public Choices {
+ public:
+  RecordedChoices(std::uint64_t seed, std::uint32_t stream, std::uint32_t number) : random_(seed, stream, number) {}
+  [[nodiscard]] double unit() override {
+    values_.push_back(random_.unit());
+    return values_.back();
+  }
+  [[nodiscard]] const std::vector<double>& values() const { return values_; }
+
+ private:
+  RandomChoices random_;
+  std::vector<double> values_;
+};
+
+struct Scored {
+  double score = worthless;
+  std::vector<double> choices;
+};
+
+class Search {
+ public:
+  Search(const Claim& claim, std::size_t conclusion, const Shape& shape, std::uint64_t evaluations,
+         const Progress& progress)
+      : claim_(claim),
+        conclusion_(conclusion),
+        limits_(claim),
+        shape_(shape),
+        budget_(evaluations),
+        progress_(progress) {}
+
+  void random_start(std::uint64_t count, std::uint64_t seed) {
+    const std::uint32_t stream = stream_of("tighten " + claim_.name + " " + std::to_string(conclusion_) + " " +
+                                           std::to_string(shape_.k) + " " + std::to_string(shape_.m));
+    for (std::uint64_t number = 0; number < count; ++number) {
+      RecordedChoices choices(seed, stream, static_cast<std::uint32_t>(number));
+      const double score = score_of(draw_instance(claim_, limits_, shape_, choices));
+      if (score > worthless && choices.values().size() <= most_choices) pool_.push_back({score, choices.values()});
+    }
+    std::sort(pool_.begin(), pool_.end(), [](const Scored& a, const Scored& b) { return a.score > b.score; });
+  }
+
+  void climb(std::size_t starts) {
+    const std::size_t count = std::min(starts, pool_.size());
+    for (std::size_t at = 0; at < count && used_ < budget_; ++at)
+      climb_from(pool_[at], (budget_ - used_) / (count - at));
+    if (count > 0)
+      best_ = *std::max_element(pool_.begin(), pool_.begin() + static_cast<std::ptrdiff_t>(count),
+                                [](const Scored& a, const Scored& b) { return a.score < b.score; });
+  }
+
+  [[nodiscard]] std::uint64_t used() const { return used_; }
+  [[nodiscard]] std::optional<Instance> best() const {
+    if (best_.score <= worthless) return std::nullopt;
+    GivenChoices choices(best_.choices);
+    return draw_instance(claim_, limits_, shape_, choices);
+  }
+
+ private:
+  double score_of(const std::optional<Instance>& instance) {
+    if (++used_ % 64 == 0) progress_("tighten", std::min(used_, budget_), budget_);
+    if (!instance) return worthless;
+    const Attempt result = attempt(claim_, instance->bindings);
+    if (!is_proved(result.hypotheses)) return worthless;
+    const auto& ratio = result.conclusions[conclusion_].ratio;
+    if (!ratio || !std::isfinite(ratio->lower) || !std::isfinite(ratio->upper)) return worthless;
+    return (ratio->lower + ratio->upper) / 2;
+  }
+
+  double score_of(const std::vector<double>& values) {
+    GivenChoices choices(values);
+    return score_of(draw_instance(claim_, limits_, shape_, choices));
+  }
+
+  void climb_from(Scored& start, std::uint64_t budget) {
+    nlopt::opt optimiser(nlopt::LN_SBPLX, static_cast<unsigned>(start.choices.size()));
+    optimiser.set_lower_bounds(0);
+    optimiser.set_upper_bounds(1);
+    optimiser.set_maxeval(static_cast<int>(std::min<std::uint64_t>(budget, std::numeric_limits<int>::max())));
+    optimiser.set_xtol_abs(0x1p-40);
+    optimiser.set_initial_step(0.05);
+    Context context{this, &start, nullptr};
+    optimiser.set_max_objective(&Search::objective, &context);
+    std::vector<double> x = start.choices;
+    double value = 0;
+    try {
+      optimiser.optimize(x, value);
+    } catch (const nlopt::roundoff_limited&) {
+      // The best so far is kept by the objective.
+    } catch (const nlopt::forced_stop&) {
+      std::rethrow_exception(context.failure);
+    }
+  }
+
+  struct Context {
+    Search* search;
+    Scored* best;
+    std::exception_ptr failure;
+    nlopt::opt* optimiser = nullptr;
+  };
+  /// Exceptions do not pass through the library.
+  static double objective(const std::vector<double>& x, std::vector<double>&, void* data) {
+    auto& context = *static_cast<Context*>(data);
+    try {
+      const double score = context.search->score_of(x);
+      if (score > context.best->score) *context.best = {score, x};
+      return score;
+    } catch (...) {
+      context.failure = std::current_exception();
+      throw nlopt::forced_stop();
+    }
+  }
+
+  const Claim& claim_;
+  std::size_t conclusion_;
+  HypothesisLimits limits_;
+  Shape shape_;
+  std::uint64_t budget_;
+  const Progress& progress_;
+  std::uint64_t used_ = 0;
+  std::vector<Scored> pool_;
+  Scored best_;
+};
+
+}  // namespace
+
+std::optional<Tightest> tighten(const Claim& claim, std::size_t conclusion, const Shape& shape,
+                                std::uint64_t evaluations, std::uint64_t seed, const Progress& progress) {
+  constexpr std::size_t starts = 6;
+  Search search(claim, conclusion, shape, evaluations, progress);
+  search.random_start(evaluations / 4, seed);
+  search.climb(starts);
+  const auto instance = search.best();
+  if (!instance) return std::nullopt;
+  Scene scene(instance->bindings);
+  const Expression& statement = *claim.conclusions.at(conclusion).formula;
+  const auto ratio = ratio_bounds(statement, scene, true);
+  if (!ratio) return std::nullopt;
+  Tightest result;
+  result.ratio = *ratio;
+  result.verdict = decide_statement(statement, scene);
+  result.is_equality = is_proved(result.verdict) && ratio->upper >= 1 &&
+                       is_refuted(decide_statement(*made_strict(claim.conclusions[conclusion].formula), scene));
+  result.bindings = instance->bindings;
+  result.evaluations = search.used();
+  return result;
+}
+
+}  // namespace delcert
