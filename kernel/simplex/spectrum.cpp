@@ -161,6 +161,13 @@ Partial<std::vector<BigInterval>> eigenvalues<BigInterval>(const SymmetricMatrix
 }
 
 template <>
+Partial<std::vector<Surd>> eigenvalues<Surd>(const SymmetricMatrix<Rational>& matrix) {
+  if (matrix.order() > 1) return Partial<std::vector<Surd>>::absent(Verdict::undecided);
+  if (matrix.order() == 0) return std::vector<Surd>{};
+  return std::vector<Surd>{Surd(matrix(0, 0))};
+}
+
+template <>
 Partial<std::vector<Algebraic>> eigenvalues<Algebraic>(const SymmetricMatrix<Rational>& matrix) {
   std::vector<Algebraic> result = real_roots(characteristic_polynomial(matrix));
   std::reverse(result.begin(), result.end());

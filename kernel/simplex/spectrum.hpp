@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "kernel/number/algebraic.hpp"
+#include "kernel/number/surd.hpp"
 #include "kernel/simplex/partial.hpp"
 #include "kernel/simplex/symmetric_matrix.hpp"
 
@@ -24,6 +25,9 @@ template <>
 /// Isolated roots of the characteristic polynomial, to the working precision. Always there.
 template <>
 [[nodiscard]] Partial<std::vector<BigInterval>> eigenvalues<BigInterval>(const SymmetricMatrix<Rational>& matrix);
+/// For a matrix of order 1 at most; otherwise absent (undecided).
+template <>
+[[nodiscard]] Partial<std::vector<Surd>> eigenvalues<Surd>(const SymmetricMatrix<Rational>& matrix);
 /// Roots of the characteristic polynomial. Always there.
 template <>
 [[nodiscard]] Partial<std::vector<Algebraic>> eigenvalues<Algebraic>(const SymmetricMatrix<Rational>& matrix);

@@ -36,6 +36,8 @@ Partial<S> logarithm(const S& x) {
     const auto lower = scalar_from<Interval>(result.lower());
     const auto upper = scalar_from<Interval>(result.upper());
     return Interval::between(lower.lower(), upper.upper());
+  } else if constexpr (std::same_as<S, Surd>) {
+    return Partial<S>::absent(Verdict::undecided);
   } else {
     // Transcendental unless x is a power of two.
     if (x.degree() != 1) return Partial<S>::absent(Verdict::undecided);

@@ -1,12 +1,33 @@
 #include "proofs/formula/evaluation.hpp"
 
-#include <cmath>
+#include <mpfr.h>
+
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <string>
+
+#include "kernel/error.hpp"
 
 namespace delcert {
 
 namespace {
+
+constexpr unsigned first_precision = 128;
+constexpr unsigned last_precision = 4096;
+
+/// As a fraction, 2^(10^12) would not fit into memory.
+bool has_moderate_exponents(const BigInterval& x) {
+  constexpr mpfr_exp_t greatest = mpfr_exp_t{1} << 24;
+  const auto is_moderate = [](mpfr_srcptr end) {
+    return mpfr_zero_p(end) != 0 || (mpfr_get_exp(end) <= greatest && mpfr_get_exp(end) >= -greatest);
+  };
+  return is_moderate(&x.mpfi()->left) && is_moderate(&x.mpfi()->right);
+}
+
+const Type& parameter_type(const Function& function, std::size_t at) {
+  return function.parameters[function.is_variadic ? 0 : at];
+}
 
 template <class S>
 void prepare(RungCache<S>& cache) {
@@ -15,6 +36,29 @@ void prepare(RungCache<S>& cache) {
     if (cache.precision != precision) cache.clear();
     cache.precision = precision;
   }
+}
+
+constexpr PrecisionBits greatest_precision{4096};
+
+/// Most constants of formulas are small integers, for which there are faster ways than the general one.
+template <class S>
+S number_from(const Rational& x) {
+  if (mpz_cmp_ui(mpq_denref(x.gmp()), 1) == 0 && mpz_fits_sint_p(mpq_numref(x.gmp())) != 0) {
+    return S(static_cast<int>(mpz_get_si(mpq_numref(x.gmp()))));
+  }
+  return scalar_from<S>(x);
+}
+
+/// Exact powers have as many digits as they have; intervals have not.
+void refuse_if_too_large(const Algebraic& base, unsigned long exponent) {
+  constexpr std::size_t most_bits = std::size_t{1} << 22U;
+  constexpr unsigned long greatest_for_irrational = 256;
+  const auto bits = [](const Rational& x) {
+    return mpz_sizeinbase(mpq_numref(x.gmp()), 2) + mpz_sizeinbase(mpq_denref(x.gmp()), 2);
+  };
+  const bool is_large = base.degree() == 1 ? bits(base.rational()) > most_bits / std::max(exponent, 1UL)
+                                           : exponent > greatest_for_irrational;
+  if (is_large) throw Algebraic::TooLarge("algebraic power with the exponent " + std::to_string(exponent));
 }
 
 template <class S>
@@ -32,10 +76,11 @@ Partial<S> root(const S& x) {
   return is_refuted(negative) ? Partial<S>(square_root(x)) : Partial<S>::absent(negation(negative));
 }
 
+/// Absent where the divisor is 0, or may be: an unbounded interval would pretend that there is a value.
 template <class S>
 Partial<S> quotient(const S& a, const S& b) {
-  if (is_proved(is_zero(b))) return Partial<S>::absent(Verdict::refuted);
-  return S(a / b);
+  const Verdict zero = is_zero(b);
+  return is_refuted(zero) ? Partial<S>(S(a / b)) : Partial<S>::absent(negation(zero));
 }
 
 template <class S>
@@ -47,6 +92,7 @@ Partial<S> power(const S& base, const Rational& exponent) {
   Partial<S> radical = denominator == 2 ? root(base) : Partial<S>(base);
   if (!radical) return radical;
   const auto size = static_cast<unsigned long>(absolute(exponent).numerator());
+  if constexpr (std::same_as<S, Algebraic>) refuse_if_too_large(*radical, size);
   S result = power(*radical, size);
   return exponent < Rational(0) ? quotient(S(1), result) : Partial<S>(std::move(result));
 }
@@ -87,19 +133,50 @@ Verdict Evaluation<S>::truth(const Expression& statement) {
     case Operation::for_all:
     case Operation::exists:
       return quantified(statement);
-    case Operation::call: {
-      Verdict absence = Verdict::proved;
-      std::vector<Argument<S>> arguments;
-      for (const auto& child : statement.children) {
-        auto value = argument(*child, absence);
-        if (!value) return Verdict::undecided;
-        arguments.push_back(std::move(*value));
-      }
-      return std::get<TruthFunction>(statement.function->value).template on<S>()(*this, arguments);
-    }
     default:
-      return comparison(statement);
+      return leaf(statement);
   }
+}
+
+/// What the algebraic rung cannot tell, because a number is transcendental or of a large degree, may be clear from the
+/// rung below: it must not keep the rest of the statement undecided, which only this rung may be able to decide.
+template <class S>
+Verdict Evaluation<S>::leaf(const Expression& statement) {
+  if constexpr (!std::same_as<S, Algebraic>) {
+    return leaf_on_this_rung(statement);
+  } else {
+    const std::size_t local_count = locals_.size();
+    try {
+      const Verdict verdict = leaf_on_this_rung(statement);
+      if (!is_undecided(verdict)) return verdict;
+    } catch (const Undecided&) {
+      // It may have been thrown inside a definition, which no statement is.
+      locals_.erase(locals_.begin() + static_cast<std::ptrdiff_t>(local_count), locals_.end());
+      visible_from_ = 0;
+      sees_bindings_ = true;
+    }
+    const BigInterval::Precision precision(greatest_precision);
+    Evaluation<BigInterval> below(scene_);
+    for (const Local& variable : locals_) below.locals_.push_back({variable.name, std::get<Item>(variable.value)});
+    return below.leaf_on_this_rung(statement);
+  }
+}
+
+template <class S>
+Verdict Evaluation<S>::leaf_on_this_rung(const Expression& statement) {
+  return statement.operation == Operation::call ? predicate(statement) : comparison(statement);
+}
+
+template <class S>
+Verdict Evaluation<S>::predicate(const Expression& statement) {
+  Verdict absence = Verdict::proved;
+  std::vector<Argument<S>> arguments;
+  for (std::size_t at = 0; at < statement.children.size(); ++at) {
+    auto value = argument(*statement.children[at], parameter_type(*statement.function, at), absence);
+    if (!value) return Verdict::undecided;
+    arguments.push_back(std::move(*value));
+  }
+  return std::get<TruthFunction>(statement.function->value).template on<S>()(*this, arguments);
 }
 
 template <class S>
@@ -141,22 +218,22 @@ template <class S>
 Partial<S> Evaluation<S>::number(const Expression& term) {
   switch (term.operation) {
     case Operation::literal:
-      return scalar_from<S>(term.value);
+      return number_from<S>(term.value);
     case Operation::name: {
-      const auto of_item = [](const Item& value) { return scalar_from<S>(Rational(std::get<long>(value))); };
+      const auto of_item = [](const Item& value) { return number_from<S>(Rational(std::get<long>(value))); };
       if (const Argument<S>* value = local(term.text)) {
         if (const S* number = std::get_if<S>(value)) return *number;
         return of_item(std::get<Item>(*value));
       }
       const Binding* binding = sees_bindings_ ? scene_.find(term.text) : nullptr;
       if (binding == nullptr) throw std::logic_error("the instance has no " + term.text);
-      if (const Rational* value = std::get_if<Rational>(binding)) return scalar_from<S>(*value);
-      return scalar_from<S>(Rational(std::get<long>(*binding)));
+      if (const Rational* value = std::get_if<Rational>(binding)) return number_from<S>(*value);
+      return number_from<S>(Rational(std::get<long>(*binding)));
     }
     case Operation::call:
       if (term.definition != nullptr) return call_definition(term);
       if (std::holds_alternative<ItemFunction>(term.function->value)) {
-        return scalar_from<S>(Rational(std::get<long>(item(term))));
+        return number_from<S>(Rational(std::get<long>(item(term))));
       }
       return call(term);
     default:
@@ -169,7 +246,10 @@ Partial<S> Evaluation<S>::arithmetic(const Expression& term) {
   const Partial<S> first = number(*term.children.at(0));
   if (!first) return first;
   if (term.operation == Operation::negate) return S(S(0) - *first);
-  if (term.operation == Operation::power) return power(*first, exact(*term.children[1]));
+  if (term.operation == Operation::power) {
+    const auto exponent = exact(*term.children[1]);
+    return exponent ? power(*first, *exponent) : Partial<S>::absent(Verdict::refuted);
+  }
   const Partial<S> second = number(*term.children.at(1));
   if (!second) return second;
   switch (term.operation) {
@@ -186,9 +266,10 @@ Partial<S> Evaluation<S>::arithmetic(const Expression& term) {
   }
 }
 
+/// An integer serves as a number where a number is wanted.
 template <class S>
-std::optional<Argument<S>> Evaluation<S>::argument(const Expression& term, Verdict& absence) {
-  if (term.type != types::number) return Argument<S>(item(term));
+std::optional<Argument<S>> Evaluation<S>::argument(const Expression& term, const Type& wanted, Verdict& absence) {
+  if (wanted != types::number) return Argument<S>(item(term));
   Partial<S> value = number(term);
   if (value) return Argument<S>(std::move(*value));
   absence = value.exists();
@@ -199,18 +280,12 @@ template <class S>
 Partial<S> Evaluation<S>::call(const Expression& term) {
   std::vector<Argument<S>> arguments;
   std::vector<Item> items;
-  const auto& parameters = term.function->parameters;
   for (std::size_t at = 0; at < term.children.size(); ++at) {
-    const auto& child = term.children[at];
-    // An integer where a number is wanted.
-    if (parameters[term.function->is_variadic ? 0 : at] == types::number) {
-      Partial<S> value = number(*child);
-      if (!value) return value;
-      arguments.emplace_back(std::move(*value));
-    } else {
-      items.push_back(item(*child));
-      arguments.emplace_back(items.back());
-    }
+    Verdict absence = Verdict::proved;
+    auto value = argument(*term.children[at], parameter_type(*term.function, at), absence);
+    if (!value) return Partial<S>::absent(absence);
+    if (const Item* same_on_every_rung = std::get_if<Item>(&*value)) items.push_back(*same_on_every_rung);
+    arguments.push_back(std::move(*value));
   }
   const auto& function = std::get<NumberFunction>(term.function->value).template on<S>();
   if (items.size() != arguments.size()) return function(*this, arguments);
@@ -229,8 +304,7 @@ Partial<S> Evaluation<S>::call_definition(const Expression& term) {
   for (std::size_t at = 0; at < term.children.size(); ++at) {
     const Expression& child = *term.children[at];
     Verdict absence = Verdict::proved;
-    auto value = child.type == types::integer ? Argument<S>(Item(static_cast<long>(exact(child).numerator())))
-                                              : argument(child, absence);
+    auto value = argument(child, child.type, absence);
     if (!value) return Partial<S>::absent(absence);
     parameters.push_back({term.definition->parameters[at], std::move(*value)});
   }
@@ -260,7 +334,7 @@ Item Evaluation<S>::item(const Expression& term) {
     for (const auto& child : term.children) arguments.push_back(item(*child));
     return scene_.item(*term.function, arguments);
   }
-  return static_cast<long>(exact(term).numerator());
+  return integer(term);
 }
 
 template <class S>
@@ -270,26 +344,44 @@ std::vector<Item> Evaluation<S>::items_of(const Expression& set) {
   return scene_.set(*set.function, arguments);
 }
 
+/// The value of a term of the type integer. Objects count in `long`, and differences of what it holds must fit, too.
 template <class S>
-Rational Evaluation<S>::exact(const Expression& term) {
-  const auto part = [&](std::size_t at) { return exact(*term.children.at(at)); };
+long Evaluation<S>::integer(const Expression& term) {
+  constexpr long greatest = 1000000000000000000;
+  const auto value = exact(term);
+  if (!value || absolute(*value) > Rational(greatest)) throw InputError("a formula has an integer beyond 10^18");
+  return static_cast<long>(value->numerator());
+}
+
+/// The value of a term that is made of integers; nothing where it divides by 0.
+template <class S>
+std::optional<Rational> Evaluation<S>::exact(const Expression& term) {
+  if (term.operation == Operation::literal) return term.value;
+  if (term.operation == Operation::name || term.operation == Operation::call) {
+    return Rational(std::get<long>(item(term)));
+  }
+  const auto first = exact(*term.children.at(0));
+  if (!first) return std::nullopt;
+  if (term.operation == Operation::negate) return -*first;
+  const auto second = exact(*term.children.at(1));
+  if (!second) return std::nullopt;
   switch (term.operation) {
-    case Operation::literal:
-      return term.value;
-    case Operation::negate:
-      return -part(0);
     case Operation::add:
-      return part(0) + part(1);
+      return *first + *second;
     case Operation::subtract:
-      return part(0) - part(1);
+      return *first - *second;
     case Operation::multiply:
-      return part(0) * part(1);
+      return *first * *second;
     case Operation::divide:
-      return part(0) / part(1);
-    case Operation::power:
-      return delcert::power(part(0), static_cast<long>(part(1).numerator()));
+      if (*second == Rational(0)) return std::nullopt;
+      return *first / *second;
+    case Operation::power: {
+      constexpr long greatest_base = 1000000000000000000;
+      if (absolute(*first) > Rational(greatest_base)) throw InputError("a formula has an integer beyond 10^18");
+      return delcert::power(*first, static_cast<long>(second->numerator()));
+    }
     default:
-      return Rational(std::get<long>(item(term)));
+      throw std::logic_error("a statement where an integer was expected");
   }
 }
 
@@ -335,10 +427,36 @@ std::optional<S> Evaluation<S>::ratio_of_comparison(const Expression& statement)
 
 template class Evaluation<Interval>;
 template class Evaluation<BigInterval>;
+template class Evaluation<Surd>;
 template class Evaluation<Algebraic>;
 
 Verdict decide_statement(const Expression& statement, Scene& scene) {
-  return decide_algebraic([&]<class S>() { return Evaluation<S>(scene).truth(statement); });
+  const auto truth = [&]<class S>() { return Evaluation<S>(scene).truth(statement); };
+  Verdict verdict = Verdict::undecided;
+  const auto settles = [&](Rung rung, Verdict found) {
+    verdict = found;
+    if (!is_undecided(found)) ladder_statistics().count(rung);
+    return !is_undecided(found);
+  };
+  {
+    const RoundingGuard guard;
+    if (settles(Rung::interval, truth.template operator()<Interval>())) return verdict;
+  }
+  for (unsigned bits = first_precision; bits <= last_precision; bits *= 2) {
+    {
+      const BigInterval::Precision precision(PrecisionBits{bits});
+      if (settles(Rung::big_interval, truth.template operator()<BigInterval>())) return verdict;
+    }
+    // Most of what 128 bits cannot tell is a tie.
+    if (bits == first_precision && settles(Rung::rational, truth.template operator()<Surd>())) return verdict;
+  }
+  try {
+    if (settles(Rung::algebraic, truth.template operator()<Algebraic>())) return verdict;
+  } catch (const Algebraic::TooLarge&) {
+    // Undecided, like a predicate that gives up.
+  }
+  ++ladder_statistics().undecided;
+  return verdict;
 }
 
 std::optional<DoubleBounds> ratio_bounds(const Expression& statement, Scene& scene, bool sharp) {
@@ -366,14 +484,14 @@ std::optional<Rational> exact_value(const Expression& term, Scene& scene) {
 
 std::optional<Rational> lower_bound(const Expression& term, Scene& scene, unsigned bits) {
   const Rational relative = Rational::power_of_two(-static_cast<long>(bits));
-  for (unsigned precision_bits = 128; precision_bits <= 4096; precision_bits *= 2) {
+  for (unsigned precision_bits = 128; precision_bits <= greatest_precision.value; precision_bits *= 2) {
     const BigInterval::Precision precision(PrecisionBits{precision_bits});
     const Partial<BigInterval> value = Evaluation<BigInterval>(scene).number(term);
     if (!value) {
       if (is_refuted(value.exists())) return std::nullopt;
       continue;
     }
-    if (!value->is_bounded()) continue;
+    if (!value->is_bounded() || !has_moderate_exponents(*value)) continue;
     const Rational lower = value->lower();
     const Rational upper = value->upper();
     if (upper - lower <= relative * maximum(absolute(lower), absolute(upper))) return lower;

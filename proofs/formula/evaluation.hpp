@@ -11,9 +11,11 @@ namespace delcert {
 
 /// The value of formulas on one instance and one rung.
 ///
-/// A number is an enclosure of the exact value, or absent: undecided when the rung cannot enclose it, refuted when it
-/// certainly has no value (a division by 0, the root of a negative number, the circumradius of three points of a line).
-/// A statement about an absent number is undecided. Precondition for S = Interval: a `RoundingGuard` is alive.
+/// A number is an enclosure of the exact value, or absent: undecided when the rung cannot enclose it or cannot tell
+/// whether it has a value, refuted when it certainly has none (a division by 0, the root of a negative number, the
+/// circumradius of three points of a line). A statement about an absent number is undecided. Powers: x^0 is 1; an
+/// exponent that is neither an integer nor half of one leaves the power undefined.
+/// Throws InputError for an integer beyond ±10^18. Precondition for S = Interval: a `RoundingGuard` is alive.
 template <class S>
 class Evaluation {
  public:
@@ -50,15 +52,22 @@ class Evaluation {
   };
 
   [[nodiscard]] const Argument<S>* local(const std::string& name) const;
-  [[nodiscard]] std::optional<Argument<S>> argument(const Expression& term, Verdict& absence);
+  [[nodiscard]] std::optional<Argument<S>> argument(const Expression& term, const Type& wanted, Verdict& absence);
   [[nodiscard]] Partial<S> call(const Expression& term);
   [[nodiscard]] Partial<S> call_definition(const Expression& term);
   [[nodiscard]] Partial<S> arithmetic(const Expression& term);
+  [[nodiscard]] Verdict leaf(const Expression& statement);
+  [[nodiscard]] Verdict leaf_on_this_rung(const Expression& statement);
+  [[nodiscard]] Verdict predicate(const Expression& statement);
   [[nodiscard]] Verdict comparison(const Expression& statement);
   [[nodiscard]] Verdict quantified(const Expression& statement);
   [[nodiscard]] std::optional<S> ratio_of_comparison(const Expression& statement);
   [[nodiscard]] std::vector<Item> items_of(const Expression& set);
-  [[nodiscard]] Rational exact(const Expression& term);
+  [[nodiscard]] std::optional<Rational> exact(const Expression& term);
+  [[nodiscard]] long integer(const Expression& term);
+
+  template <class T>
+  friend class Evaluation;
 
   Scene& scene_;
   std::vector<Local> locals_;
@@ -68,9 +77,11 @@ class Evaluation {
 
 extern template class Evaluation<Interval>;
 extern template class Evaluation<BigInterval>;
+extern template class Evaluation<Surd>;
 extern template class Evaluation<Algebraic>;
 
-/// Decides a statement on an instance: interval, 128 … 4096 bits, algebraic numbers, until a rung is sure.
+/// Decides a statement on an instance: intervals, 128 bits, surds (counted as the rational rung), 256 … 4096 bits,
+/// algebraic numbers, until a rung is sure.
 [[nodiscard]] Verdict decide_statement(const Expression& statement, Scene& scene);
 
 /// Bounds of a real number. Infinite where unbounded.

@@ -64,7 +64,7 @@ class Scene {
   const Bindings& bindings_;
   std::vector<Derived<Item>> items_;
   std::vector<Derived<std::vector<Item>>> sets_;
-  std::tuple<RungCache<Interval>, RungCache<BigInterval>, RungCache<Algebraic>> caches_;
+  std::tuple<RungCache<Interval>, RungCache<BigInterval>, RungCache<Surd>, RungCache<Algebraic>> caches_;
 };
 
 }  // namespace delcert

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "kernel/number/algebraic.hpp"
+#include "kernel/number/surd.hpp"
 #include "kernel/simplex/partial.hpp"
 #include "proofs/formula/expression.hpp"
 
@@ -36,12 +37,14 @@ using TruthOn = std::function<Verdict(Evaluation<S>&, Arguments<S>)>;
 struct NumberFunction {
   NumberOn<Interval> interval;
   NumberOn<BigInterval> big_interval;
+  NumberOn<Surd> surd;
   NumberOn<Algebraic> algebraic;
 
   template <class S>
   [[nodiscard]] const NumberOn<S>& on() const {
     if constexpr (std::same_as<S, Interval>) return interval;
     if constexpr (std::same_as<S, BigInterval>) return big_interval;
+    if constexpr (std::same_as<S, Surd>) return surd;
     if constexpr (std::same_as<S, Algebraic>) return algebraic;
   }
 };
@@ -49,12 +52,14 @@ struct NumberFunction {
 struct TruthFunction {
   TruthOn<Interval> interval;
   TruthOn<BigInterval> big_interval;
+  TruthOn<Surd> surd;
   TruthOn<Algebraic> algebraic;
 
   template <class S>
   [[nodiscard]] const TruthOn<S>& on() const {
     if constexpr (std::same_as<S, Interval>) return interval;
     if constexpr (std::same_as<S, BigInterval>) return big_interval;
+    if constexpr (std::same_as<S, Surd>) return surd;
     if constexpr (std::same_as<S, Algebraic>) return algebraic;
   }
 };
@@ -89,7 +94,8 @@ class Vocabulary {
  public:
   using Reader = std::function<ObjectPointer(const nlohmann::ordered_json&)>;
 
-  /// Throw std::logic_error for a name that is taken, or a definition that is no correct formula.
+  /// Throw std::logic_error for a name that is taken or is none, a function whose types do not fit its kind, or a
+  /// definition that is no correct formula.
   void add(Function function);
   void add_definition(const std::string& name, std::vector<std::string> parameters, const std::string& text,
                       const std::string& meaning, const std::string& latex);
@@ -123,7 +129,7 @@ template <class F>
     };
   };
   NumberFunction value{on.template operator()<Interval>(), on.template operator()<BigInterval>(),
-                       on.template operator()<Algebraic>()};
+                       on.template operator()<Surd>(), on.template operator()<Algebraic>()};
   return {std::move(name), std::move(parameters), types::number, std::move(meaning), std::move(latex),
           false,           std::move(value)};
 }
@@ -138,7 +144,7 @@ template <class F>
     };
   };
   TruthFunction value{on.template operator()<Interval>(), on.template operator()<BigInterval>(),
-                      on.template operator()<Algebraic>()};
+                      on.template operator()<Surd>(), on.template operator()<Algebraic>()};
   return {std::move(name), std::move(parameters), types::truth, std::move(meaning), std::move(latex),
           false,           std::move(value)};
 }
