@@ -38,14 +38,22 @@ std::size_t vertex_of(const SimplexObject& simplex, const Argument<S>& argument)
   return vertex_of(simplex, integer_of(argument));
 }
 
+// Types of their own: what is attached to an object is found again by its type.
 template <class S>
-using Spectrum = Partial<std::vector<S>>;
+struct Spectrum {
+  Partial<std::vector<S>> values;
+};
+template <class S>
+struct DualLengths {
+  Partial<std::vector<S>> squares;
+};
 
 /// The eigenvalues of PᵀP, the largest first.
 template <class S>
-const Spectrum<S>& spectrum(Evaluation<S>& evaluation, const SimplexObject& simplex) {
-  return evaluation.template attached<Spectrum<S>>(simplex,
-                                                   [&] { return eigenvalues<S>(simplex.exact_gram().gram()); });
+const Partial<std::vector<S>>& spectrum(Evaluation<S>& evaluation, const SimplexObject& simplex) {
+  return evaluation
+      .template attached<Spectrum<S>>(simplex, [&] { return Spectrum<S>{eigenvalues<S>(simplex.exact_gram().gram())}; })
+      .values;
 }
 
 template <class S>
@@ -211,16 +219,17 @@ DualProducts dual_products(const SimplexObject& simplex) {
 }
 
 void add_dual_basis(Vocabulary& vocabulary) {
-  vocabulary.add(number_function(
-      "dual_length", {types::simplex, types::integer},
-      "‖w_i‖, an inverse length: row i = 1 … k of the pseudo-inverse of P; minus their sum for i = 0.",
-      "\\lVert w_{#2}(#1)\\rVert", []<class S>(Evaluation<S>& e, Arguments<S> a) -> Partial<S> {
-        const SimplexObject& s = simplex_of(a[0]);
-        const std::size_t i = vertex_of(s, a[1]);
-        using Duals = Partial<std::vector<S>>;
-        const auto& squared = e.template attached<Duals>(s, [&] { return squared_dual_lengths(s.gram(e)); });
-        return squared ? Partial<S>(square_root((*squared)[i])) : Partial<S>::absent(squared.exists());
-      }));
+  vocabulary.add(
+      number_function("dual_length", {types::simplex, types::integer},
+                      "‖w_i‖, an inverse length: row i = 1 … k of the pseudo-inverse of P; minus their sum for i = 0.",
+                      "\\lVert w_{#2}(#1)\\rVert", []<class S>(Evaluation<S>& e, Arguments<S> a) -> Partial<S> {
+                        const SimplexObject& s = simplex_of(a[0]);
+                        const std::size_t i = vertex_of(s, a[1]);
+                        const auto& squared = e.template attached<DualLengths<S>>(s, [&] {
+                                                 return DualLengths<S>{squared_dual_lengths(s.gram(e))};
+                                               }).squares;
+                        return squared ? Partial<S>(square_root((*squared)[i])) : Partial<S>::absent(squared.exists());
+                      }));
   vocabulary.add(number_function(
       "altitude_times_dual_length", {types::simplex, types::integer},
       "D(p_i, σ)‖w_i‖, from the exact squares of both on every rung; undefined for a degenerate simplex.",
