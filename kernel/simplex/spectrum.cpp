@@ -16,33 +16,58 @@ namespace delcert {
 
 namespace {
 
-/// Eigenvalues in doubles without error bounds, the smallest first; nothing if the entries do not fit into doubles.
-std::optional<Eigen::VectorXd> approximate_eigenvalues(const SymmetricMatrix<Rational>& matrix) {
-  const auto order = static_cast<Eigen::Index>(matrix.order());
-  Eigen::MatrixXd approximate(order, order);
-  for (Eigen::Index row = 0; row < order; ++row) {
-    for (Eigen::Index column = 0; column < order; ++column) {
-      approximate(row, column) =
-          approximate_double(matrix(static_cast<std::size_t>(row), static_cast<std::size_t>(column)));
-      if (!std::isfinite(approximate(row, column))) return std::nullopt;
-    }
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(approximate, Eigen::EigenvaluesOnly);
-  if (solver.info() != Eigen::Success) return std::nullopt;
-  return solver.eigenvalues();
-}
+// Small enough for the stack.
+constexpr int largest_quick_order = 8;
+using Approximation =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, largest_quick_order, largest_quick_order>;
 
-/// [approximate − width, approximate + width] if the inertia proves that the eigenvalue of this index (from 0, the
-/// largest first) is in it.
-std::optional<Interval> proved_around(const SymmetricMatrix<Interval>& matrix, std::size_t index, double approximate,
-                                      double width) {
-  const Interval around = Interval::exactly(approximate) + Interval::between(-width, width);
-  const auto above = inertia(matrix.shifted(-Interval::exactly(around.lower())));
-  if (!above || above->positive < index + 1) return std::nullopt;
-  const auto below = inertia(matrix.shifted(-Interval::exactly(around.upper())));
-  if (!below || below->negative < matrix.order() - index) return std::nullopt;
-  return around;
-}
+/// Eigenvalues of one matrix proved on intervals, around approximations in doubles.
+class IntervalSpectrum {
+ public:
+  explicit IntervalSpectrum(const SymmetricMatrix<Rational>& matrix) : matrix_(matrix_from<Interval>(matrix)) {
+    const std::size_t order = matrix.order();
+    if (order > largest_quick_order) return;
+    Approximation approximate(order, order);
+    for (std::size_t row = 0; row < order; ++row) {
+      for (std::size_t column = 0; column < order; ++column) {
+        const double entry = matrix_(row, column).upper();
+        if (!std::isfinite(entry)) return;
+        approximate(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) = entry;
+      }
+    }
+    const Eigen::SelfAdjointEigenSolver<Approximation> solver(approximate, Eigen::EigenvaluesOnly);
+    if (solver.info() != Eigen::Success) return;
+    for (std::size_t index = order; index-- > 0;) {
+      approximate_.push_back(solver.eigenvalues()(static_cast<Eigen::Index>(index)));
+    }
+    size_ = order == 0 ? 0 : solver.eigenvalues().cwiseAbs().maxCoeff();
+  }
+
+  /// An enclosure of the eigenvalue of this index, the largest first, if one was proved.
+  [[nodiscard]] std::optional<Interval> at(std::size_t index) const {
+    if (matrix_.order() == 1) return matrix_(0, 0);
+    if (approximate_.empty()) return std::nullopt;
+    for (double width = 0x1p-48 * size_; width < 0x1p-30 * size_; width *= 0x1p4) {
+      if (const auto around = proved_around(index, width)) return around;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  /// [approximate − width, approximate + width] if the inertia proves that the eigenvalue is in it.
+  [[nodiscard]] std::optional<Interval> proved_around(std::size_t index, double width) const {
+    const Interval around = Interval::exactly(approximate_[index]) + Interval::between(-width, width);
+    const auto above = inertia(matrix_.shifted(-Interval::exactly(around.lower())));
+    if (!above || above->positive < index + 1) return std::nullopt;
+    const auto below = inertia(matrix_.shifted(-Interval::exactly(around.upper())));
+    if (!below || below->negative < matrix_.order() - index) return std::nullopt;
+    return around;
+  }
+
+  SymmetricMatrix<Interval> matrix_;
+  std::vector<double> approximate_;
+  double size_ = 0;
+};
 
 /// Enclosures of the roots of a polynomial all of whose roots are real and simple, appended as often as asked.
 void append_roots(std::vector<BigInterval>& result, const fmpz_poly_t polynomial, slong multiplicity) {
@@ -100,24 +125,20 @@ std::vector<Rational> characteristic_polynomial(const SymmetricMatrix<Rational>&
 
 template <>
 Partial<std::vector<Interval>> eigenvalues<Interval>(const SymmetricMatrix<Rational>& matrix) {
-  const std::size_t order = matrix.order();
-  const auto enclosures = matrix_from<Interval>(matrix);
-  if (order == 1) return std::vector<Interval>{enclosures(0, 0)};
-  const auto undecided = Partial<std::vector<Interval>>::absent(Verdict::undecided);
-  const auto approximate = approximate_eigenvalues(matrix);
-  if (!approximate) return undecided;
-  const double size = order == 0 ? 0 : approximate->cwiseAbs().maxCoeff();
+  const IntervalSpectrum spectrum(matrix);
   std::vector<Interval> result;
-  for (std::size_t index = 0; index < order; ++index) {
-    const double value = (*approximate)(static_cast<Eigen::Index>(order - 1 - index));
-    std::optional<Interval> proved;
-    for (double width = 0x1p-48 * size; !proved && width < 0x1p-30 * size; width *= 0x1p4) {
-      proved = proved_around(enclosures, index, value, width);
-    }
-    if (!proved) return undecided;
+  for (std::size_t index = 0; index < matrix.order(); ++index) {
+    const auto proved = spectrum.at(index);
+    if (!proved) return Partial<std::vector<Interval>>::absent(Verdict::undecided);
     result.push_back(*proved);
   }
   return result;
+}
+
+template <>
+Partial<Interval> eigenvalue<Interval>(const SymmetricMatrix<Rational>& matrix, std::size_t index) {
+  const auto proved = IntervalSpectrum(matrix).at(index);
+  return proved ? Partial<Interval>(*proved) : Partial<Interval>::absent(Verdict::undecided);
 }
 
 template <>

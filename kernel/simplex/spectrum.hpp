@@ -32,6 +32,15 @@ template <>
 template <>
 [[nodiscard]] Partial<std::vector<Algebraic>> eigenvalues<Algebraic>(const SymmetricMatrix<Rational>& matrix);
 
+/// The eigenvalue of one index, 0 for the largest; as `eigenvalues`, where one costs as much as all.
+template <class S>
+[[nodiscard]] Partial<S> eigenvalue(const SymmetricMatrix<Rational>& matrix, std::size_t index) {
+  const auto all = eigenvalues<S>(matrix);
+  return all ? Partial<S>((*all)[index]) : Partial<S>::absent(all.exists());
+}
+template <>
+[[nodiscard]] Partial<Interval> eigenvalue<Interval>(const SymmetricMatrix<Rational>& matrix, std::size_t index);
+
 /// The coefficients of det(xI − A), that of x⁰ first.
 [[nodiscard]] std::vector<Rational> characteristic_polynomial(const SymmetricMatrix<Rational>& matrix);
 

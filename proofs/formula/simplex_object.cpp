@@ -4,6 +4,8 @@
 #include <stdexcept>
 
 #include "kernel/number/exact_text.hpp"
+#include "kernel/simplex/cayley_menger.hpp"
+#include "kernel/simplex/realisability.hpp"
 
 namespace delcert {
 
@@ -11,8 +13,25 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-EdgeGram<Rational> gram_of_edges(const SymmetricMatrix<Rational>& squared_edges) {
-  return edge_gram_from_squared_edges(squared_edges);
+SimplexObject::Points checked(SimplexObject::Points points) {
+  if (points.empty()) throw std::invalid_argument("a simplex needs at least one vertex");
+  for (const auto& point : points) {
+    if (point.empty() || point.size() != points.front().size()) {
+      throw std::invalid_argument("points of different dimensions, or of dimension 0");
+    }
+  }
+  return points;
+}
+
+EdgeGram<Rational> checked_gram(const SymmetricMatrix<Rational>& squared_edges) {
+  for (std::size_t i = 0; i < squared_edges.order(); ++i) {
+    if (!is_proved(is_zero(squared_edges(i, i)))) throw std::invalid_argument("a vertex away from itself");
+  }
+  auto result = edge_gram_from_squared_edges(squared_edges);
+  if (!is_proved(is_realisable(result, result.dimension()))) {
+    throw std::invalid_argument("no simplex has these edge lengths");
+  }
+  return result;
 }
 
 std::vector<std::vector<Rational>> rows_from(const Json& json, const std::string& where) {
@@ -41,10 +60,12 @@ std::vector<Rational> rationals_from(const Json& json, const std::string& where)
 }
 
 SimplexObject::SimplexObject(Points points)
-    : points_(std::move(points)), simplex_(ExactSimplex::from_points(points_)), gram_(edge_gram_from_points(points_)) {}
+    : points_(checked(std::move(points))),
+      gram_(edge_gram_from_points(points_)),
+      squared_edges_(squared_distance_matrix(gram_)) {}
 
 SimplexObject::SimplexObject(const SymmetricMatrix<Rational>& squared_edges)
-    : simplex_(ExactSimplex::from_squared_edges(squared_edges)), gram_(gram_of_edges(squared_edges)) {}
+    : gram_(checked_gram(squared_edges)), squared_edges_(squared_edges) {}
 
 std::size_t SimplexObject::ambient_dimension() const {
   return has_coordinates() ? points_.front().size() : dimension();

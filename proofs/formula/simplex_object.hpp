@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "kernel/simplex/exact_simplex.hpp"
+#include "kernel/simplex/edge_gram.hpp"
 #include "proofs/formula/evaluation.hpp"
 
 namespace delcert {
@@ -19,7 +19,8 @@ class SimplexObject : public Object {
  public:
   using Points = std::vector<std::vector<Rational>>;
 
-  /// Throw std::invalid_argument as `ExactSimplex` does.
+  /// Throw std::invalid_argument unless there is a vertex, all points have the same dimension, and the squared edges
+  /// are those of some simplex of a Euclidean space.
   explicit SimplexObject(Points points);
   explicit SimplexObject(const SymmetricMatrix<Rational>& squared_edges);
 
@@ -37,7 +38,9 @@ class SimplexObject : public Object {
   /// Its Gram matrix on a rung, computed once for an instance.
   template <class S>
   [[nodiscard]] const EdgeGram<S>& gram(Evaluation<S>& evaluation) const {
-    return evaluation.template attached<EdgeGram<S>>(*this, [&] { return simplex_.on<S>(); });
+    // From the exact matrix, so that every entry is as tight as the rung allows.
+    return evaluation.template attached<EdgeGram<S>>(
+        *this, [&] { return EdgeGram<S>(matrix_from<S>(gram_.gram()), matrix_from<S>(squared_edges_)); });
   }
 
   [[nodiscard]] nlohmann::ordered_json json() const override;
@@ -45,8 +48,8 @@ class SimplexObject : public Object {
 
  private:
   Points points_;
-  ExactSimplex simplex_;
   EdgeGram<Rational> gram_;
+  SymmetricMatrix<Rational> squared_edges_;
 };
 
 /// A point of an instance, by rational coordinates.

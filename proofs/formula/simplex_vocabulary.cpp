@@ -62,10 +62,16 @@ Partial<S> singular_value(Evaluation<S>& evaluation, const SimplexObject& simple
     throw InputError("a simplex of dimension " + std::to_string(simplex.dimension()) + " has no singular value " +
                      std::to_string(index));
   }
+  const auto at = static_cast<std::size_t>(index) - 1;
+  // Not negative, whatever the enclosure's lower end.
+  if constexpr (std::same_as<S, Interval>) {
+    // There one is cheaper than all.
+    const Partial<S> value = eigenvalue<S>(simplex.exact_gram().gram(), at);
+    return value ? Partial<S>(square_root(*value)) : value;
+  }
   const auto& values = spectrum(evaluation, simplex);
   if (!values) return Partial<S>::absent(values.exists());
-  // Not negative, whatever the enclosure's lower end.
-  return square_root((*values)[static_cast<std::size_t>(index) - 1]);
+  return square_root((*values)[at]);
 }
 
 template <class S>

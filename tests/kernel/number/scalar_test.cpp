@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 #include "kernel/number/algebraic.hpp"
 #include "kernel/number/plain_double.hpp"
@@ -113,6 +114,35 @@ TEST(Scalar, one_template_computed_in_every_rung_encloses_the_same_value) {
     ASSERT_TRUE(contains(interval, exact));
     const double approximate = some_quantity<PlainDouble>(x, y).lower();
     ASSERT_TRUE(std::fabs(approximate - approximate_double(exact)) <= 0x1p-30 * (1 + std::fabs(approximate)));
+  }
+}
+
+/// ± odd · 2^exponent with so many binary digits.
+Rational dyadic(int digits, long exponent, int sign) {
+  Integer odd = (Integer(0x9e3779b97f4a7c15U) << 64) + 0xbf58476d1ce4e5b9U;
+  odd = (odd * odd) >> static_cast<unsigned>(mpz_sizeinbase(Integer(odd * odd).backend().data(), 2) -
+                                             static_cast<std::size_t>(digits));
+  const Rational size = Rational(Integer(odd | 1)) * Rational::power_of_two(exponent);
+  return sign < 0 ? -size : size;
+}
+
+// Dyadic numbers have a way of their own; at the ends of the range they take the general one.
+TEST(ScalarFrom, encloses_dyadic_numbers_of_all_sizes_tightly) {
+  const RoundingGuard guard;
+  for (const int digits : {1, 2, 52, 53, 54, 64, 107, 240}) {
+    for (const long exponent : {-1200L, -1080L, -1022L, -1001L, -700L, -1L, 0L, 1L, 500L, 900L, 1000L, 1023L, 1100L}) {
+      for (const int sign : {-1, 1}) {
+        const Rational x = dyadic(digits, exponent, sign);
+        const Interval enclosure = scalar_from<Interval>(x);
+        const bool is_finite = std::isfinite(enclosure.lower()) && std::isfinite(enclosure.upper());
+        if (std::isfinite(enclosure.lower())) EXPECT_LE(Rational::exactly(enclosure.lower()), x);
+        if (std::isfinite(enclosure.upper())) EXPECT_GE(Rational::exactly(enclosure.upper()), x);
+        if (!is_finite) continue;
+        const bool is_double = digits <= 53 && exponent >= -1022;
+        EXPECT_EQ(is_double, enclosure.lower() == enclosure.upper()) << digits << " " << exponent;
+        EXPECT_LE(enclosure.upper(), std::nextafter(enclosure.lower(), HUGE_VAL));
+      }
+    }
   }
 }
 

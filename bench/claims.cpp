@@ -1,0 +1,183 @@
+// What it costs to decide lemmas on fixed generic instances: by the ladder (whose filter decides nearly all), by
+// 256-bit intervals only, and in plain rationals only, for each class of instances.
+
+#include <benchmark/benchmark.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "kernel/simplex/altitude.hpp"
+#include "kernel/simplex/circumsphere.hpp"
+#include "kernel/simplex/singular_values.hpp"
+#include "kernel/simplex/thickness.hpp"
+#include "proofs/formula/simplex_object.hpp"
+#include "properties/attack/attempt.hpp"
+
+namespace delcert {
+namespace {
+
+constexpr std::size_t instance_count = 64;
+constexpr unsigned coordinate_bits = 50;
+
+using Points = SimplexObject::Points;
+
+/// Simplices with coordinates of 50 binary digits, as nobody chose them.
+std::vector<Bindings> generic_simplices(const Shape& shape) {
+  std::vector<Bindings> result;
+  for (std::uint32_t number = 0; result.size() < instance_count; ++number) {
+    RandomChoices choices(1, stream_of("bench"), number);
+    Points points(static_cast<std::size_t>(shape.k) + 1);
+    for (auto& point : points) {
+      for (int axis = 0; axis < shape.m; ++axis) point.push_back(choices.symmetric(coordinate_bits));
+    }
+    const auto simplex = std::make_shared<SimplexObject>(std::move(points));
+    result.push_back(
+        {{"s", ObjectPointer(simplex)}, {"k", static_cast<long>(shape.k)}, {"m", static_cast<long>(shape.m)}});
+  }
+  return result;
+}
+
+/// Instances of a claim's class of this shape as an attack draws them, without its nearly degenerate ones.
+std::vector<Bindings> generic_instances(const Claim& claim, const Shape& shape) {
+  if (claim.instance == "simplex") return generic_simplices(shape);
+  std::vector<Bindings> result;
+  const HypothesisLimits limits(claim);
+  for (std::uint32_t number = 0; result.size() < instance_count; ++number) {
+    RandomChoices choices(1, stream_of("bench"), number);
+    auto instance = draw_instance(claim, limits, shape, choices);
+    if (instance && instance->traits.empty()) result.push_back(std::move(instance->bindings));
+  }
+  return result;
+}
+
+void finish(benchmark::State& state) {
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(instance_count));
+  state.counters["each"] = benchmark::Counter(static_cast<double>(state.iterations() * instance_count),
+                                              benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+void by_ladder(benchmark::State& state, const Claim& claim, const std::vector<Bindings>& instances) {
+  const LadderStatistics before = ladder_statistics();
+  for (auto _ : state) {
+    for (const Bindings& bindings : instances) {
+      Scene scene(bindings);
+      for (const Hypothesis& hypothesis : claim.hypotheses) {
+        benchmark::DoNotOptimize(decide_statement(*hypothesis.formula, scene));
+      }
+      for (const Conclusion& conclusion : claim.conclusions) {
+        benchmark::DoNotOptimize(decide_statement(*conclusion.formula, scene));
+      }
+    }
+  }
+  const LadderStatistics rungs = ladder_statistics() - before;
+  state.counters["filter"] = static_cast<double>(rungs.settled[0]) / static_cast<double>(rungs.total());
+  finish(state);
+}
+
+template <class S>
+void on_one_rung(benchmark::State& state, const Claim& claim, const std::vector<Bindings>& instances) {
+  const BigInterval::Precision precision(PrecisionBits{256});
+  for (auto _ : state) {
+    for (const Bindings& bindings : instances) {
+      Scene scene(bindings);
+      for (const Hypothesis& hypothesis : claim.hypotheses) {
+        benchmark::DoNotOptimize(Evaluation<S>(scene).truth(*hypothesis.formula));
+      }
+      for (const Conclusion& conclusion : claim.conclusions) {
+        benchmark::DoNotOptimize(Evaluation<S>(scene).truth(*conclusion.formula));
+      }
+    }
+  }
+  finish(state);
+}
+
+/// What a program of rationals only would do, on squares: s_k(P)² ≥ kΥ²Δ².
+Verdict singular_value_in_rationals(const SimplexObject& simplex) {
+  const EdgeGram<Rational> gram = edge_gram_from_points(simplex.points());
+  const Rational k(static_cast<long>(simplex.dimension()));
+  const Partial<Rational> thickness = squared_thickness(gram);
+  if (!thickness) return Verdict::undecided;
+  return is_smallest_singular_value_at_least(gram, Rational(k * *thickness * squared_longest_edge(gram)));
+}
+
+/// R² ≤ Δ²/(4Υ²).
+Verdict crude_radius_in_rationals(const SimplexObject& simplex) {
+  const EdgeGram<Rational> gram = edge_gram_from_points(simplex.points());
+  const Partial<Rational> thickness = squared_thickness(gram);
+  const Partial<Rational> radius = squared_circumradius(gram);
+  if (!thickness || !radius) return Verdict::undecided;
+  return less_equal(Rational(Rational(4) * *radius * *thickness), squared_longest_edge(gram));
+}
+
+template <class Decide>
+void in_rationals(benchmark::State& state, const std::vector<Bindings>& instances, const Decide& decide) {
+  for (auto _ : state) {
+    for (const Bindings& bindings : instances) {
+      benchmark::DoNotOptimize(decide(object_of<SimplexObject>(std::get<ObjectPointer>(bindings.at("s")))));
+    }
+  }
+  finish(state);
+}
+
+/// Equations are ties, which are no matter for a filter: only the conclusions without one.
+Claim without_equations(Claim claim) {
+  std::erase_if(claim.conclusions,
+                [](const Conclusion& conclusion) { return conclusion.text.find(" = ") != std::string::npos; });
+  return claim;
+}
+
+struct Subject {
+  Claim claim;
+  std::vector<Bindings> instances;
+};
+
+const Subject& subject(const std::string& name, const Shape& shape) {
+  static std::map<std::string, std::unique_ptr<Subject>> subjects;
+  auto& result = subjects[name + std::to_string(shape.k) + "," + std::to_string(shape.m)];
+  if (!result) {
+    const Claim claim = without_equations(find_claim(name));
+    result = std::make_unique<Subject>(Subject{claim, generic_instances(claim, shape)});
+  }
+  return *result;
+}
+
+void add(const std::string& name, const Shape& shape) {
+  const std::string prefix = name + "/k=" + std::to_string(shape.k) + ",m=" + std::to_string(shape.m) + "/";
+  benchmark::RegisterBenchmark((prefix + "ladder").c_str(), [=](benchmark::State& state) {
+    by_ladder(state, subject(name, shape).claim, subject(name, shape).instances);
+  });
+  benchmark::RegisterBenchmark((prefix + "256_bits").c_str(), [=](benchmark::State& state) {
+    on_one_rung<BigInterval>(state, subject(name, shape).claim, subject(name, shape).instances);
+  });
+}
+
+template <class Decide>
+void add_rational(const std::string& name, const Shape& shape, const Decide& decide) {
+  const std::string prefix = name + "/k=" + std::to_string(shape.k) + ",m=" + std::to_string(shape.m) + "/";
+  benchmark::RegisterBenchmark((prefix + "rationals").c_str(), [=](benchmark::State& state) {
+    in_rationals(state, subject(name, shape).instances, decide);
+  });
+}
+
+}  // namespace
+}  // namespace delcert
+
+int main(int argc, char** argv) {
+  using namespace delcert;
+  for (const Shape& shape : {Shape{2, 2}, Shape{3, 3}, Shape{6, 6}}) {
+    add("thickness-and-singular-value", shape);
+    add_rational("thickness-and-singular-value", shape, singular_value_in_rationals);
+    add("crude-circumradius-bound", shape);
+    add_rational("crude-circumradius-bound", shape, crude_radius_in_rationals);
+  }
+  for (const Claim& claim : builtin_claim_list()) {
+    const bool is_simplex = claim.instance == "simplex";
+    const bool is_costly = instance_class(claim.instance).cost({0, 2}) > 1;
+    if (!is_simplex && !is_costly) add(claim.name, {3, 3});
+  }
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+}
