@@ -1,5 +1,6 @@
 #include "properties/instances/instance_class.hpp"
 #include "properties/instances/simplex_class.hpp"
+#include "properties/instances/simplex_pair_class.hpp"
 
 namespace delcert {
 
@@ -7,6 +8,7 @@ namespace delcert {
 const std::vector<const InstanceClass*>& instance_classes() {
   static const std::vector<const InstanceClass*> classes{
       &simplex_class(),
+      &simplex_pair_class(),
   };
   return classes;
 }

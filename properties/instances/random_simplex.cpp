@@ -1,5 +1,6 @@
 #include "properties/instances/random_simplex.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 
 #include "kernel/number/ladder.hpp"
@@ -32,11 +33,12 @@ Point combined(const Point& a, const Rational& factor, const Point& b) {
   return result;
 }
 
-/// The last vertex at a distance of about 2^−depth from the hull of the others.
+/// The last vertex at a distance of about 2^−depth from the hull of the others, or of some of them.
 void move_near_hull(Points& points, Choices& choices) {
   const long depth = choices.between(1, thinnest);
   Point near = points[0];
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    if (choices.happens(0.25)) continue;
     near = combined(near, choices.symmetric(6), combined(points[i], Rational(-1), points[0]));
   }
   points.back() = combined(near, Rational::power_of_two(-depth), points.back());
@@ -102,6 +104,33 @@ std::optional<Points> random_simplex(const Shape& shape, Choices& choices) {
   const auto gram = edge_gram_from_points(points);
   if (!is_proved(is_non_degenerate(gram))) return std::nullopt;
   return points;
+}
+
+void put_high_vertex_first(Points& points) {
+  const auto k = static_cast<Eigen::Index>(points.size()) - 1;
+  const auto m = static_cast<Eigen::Index>(points.front().size());
+  Eigen::MatrixXd edges(m, k);
+  for (Eigen::Index i = 0; i < k; ++i) {
+    for (Eigen::Index axis = 0; axis < m; ++axis) {
+      const auto at = static_cast<std::size_t>(axis);
+      edges(axis, i) = approximate_double(points[static_cast<std::size_t>(i) + 1][at] - points[0][at]);
+    }
+  }
+  // The rows of the pseudo-inverse have the inverse altitudes for lengths, those of R⁻¹ have the same lengths.
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(edges);
+  const Eigen::MatrixXd inverse = factors.matrixR().topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(
+      Eigen::MatrixXd::Identity(k, k).eval());
+  const Eigen::MatrixXd duals = factors.colsPermutation() * inverse;
+  double least = duals.colwise().sum().squaredNorm();
+  std::size_t highest = 0;
+  for (Eigen::Index i = 0; i < k; ++i) {
+    const double here = duals.row(i).squaredNorm();
+    if (here < least) {
+      least = here;
+      highest = static_cast<std::size_t>(i) + 1;
+    }
+  }
+  std::swap(points[0], points[highest]);
 }
 
 std::set<Trait> traits_of(const SimplexObject& simplex) {

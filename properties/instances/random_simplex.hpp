@@ -14,6 +14,10 @@ namespace delcert {
 /// some scaled by up to 2^±60. Nothing if the choices lead to a degenerate one. Precondition: 1 ≤ k ≤ m.
 [[nodiscard]] std::optional<SimplexObject::Points> random_simplex(const Shape& shape, Choices& choices);
 
+/// Exchanges the first vertex with the one of the largest altitude. Computed in doubles, without error bounds: for
+/// nearly degenerate simplices it may be another.
+void put_high_vertex_first(SimplexObject::Points& points);
+
 /// The traits that can be seen in a simplex alone: thickness below 2⁻²⁰.
 [[nodiscard]] std::set<Trait> traits_of(const SimplexObject& simplex);
 

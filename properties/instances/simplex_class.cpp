@@ -17,8 +17,11 @@ class SimplexClass : public InstanceClass {
 
   std::optional<Instance> draw(const Shape& shape, const Bindings& given, const Limits&,
                                Choices& choices) const override {
+    // So that the least altitude mostly belongs to another vertex, as eq:upper.bnd.small.sing wants it.
+    const bool orders = choices.happens(0.75);
     auto points = random_simplex(shape, choices);
     if (!points) return std::nullopt;
+    if (orders) put_high_vertex_first(*points);
     const auto simplex = std::make_shared<SimplexObject>(std::move(*points));
     Instance instance{given, traits_of(*simplex)};
     bind(instance.bindings, simplex);
