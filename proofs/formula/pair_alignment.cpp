@@ -25,10 +25,8 @@ bool is_bounded(const Interval& x) {
 }
 
 BigInterval below(const BigInterval& x) { return BigInterval::between(x.lower(), x.lower()); }
-BigInterval middle(const BigInterval& x) {
-  // To the precision of the ends, which the arithmetic mean may exceed.
-  return below(BigInterval((x.lower() + x.upper()) / Rational(2)));
-}
+/// An end, which is faster to have than the mean, and as good.
+BigInterval middle(const BigInterval& x) { return below(x); }
 BigInterval joined(const BigInterval& least, const BigInterval& greatest) {
   return BigInterval::between(minimum(least.lower(), greatest.upper()), greatest.upper());
 }
@@ -231,8 +229,8 @@ std::vector<S> squared_column_lengths(const Matrix<S>& matrix) {
   return result;
 }
 
-/// An upper bound of ‖D‖, at most 1 % above it where the rung is sharp enough: between the longest column and the
-/// Frobenius norm, by bisection with the test whether λI − DᵀD is semidefinite.
+/// An upper bound of ‖D‖, at most 1 % above it where the rung is sharp enough, far less on the higher ones: between the
+/// longest column and the Frobenius norm, by bisection with the test whether λI − DᵀD is semidefinite.
 template <class S>
 S norm_from_above(const Matrix<S>& matrix) {
   const std::size_t order = matrix.size();
@@ -251,8 +249,9 @@ S norm_from_above(const Matrix<S>& matrix) {
     greatest = greatest + gram(i, i);
   }
   if (order == 1) return square_root(greatest);
-  constexpr int steps = 10;
-  for (int step = 0; step < steps; ++step) {
+  // Where 1 % does not decide, the precision rises.
+  const long steps = precision_bits<S>() <= 128 ? 10 : precision_bits<S>() / 2;
+  for (long step = 0; step < steps; ++step) {
     const S between = middle(S((least + greatest) / S(2)));
     (is_proved(GramElimination<S>(gram.negated().shifted(between)).semidefinite()) ? greatest : least) = between;
   }
