@@ -6,6 +6,7 @@
 #include "apps/claim_options.hpp"
 #include "apps/commands.hpp"
 #include "kernel/number/exact_text.hpp"
+#include "properties/attack/paper_labels.hpp"
 
 namespace delcert {
 
@@ -67,13 +68,21 @@ void add_claims(CLI::App& program, Action& chosen) {
   });
   CLI::App* classes = command->add_subcommand("classes", "Print the instance classes and the names that they bind");
   classes->callback([&chosen] { chosen = list_classes; });
+  CLI::App* labels = command->add_subcommand("labels", "Print which label of the paper is which claim, in Markdown");
+  labels->callback([&chosen] {
+    chosen = [] {
+      std::cout << paper_to_code(builtin_claim_list());
+      return ExitStatus::verified;
+    };
+  });
   command->footer(
       "Without a subcommand: the claims of the library, one a line, with source, status and instance class.\n\n"
       "Examples:\n"
       "  delcert claims\n"
       "  delcert claims show thickness-and-singular-value\n"
       "  delcert claims show my-claim.toml\n"
-      "  delcert claims classes");
+      "  delcert claims classes\n"
+      "  delcert claims labels");
   command->callback([command, &chosen] {
     if (command->get_subcommands().empty()) chosen = list_claims;
   });
