@@ -1,5 +1,6 @@
 #include "properties/instances/map_draw.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -75,8 +76,11 @@ FiniteMap shrunk_vertices(const CentredSimplex& simplex, const Rational& xi) {
 /// A little less than ξ, so that roundings fit.
 Rational slightly_less(const Rational& xi) { return xi * (Rational(1) - Rational::power_of_two(-45)); }
 
-/// The root rounded down, coarsely enough to be short.
-Rational rounded_root(const Rational& squared) { return square_root_lower(squared, 64); }
+/// The root rounded down by much less than ξ, relatively.
+Rational rounded_root(const Rational& squared, const Rational& xi) {
+  constexpr long spare = 64;
+  return square_root_lower(squared, static_cast<unsigned>(spare - std::min(0L, binary_exponent(xi))));
+}
 
 }  // namespace
 
@@ -238,7 +242,7 @@ std::optional<FiniteMap> lifted_centre(const CentredSimplex& simplex, const Rati
   const Rational squared_smallest = squared_distance_between(simplex.smallest, map.points[0]);
   const Rational squared_height =
       square(Rational(1) + less) * simplex.squared_radius - square(Rational(1) - less) * squared_smallest;
-  map.images.back() = combined(below, rounded_root(squared_height / squared_normal), *normal);
+  map.images.back() = combined(below, rounded_root(squared_height / squared_normal, xi), *normal);
   return map;
 }
 
@@ -259,7 +263,7 @@ std::optional<FiniteMap> tilted_centre(const CentredSimplex& simplex, const Rati
       square(Rational(1) + one_way * less) * simplex.squared_radius - square(foot) * simplex.squared_longest;
   if (squared_height < Rational(0)) return std::nullopt;
   map.images.back() = combined(combined(map.points[0], foot, combined(map.points[1], Rational(-1), map.points[0])),
-                               rounded_root(squared_height / squared_normal), normal);
+                               rounded_root(squared_height / squared_normal, xi), normal);
   return map;
 }
 
