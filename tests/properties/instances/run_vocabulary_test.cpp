@@ -1,0 +1,56 @@
+#include "properties/instances/run_vocabulary.hpp"
+
+#include <gtest/gtest.h>
+
+#include "proofs/formula/evaluation.hpp"
+#include "proofs/formula/parser.hpp"
+#include "proofs/formula/type_check.hpp"
+#include "properties/instances/instance_class.hpp"
+#include "properties/instances/run_object.hpp"
+
+namespace delcert::test {
+namespace {
+
+Bindings run_of(RunMode mode) {
+  RunRecipe recipe;
+  recipe.divisions = 18;
+  recipe.mode = mode;
+  Bindings bindings;
+  bindings["r"] = ObjectPointer(std::make_shared<RunObject>(recipe));
+  return bindings;
+}
+
+Verdict verdict(const Bindings& bindings, const std::string& formula) {
+  const auto statement = type_checked(parse_formula(formula), full_vocabulary(), {{"r", types::run}}, types::truth);
+  Scene scene(bindings);
+  return decide_statement(*statement, scene);
+}
+
+TEST(RunVocabulary, speaks_of_a_run_of_the_algorithm) {
+  const Bindings run = run_of(RunMode::theory);
+  for (const char* statement :
+       {"satisfies_hypotheses(r)", "has_no_forbidden_configuration(r)", "has_protected_stars(r)", "is_manifold(r)",
+        "has_stable_stars(r)", "is_delaunay(r)", "is_triangulation(r)", "is_self_delaunay(r)",
+        "euler_characteristic(r) = 0", "least_protection(r) > 0", "least_thickness(r) > 0"}) {
+    EXPECT_EQ(verdict(run, statement), Verdict::proved) << statement;
+  }
+  // Squares of side 1/18, moved by at most a quarter of the sampling radius.
+  EXPECT_EQ(verdict(run, "perturbed_separation(r) > 1/40 and perturbed_separation(r) < 1/18"), Verdict::proved);
+  EXPECT_EQ(verdict(run, "perturbed_covering_radius(r) > 1/27 and perturbed_covering_radius(r) < 1/18"),
+            Verdict::proved);
+  EXPECT_EQ(verdict(run, "least_thickness(r) > 1/2"), Verdict::refuted);
+  EXPECT_EQ(verdict(run, "least_protection(r) > 1/100"), Verdict::refuted);
+}
+
+TEST(RunVocabulary, refutes_it_all_without_perturbation) {
+  const Bindings run = run_of(RunMode::none);
+  for (const char* statement : {"satisfies_hypotheses(r)", "has_no_forbidden_configuration(r)",
+                                "has_protected_stars(r)", "is_manifold(r)", "has_stable_stars(r)", "is_delaunay(r)",
+                                "is_triangulation(r)", "is_self_delaunay(r)", "euler_characteristic(r) = 0"}) {
+    EXPECT_EQ(verdict(run, statement), Verdict::refuted) << statement;
+  }
+  EXPECT_EQ(verdict(run, "least_protection(r) > 0"), Verdict::undecided);
+}
+
+}  // namespace
+}  // namespace delcert::test
