@@ -6,18 +6,14 @@
 #include "properties/instances/simplex_class.hpp"
 #include "properties/instances/simplex_pair_class.hpp"
 #include "properties/instances/stable_net_class.hpp"
+
 namespace delcert {
 
 // One line for each class, in alphabetical order.
 const std::vector<const InstanceClass*>& instance_classes() {
   static const std::vector<const InstanceClass*> classes{
-      &adaptive_sampling_class(),
-      &distortion_map_class(),
-      &local_net_class(),
-      &run_class(),
-      &simplex_class(),
-      &simplex_pair_class(),
-      &stable_net_class(),
+      &adaptive_sampling_class(), &distortion_map_class(), &local_net_class(),  &run_class(),
+      &simplex_class(),           &simplex_pair_class(),   &stable_net_class(),
   };
   return classes;
 }
