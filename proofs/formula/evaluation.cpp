@@ -38,8 +38,6 @@ void prepare(RungCache<S>& cache) {
   }
 }
 
-constexpr PrecisionBits greatest_precision{4096};
-
 /// Most constants of formulas are small integers, for which there are faster ways than the general one.
 template <class S>
 S number_from(const Rational& x) {
@@ -50,15 +48,18 @@ S number_from(const Rational& x) {
 }
 
 /// Exact powers have as many digits as they have; intervals have not.
-void refuse_if_too_large(const Algebraic& base, unsigned long exponent) {
+bool has_large_power(const Rational& base, unsigned long exponent) {
   constexpr std::size_t most_bits = std::size_t{1} << 22U;
+  const std::size_t bits = mpz_sizeinbase(mpq_numref(base.gmp()), 2) + mpz_sizeinbase(mpq_denref(base.gmp()), 2);
+  return bits > most_bits / std::max(exponent, 1UL);
+}
+bool has_large_power(const Algebraic& base, unsigned long exponent) {
   constexpr unsigned long greatest_for_irrational = 256;
-  const auto bits = [](const Rational& x) {
-    return mpz_sizeinbase(mpq_numref(x.gmp()), 2) + mpz_sizeinbase(mpq_denref(x.gmp()), 2);
-  };
-  const bool is_large = base.degree() == 1 ? bits(base.rational()) > most_bits / std::max(exponent, 1UL)
-                                           : exponent > greatest_for_irrational;
-  if (is_large) throw Algebraic::TooLarge("algebraic power with the exponent " + std::to_string(exponent));
+  return base.degree() == 1 ? has_large_power(base.rational(), exponent) : exponent > greatest_for_irrational;
+}
+bool has_large_power(const Surd& base, unsigned long exponent) {
+  const auto squared = square(base).rational();
+  return !squared || has_large_power(*squared, exponent);
 }
 
 template <class S>
@@ -92,7 +93,9 @@ Partial<S> power(const S& base, const Rational& exponent) {
   Partial<S> radical = denominator == 2 ? root(base) : Partial<S>(base);
   if (!radical) return radical;
   const auto size = static_cast<unsigned long>(absolute(exponent).numerator());
-  if constexpr (std::same_as<S, Algebraic>) refuse_if_too_large(*radical, size);
+  if constexpr (std::same_as<S, Algebraic> || std::same_as<S, Surd>) {
+    if (has_large_power(*radical, size)) return Partial<S>::absent(Verdict::undecided);
+  }
   S result = power(*radical, size);
   return exponent < Rational(0) ? quotient(S(1), result) : Partial<S>(std::move(result));
 }
@@ -155,7 +158,7 @@ Verdict Evaluation<S>::leaf(const Expression& statement) {
       visible_from_ = 0;
       sees_bindings_ = true;
     }
-    const BigInterval::Precision precision(greatest_precision);
+    const BigInterval::Precision precision(PrecisionBits{last_precision});
     Evaluation<BigInterval> below(scene_);
     for (const Local& variable : locals_) below.locals_.push_back({variable.name, std::get<Item>(variable.value)});
     return below.leaf_on_this_rung(statement);
@@ -484,7 +487,7 @@ std::optional<Rational> exact_value(const Expression& term, Scene& scene) {
 
 std::optional<Rational> lower_bound(const Expression& term, Scene& scene, unsigned bits) {
   const Rational relative = Rational::power_of_two(-static_cast<long>(bits));
-  for (unsigned precision_bits = 128; precision_bits <= greatest_precision.value; precision_bits *= 2) {
+  for (unsigned precision_bits = first_precision; precision_bits <= last_precision; precision_bits *= 2) {
     const BigInterval::Precision precision(PrecisionBits{precision_bits});
     const Partial<BigInterval> value = Evaluation<BigInterval>(scene).number(term);
     if (!value) {

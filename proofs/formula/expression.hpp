@@ -38,7 +38,7 @@ enum class Operation : unsigned char {
 /// One node of the syntax tree that all readers share: the exact decision, the enclosure of ratios, LaTeX, the prover.
 struct Expression {
   Operation operation = Operation::literal;
-  std::size_t offset = 0;  ///< where in the text of the formula it begins
+  std::size_t offset = 0;  ///< where in the text of the formula its operator, name or number begins
   std::string text;        ///< the name, the function's name, or the variable that a quantifier binds
   Rational value;          ///< of a literal
   std::vector<std::shared_ptr<const Expression>> children;

@@ -1,6 +1,8 @@
 #include "proofs/formula/parser.hpp"
 
+#include <algorithm>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 
 #include "proofs/formula/formula_error.hpp"
@@ -12,11 +14,6 @@ namespace {
 
 constexpr std::size_t greatest_depth = 200;
 constexpr std::size_t most_digits = 1000;
-
-bool is_keyword(std::string_view word) {
-  return word == "and" || word == "or" || word == "not" || word == "implies" || word == "forall" || word == "exists" ||
-         word == "in";
-}
 
 /// Recursive descent, one function for each level of precedence.
 class Parser {
@@ -63,8 +60,18 @@ class Parser {
   void expect_end() const {
     if (here().kind != TokenKind::end) refuse("an operator or the end");
   }
-  static Pointer node(Operation operation, std::size_t offset, std::vector<Pointer> children, std::string text = {}) {
+  [[noreturn]] static void refuse_depth(std::size_t offset) {
+    throw FormulaError(offset, "more than 200 levels of nesting");
+  }
+  Pointer node(Operation operation, std::size_t offset, std::vector<Pointer> children, std::string text = {}) {
+    std::size_t height = 0;
+    for (const Pointer& child : children) {
+      const auto known = heights_.find(child.get());
+      height = std::max(height, known == heights_.end() ? 1 : known->second);
+    }
+    if (++height > greatest_depth) refuse_depth(offset);
     auto result = std::make_shared<Expression>();
+    heights_[result.get()] = height;
     result->operation = operation;
     result->offset = offset;
     result->text = std::move(text);
@@ -73,7 +80,7 @@ class Parser {
   }
 
   Pointer statement() {
-    if (++depth_ > greatest_depth) throw FormulaError(here().offset, "more than 200 levels of nesting");
+    if (++depth_ > greatest_depth) refuse_depth(here().offset);
     auto result = implication();
     --depth_;
     return result;
@@ -103,7 +110,7 @@ class Parser {
     const std::size_t offset = here().offset;
     if (next_is("not")) {
       ++at_;
-      if (++depth_ > greatest_depth) throw FormulaError(offset, "more than 200 levels of nesting");
+      if (++depth_ > greatest_depth) refuse_depth(offset);
       auto part = negated();
       --depth_;
       return node(Operation::negation, offset, {part});
@@ -123,7 +130,7 @@ class Parser {
       if (here().kind != TokenKind::word || is_keyword(here().text)) refuse("a variable");
       std::string variable = here().text;
       ++at_;
-      take("in", "in");
+      take("in", "'in'");
       variables.emplace_back(std::move(variable), set());
     } while (next_is(","));
     take(":", "a colon and a statement, or a comma and another variable");
@@ -193,7 +200,7 @@ class Parser {
     if (!next_is("-")) return power();
     const std::size_t offset = here().offset;
     ++at_;
-    if (++depth_ > greatest_depth) throw FormulaError(offset, "more than 200 levels of nesting");
+    if (++depth_ > greatest_depth) refuse_depth(offset);
     auto part = signed_power();
     --depth_;
     return node(Operation::negate, offset, {part});
@@ -204,7 +211,7 @@ class Parser {
     if (!next_is("^")) return base;
     const std::size_t offset = here().offset;
     ++at_;
-    if (++depth_ > greatest_depth) throw FormulaError(offset, "more than 200 levels of nesting");
+    if (++depth_ > greatest_depth) refuse_depth(offset);
     auto exponent = signed_power();
     --depth_;
     return node(Operation::power, offset, {base, exponent});
@@ -267,6 +274,7 @@ class Parser {
   std::vector<Token> tokens_;
   std::size_t at_ = 0;
   std::size_t depth_ = 0;
+  std::unordered_map<const Expression*, std::size_t> heights_;  ///< of the trees that are not leaves
 };
 
 }  // namespace

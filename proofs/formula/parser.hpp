@@ -7,7 +7,8 @@
 namespace delcert {
 
 /// Reads a statement or a term (docs/claim-format.md has the grammar). Types are not looked at yet.
-/// Throws FormulaError, saying what stands where and what was expected; also beyond a depth of 200.
+/// Throws FormulaError, saying what stands where and what was expected; also for a tree of more than 200 levels (a sum
+/// of n terms has n of them), so that no reader of it needs a deep stack.
 [[nodiscard]] ExpressionPointer parse_formula(std::string_view text);
 
 /// An interval of reals that a parameter runs through: "(0, 1]", "[1/2, 2)".

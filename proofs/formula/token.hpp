@@ -20,8 +20,14 @@ struct Token {
   [[nodiscard]] std::string shown() const { return kind == TokenKind::end ? "the end" : "'" + text + "'"; }
 };
 
-/// Cuts a formula into tokens; the last one is the end. Throws FormulaError for a character that begins no token, and
-/// for a decimal number, whose value a reader would have to guess.
+/// Words that are no names.
+[[nodiscard]] bool is_keyword(std::string_view word);
+
+/// Letters, digits and underscores, no digit first, at most 64 of them, and no keyword: what a formula can name.
+[[nodiscard]] bool is_name_of_formula(std::string_view word);
+
+/// Cuts a formula into tokens; the last one is the end. Throws FormulaError for a character that begins no token, for a
+/// decimal number, whose value a reader would have to guess, and for words of more than 64 letters.
 [[nodiscard]] std::vector<Token> tokens_of(std::string_view text);
 
 }  // namespace delcert

@@ -1,13 +1,65 @@
 #include "proofs/formula/type_check.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
+#include <string_view>
 
 #include "proofs/formula/formula_error.hpp"
 
 namespace delcert {
 
 namespace {
+
+constexpr long greatest_exponent = 1000000;
+/// A power of an integer is an integer up to this exponent.
+constexpr long greatest_integer_exponent = 64;
+
+/// "an integer", "a statement", "a set of simplex".
+std::string described(const Type& type) {
+  const std::string text = type == types::truth ? "statement" : type.text();
+  const bool begins_with_vowel = std::string_view("aeiou").find(text[0]) != std::string_view::npos;
+  return (begins_with_vowel ? "an " : "a ") + text;
+}
+
+/// The value of a term without names and functions; nothing for others, and for a division by 0 or huge powers.
+std::optional<Rational> constant_value(const Expression& expression) {
+  std::vector<Rational> parts;
+  for (const auto& child : expression.children) {
+    const auto part = constant_value(*child);
+    if (!part) return std::nullopt;
+    parts.push_back(*part);
+  }
+  switch (expression.operation) {
+    case Operation::literal:
+      return expression.value;
+    case Operation::negate:
+      return -parts[0];
+    case Operation::add:
+      return parts[0] + parts[1];
+    case Operation::subtract:
+      return parts[0] - parts[1];
+    case Operation::multiply:
+      return parts[0] * parts[1];
+    case Operation::divide:
+      if (parts[1] == Rational(0)) return std::nullopt;
+      return parts[0] / parts[1];
+    case Operation::power:
+      if (parts[1].denominator() != 1 || parts[1] < Rational(0) || parts[1] > Rational(greatest_integer_exponent) ||
+          absolute(parts[0]) > Rational(greatest_exponent)) {
+        return std::nullopt;
+      }
+      return power(parts[0], static_cast<long>(parts[1].numerator()));
+    default:
+      return std::nullopt;
+  }
+}
+
+bool has_leaves_of_numbers_only(const Expression& expression) {
+  if (expression.operation == Operation::name || expression.operation == Operation::call) return false;
+  return std::all_of(expression.children.begin(), expression.children.end(),
+                     [](const auto& child) { return has_leaves_of_numbers_only(*child); });
+}
 
 bool serves_as(const Type& type, const Type& wanted) {
   return type == wanted || (type == types::integer && wanted == types::number);
@@ -21,8 +73,7 @@ class Checker {
   ExpressionPointer checked(const ExpressionPointer& expression, const Type& wanted) {
     auto result = checked(expression);
     if (!serves_as(result->type, wanted)) {
-      throw FormulaError(expression->offset,
-                         "a " + result->type.text() + " where a " + wanted.text() + " was expected");
+      throw FormulaError(expression->offset, described(result->type) + " where " + described(wanted) + " was expected");
     }
     return result;
   }
@@ -53,14 +104,8 @@ class Checker {
         break;
       case Operation::power:
         check_children(*result, types::number);
-        if (!is_made_of_integers(*result->children[1])) {
-          throw FormulaError(result->children[1]->offset, "an exponent must be made of integers and halves of them");
-        }
-        // So that an exponent can be 4*m^2.
-        result->type =
-            result->children[0]->type == types::integer && result->children[1]->operation == Operation::literal
-                ? types::integer
-                : types::number;
+        check_exponent(*result->children[1]);
+        result->type = is_power_of_integer(*result) ? types::integer : types::number;
         break;
       case Operation::less:
       case Operation::less_equal:
@@ -94,6 +139,26 @@ class Checker {
                        [](const auto& child) { return child->type == types::integer; });
   }
 
+  static bool is_power_of_integer(const Expression& expression) {
+    const Expression& exponent = *expression.children[1];
+    return expression.children[0]->type == types::integer && exponent.operation == Operation::literal &&
+           exponent.value <= Rational(greatest_integer_exponent);
+  }
+
+  static void check_exponent(const Expression& exponent) {
+    if (!is_made_of_integers(exponent)) {
+      throw FormulaError(exponent.offset, "an exponent must be made of integers and halves of them");
+    }
+    if (!has_leaves_of_numbers_only(exponent)) return;
+    const auto value = constant_value(exponent);
+    if (!value || (value->denominator() != 1 && value->denominator() != 2)) {
+      throw FormulaError(exponent.offset, "an exponent that is neither an integer nor half of one");
+    }
+    if (absolute(*value) > Rational(greatest_exponent)) {
+      throw FormulaError(exponent.offset, "an exponent beyond 1000000");
+    }
+  }
+
   static bool is_made_of_integers(const Expression& expression) {
     if (expression.operation == Operation::divide) {
       return is_made_of_integers(*expression.children[0]) && expression.children[1]->type == types::integer;
@@ -110,13 +175,14 @@ class Checker {
     if (found != signature_.end()) return found->second;
     std::vector<std::string> known;
     for (const auto& [name, type] : signature_) known.push_back(name);
-    if (vocabulary_.function(expression.text) != nullptr) {
+    if (vocabulary_.function(expression.text) != nullptr || vocabulary_.definition(expression.text) != nullptr) {
       throw FormulaError(expression.offset, expression.text + " is a function: its arguments are missing");
     }
     std::string all;
     for (const std::string& name : known) all += (all.empty() ? "" : ", ") + name;
     throw FormulaError(expression.offset, "nothing here is called " + expression.text +
-                                              suggestion(expression.text, known) + " (there are " + all + ")");
+                                              suggestion(expression.text, known) +
+                                              (all.empty() ? "" : " (there are " + all + ")"));
   }
 
   void check_call(Expression& expression) {
@@ -129,11 +195,16 @@ class Checker {
       for (std::size_t at = 0; at < parameters.size(); ++at) {
         const bool wants_integer = parameters[at] == "k" || parameters[at] == "m";
         if (wants_integer && expression.children[at]->type != types::integer) {
-          throw FormulaError(expression.children[at]->offset, "a number where an integer was expected");
+          throw FormulaError(expression.children[at]->offset,
+                             expression.text + " wants an integer as argument " + std::to_string(at + 1));
         }
       }
       expression.type = types::number;
       return;
+    }
+    if (expression.function == nullptr && signature_.contains(expression.text)) {
+      throw FormulaError(expression.offset,
+                         expression.text + " is a name, not a function: products are written with *");
     }
     if (expression.function == nullptr) {
       throw FormulaError(expression.offset,
@@ -146,8 +217,8 @@ class Checker {
       const Type& wanted = parameters[expression.function->is_variadic ? 0 : at];
       child = checked(child);
       if (!serves_as(child->type, wanted)) {
-        throw FormulaError(child->offset, expression.text + " wants a " + wanted.text() + " as argument " +
-                                              std::to_string(at + 1) + ", not a " + child->type.text());
+        throw FormulaError(child->offset, expression.text + " wants " + described(wanted) + " as argument " +
+                                              std::to_string(at + 1) + ", not " + described(child->type));
       }
     }
     expression.type = expression.function->result;
@@ -158,18 +229,23 @@ class Checker {
     if (is_variadic ? given >= 2 : given == wanted) return;
     throw FormulaError(expression.offset, expression.text + " wants " +
                                               (is_variadic ? "two or more" : std::to_string(wanted)) +
-                                              " arguments, not " + std::to_string(given));
+                                              (!is_variadic && wanted == 1 ? " argument" : " arguments") + ", not " +
+                                              std::to_string(given));
   }
 
   void check_quantifier(Expression& expression) {
     if (signature_.contains(expression.text)) {
       throw FormulaError(expression.offset, "the variable " + expression.text + " is already something else");
     }
+    if (vocabulary_.function(expression.text) != nullptr || vocabulary_.definition(expression.text) != nullptr) {
+      throw FormulaError(expression.offset, "the variable " + expression.text + " is called like a function");
+    }
     auto& set = expression.children[0];
     set = checked(set);
     if (!set->type.is_set) {
-      throw FormulaError(set->offset, "a " + set->type.text() + " where a set was expected: a quantifier runs " +
-                                          "through a set such as vertices(s) or 1..k");
+      throw FormulaError(set->offset, described(set->type) +
+                                          " where a set was expected: a quantifier runs through a set such as "
+                                          "faces(s) or 1..k");
     }
     signature_[expression.text] = Type{set->type.name, false};
     expression.children[1] = checked(expression.children[1], types::truth);

@@ -7,7 +7,8 @@ namespace delcert {
 
 /// The same tree with the type of every node and the function of every call filled in. An integer serves as a number.
 /// Throws FormulaError for an unknown name (with a suggestion), a wrong number or type of arguments, an exponent that
-/// is not made of integers, a quantifier over what is no set, or a whole that is not of the type expected.
+/// is not made of integers, or is a constant but no integer and no half of one or beyond ±1 000 000, a quantifier over
+/// what is no set, a variable whose name is taken, or a whole that is not of the type expected.
 [[nodiscard]] ExpressionPointer type_checked(const ExpressionPointer& expression, const Vocabulary& vocabulary,
                                              const Signature& signature, const Type& expected);
 

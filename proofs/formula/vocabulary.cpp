@@ -1,16 +1,39 @@
 #include "proofs/formula/vocabulary.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "kernel/error.hpp"
 #include "proofs/formula/formula_error.hpp"
 #include "proofs/formula/parser.hpp"
+#include "proofs/formula/token.hpp"
 #include "proofs/formula/type_check.hpp"
 
 namespace delcert {
 
+namespace {
+
+bool is_item(const Type& type) { return !type.is_set && type != types::number && type != types::truth; }
+
+/// Evaluation relies on it that what does not depend on the rung is made of what does not.
+bool types_fit(const Function& function) {
+  const bool is_item_function = std::holds_alternative<ItemFunction>(function.value);
+  const bool is_set_function = std::holds_alternative<SetFunction>(function.value);
+  const auto is_argument = [&](const Type& type) {
+    return is_item(type) || (type == types::number && !is_item_function && !is_set_function);
+  };
+  if (!std::all_of(function.parameters.begin(), function.parameters.end(), is_argument)) return false;
+  if (function.is_variadic && function.parameters.size() != 1) return false;
+  if (is_item_function) return is_item(function.result);
+  if (is_set_function) return function.result.is_set;
+  return function.result == (std::holds_alternative<NumberFunction>(function.value) ? types::number : types::truth);
+}
+
+}  // namespace
+
 void Vocabulary::require_free(const std::string& name) const {
+  if (!is_name_of_formula(name)) throw std::logic_error(name + " is no name of a formula");
   if (function(name) != nullptr || definition(name) != nullptr) {
     throw std::logic_error("the vocabulary has " + name + " twice");
   }
@@ -18,6 +41,7 @@ void Vocabulary::require_free(const std::string& name) const {
 
 void Vocabulary::add(Function function) {
   require_free(function.name);
+  if (!types_fit(function)) throw std::logic_error("the types of " + function.name + " do not fit");
   const std::string name = function.name;
   functions_.emplace(name, std::move(function));
 }

@@ -1,0 +1,308 @@
+#include "proofs/formula/latex.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+
+#include "kernel/number/exact_text.hpp"
+
+namespace delcert {
+
+namespace {
+
+// How tightly a piece of LaTeX holds together, the loosest first.
+enum class Level : unsigned char {
+  statement,
+  disjunction,
+  conjunction,
+  negation,
+  comparison,
+  sum,
+  product,
+  power,
+  fraction,
+  atom
+};
+
+struct Piece {
+  std::string text;
+  Level level = Level::atom;
+};
+
+std::string in_parentheses(const std::string& text) { return "\\left(" + text + "\\right)"; }
+
+std::string at_least(const Piece& piece, Level least) {
+  return piece.level < least ? in_parentheses(piece.text) : piece.text;
+}
+
+bool is_greek(std::string_view word) {
+  constexpr std::array<std::string_view, 26> letters{
+      "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota",  "kappa", "lambda", "mu",    "nu",
+      "xi",    "pi",   "rho",   "sigma", "tau",     "phi",  "chi", "psi",   "omega", "Gamma", "Delta",  "Sigma", "Phi"};
+  return std::find(letters.begin(), letters.end(), word) != letters.end();
+}
+
+Piece piece_of(const Expression& expression);
+
+/// The arguments of a template are delimited where a parenthesis, a brace of a command or a comma stands before them.
+bool is_delimited(std::string_view before) {
+  while (!before.empty() && before.back() == ' ') before.remove_suffix(1);
+  if (before.empty()) return false;
+  const char last = before.back();
+  if (last == '(' || last == ',') return true;
+  if (before.ends_with("\\lvert") || before.ends_with("\\lVert") || before.ends_with("\\langle")) return true;
+  return last == '{' && before.size() > 1;
+}
+
+std::string filled(const std::string& pattern, const std::vector<Piece>& arguments) {
+  std::string result;
+  for (std::size_t at = 0; at < pattern.size(); ++at) {
+    const bool is_place = pattern[at] == '#' && at + 1 < pattern.size();
+    if (is_place && pattern[at + 1] == '*') {
+      for (std::size_t number = 0; number < arguments.size(); ++number) {
+        result += (number == 0 ? "" : ", ") + arguments[number].text;
+      }
+      ++at;
+    } else if (is_place && std::isdigit(static_cast<unsigned char>(pattern[at + 1])) != 0) {
+      const Piece& argument = arguments.at(static_cast<std::size_t>(pattern[at + 1] - '1'));
+      const bool delimited = is_delimited(std::string_view(pattern).substr(0, at));
+      result += at_least(argument, delimited ? Level::statement : Level::fraction);
+      ++at;
+    } else {
+      result += pattern[at];
+    }
+  }
+  return result;
+}
+
+std::string listed(const std::vector<Piece>& arguments) {
+  std::string result = "(";
+  for (const Piece& argument : arguments) result += (result.size() == 1 ? "" : ", ") + argument.text;
+  return result + ")";
+}
+
+/// Whether what a function's template makes can stand anywhere without parentheses.
+bool is_closed(std::string_view pattern) {
+  if (pattern.find("\\,") != std::string_view::npos) return false;
+  constexpr std::array<std::string_view, 5> closing{")", "}", "Vert", "vert", "\\rangle"};
+  return std::any_of(closing.begin(), closing.end(), [&](std::string_view end) { return pattern.ends_with(end); });
+}
+
+Piece call_piece(const Expression& expression) {
+  std::vector<Piece> arguments;
+  for (const auto& child : expression.children) arguments.push_back(piece_of(*child));
+  if (expression.definition != nullptr) {
+    const std::string& pattern = expression.definition->latex;
+    const bool has_places = pattern.find('#') != std::string::npos;
+    return {has_places ? filled(pattern, arguments) : pattern + listed(arguments), Level::atom};
+  }
+  if (expression.function == nullptr) return {"\\mathrm{" + expression.text + "}" + listed(arguments), Level::atom};
+  const std::string& pattern = expression.function->latex;
+  Level level = is_closed(pattern) ? Level::atom : Level::product;
+  if (expression.type == types::truth) level = Level::comparison;
+  return {filled(pattern, arguments), level};
+}
+
+std::string_view relation_of(Operation operation) {
+  switch (operation) {
+    case Operation::less:
+      return " < ";
+    case Operation::less_equal:
+      return " \\leq ";
+    case Operation::greater:
+      return " > ";
+    case Operation::greater_equal:
+      return " \\geq ";
+    default:
+      return " = ";
+  }
+}
+
+Piece comparison_piece(const Expression& expression) {
+  return {at_least(piece_of(*expression.children[0]), Level::sum) + std::string(relation_of(expression.operation)) +
+              at_least(piece_of(*expression.children[1]), Level::sum),
+          Level::comparison};
+}
+
+/// The last side of a comparison or of a chain of them; empty if there is none.
+std::string last_side(const Expression& expression) {
+  if (is_comparison(expression.operation)) return at_least(piece_of(*expression.children[1]), Level::sum);
+  const bool may_be_chain =
+      expression.operation == Operation::conjunction && is_comparison(expression.children[1]->operation);
+  return may_be_chain ? last_side(*expression.children[1]) : "";
+}
+
+Piece conjunction_piece(const Expression& expression) {
+  const Expression& left = *expression.children[0];
+  const Expression& right = *expression.children[1];
+  const Piece first = piece_of(left);
+  const std::string middle = last_side(left);
+  if (is_comparison(right.operation) && !middle.empty() && first.level == Level::comparison &&
+      middle == at_least(piece_of(*right.children[0]), Level::sum)) {
+    return {first.text + std::string(relation_of(right.operation)) + at_least(piece_of(*right.children[1]), Level::sum),
+            Level::comparison};
+  }
+  return {at_least(first, Level::conjunction) + " \\land " + at_least(piece_of(right), Level::negation),
+          Level::conjunction};
+}
+
+Piece product_piece(const Expression& expression) {
+  const std::string left = at_least(piece_of(*expression.children[0]), Level::product);
+  const std::string right = at_least(piece_of(*expression.children[1]), Level::power);
+  const bool begins_with_digit = std::isdigit(static_cast<unsigned char>(right[0])) != 0;
+  // A name before a parenthesis would read like a function.
+  const bool reads_like_call = right.starts_with("\\left(") && expression.children[0]->operation != Operation::literal;
+  return {left + (begins_with_digit || reads_like_call ? " \\cdot " : " ") + right, Level::product};
+}
+
+bool is_half(const Expression& exponent) {
+  return exponent.operation == Operation::divide && exponent.children[0]->operation == Operation::literal &&
+         exponent.children[0]->value == Rational(1) && exponent.children[1]->operation == Operation::literal &&
+         exponent.children[1]->value == Rational(2);
+}
+
+Piece power_piece(const Expression& expression) {
+  const Piece base = piece_of(*expression.children[0]);
+  const Expression& exponent = *expression.children[1];
+  if (is_half(exponent)) return {"\\sqrt{" + base.text + "}", Level::atom};
+  // A fraction above the line is hard to read.
+  const std::string raised = exponent.operation == Operation::divide
+                                 ? at_least(piece_of(*exponent.children[0]), Level::product) + "/" +
+                                       at_least(piece_of(*exponent.children[1]), Level::power)
+                                 : piece_of(exponent).text;
+  return {at_least(base, Level::atom) + "^{" + raised + "}", Level::power};
+}
+
+Piece quantifier_piece(const Expression& expression) {
+  return {(expression.operation == Operation::for_all ? "\\forall " : "\\exists ") + latex_name(expression.text) +
+              " \\in " + piece_of(*expression.children[0]).text + "\\colon " +
+              at_least(piece_of(*expression.children[1]), Level::statement),
+          Level::statement};
+}
+
+Piece infix(const Expression& expression, std::string_view sign, Level level, Level left, Level right) {
+  return {at_least(piece_of(*expression.children[0]), left) + std::string(sign) +
+              at_least(piece_of(*expression.children[1]), right),
+          level};
+}
+
+Piece piece_of(const Expression& expression) {
+  const auto part = [&](std::size_t at) { return piece_of(*expression.children[at]); };
+  switch (expression.operation) {
+    case Operation::literal:
+      return {expression.value.numerator().str()};
+    case Operation::name:
+      return {latex_name(expression.text)};
+    case Operation::call:
+      return call_piece(expression);
+    case Operation::negate:
+      return {"-" + at_least(part(0), Level::product), Level::sum};
+    case Operation::add:
+      // Of a sum, a sign would follow the sign.
+      return infix(expression, " + ", Level::sum, Level::sum, Level::product);
+    case Operation::subtract:
+      return infix(expression, " - ", Level::sum, Level::sum, Level::product);
+    case Operation::multiply:
+      return product_piece(expression);
+    case Operation::divide:
+      return {"\\frac{" + part(0).text + "}{" + part(1).text + "}", Level::fraction};
+    case Operation::power:
+      return power_piece(expression);
+    case Operation::negation:
+      return {"\\lnot " + at_least(part(0), Level::atom), Level::negation};
+    case Operation::conjunction:
+      return conjunction_piece(expression);
+    case Operation::disjunction:
+      return infix(expression, " \\lor ", Level::disjunction, Level::disjunction, Level::conjunction);
+    case Operation::implication:
+      return infix(expression, " \\implies ", Level::statement, Level::disjunction, Level::statement);
+    case Operation::for_all:
+    case Operation::exists:
+      return quantifier_piece(expression);
+    default:
+      return comparison_piece(expression);
+  }
+}
+
+/// Text with what LaTeX takes for commands taken for itself.
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '\\') {
+      result += "\\textbackslash{}";
+    } else if (c == '~' || c == '^') {
+      result += std::string("\\") + c + "{}";
+    } else {
+      if (std::string_view("#$%&_{}").find(c) != std::string_view::npos) result += '\\';
+      result += c;
+    }
+  }
+  return result;
+}
+
+template <class Statements>
+std::string displayed(const Statements& statements) {
+  std::string result = "\\begin{gather*}\n";
+  for (std::size_t at = 0; at < statements.size(); ++at) {
+    result += "  " + latex_of(*statements[at].formula) + (at + 1 < statements.size() ? " \\\\" : "") + "\n";
+  }
+  return result + "\\end{gather*}\n";
+}
+
+std::string range_latex(const std::string& name, const ParameterRange& range) {
+  const auto number = [](const Rational& x) {
+    const std::string sign = x < Rational(0) ? "-" : "";
+    const Rational size = absolute(x);
+    if (size.denominator() == 1) return sign + size.numerator().str();
+    return sign + "\\frac{" + size.numerator().str() + "}{" + size.denominator().str() + "}";
+  };
+  return latex_name(name) + " \\in \\left" + (range.has_lower ? "[" : "(") + number(range.lower) + ", " +
+         number(range.upper) + "\\right" + (range.has_upper ? "]" : ")");
+}
+
+}  // namespace
+
+std::string latex_name(const std::string& name) {
+  std::string stem = name;
+  std::string wrapped_by;
+  std::string primes;
+  const auto take_ending = [&stem](std::string_view ending) {
+    if (stem.size() <= ending.size() || !stem.ends_with(ending)) return false;
+    stem.resize(stem.size() - ending.size());
+    return true;
+  };
+  if (take_ending("_tilde")) wrapped_by = "\\tilde";
+  while (take_ending("_prime")) primes += "'";
+  std::size_t letters = stem.size();
+  while (letters > 1 && std::isdigit(static_cast<unsigned char>(stem[letters - 1])) != 0) --letters;
+  std::string subscript = stem.substr(letters);
+  std::string symbol = stem.substr(0, letters);
+  const std::size_t underscore = symbol.find('_');
+  if (underscore == 1 && subscript.empty() && underscore + 2 == symbol.size()) {
+    subscript = symbol.substr(2);
+    symbol.resize(1);
+  }
+  if (is_greek(symbol)) {
+    symbol = "\\" + symbol;
+  } else if (symbol.size() != 1 || symbol == "_") {
+    symbol = "\\mathrm{" + escaped(symbol) + "}";
+  }
+  if (!wrapped_by.empty()) symbol = wrapped_by + "{" + symbol + "}";
+  if (!subscript.empty()) symbol += subscript.size() == 1 ? "_" + subscript : "_{" + subscript + "}";
+  return symbol + primes;
+}
+
+std::string latex_of(const Expression& expression) { return piece_of(expression).text; }
+
+std::string latex_of(const Claim& claim) {
+  std::string result = "\\paragraph{" + escaped(claim.title.empty() ? claim.name : claim.title) + "}";
+  if (!claim.source.empty()) result += " (\\texttt{" + escaped(claim.source) + "})";
+  result += "\nFor every instance of the class \\texttt{" + escaped(claim.instance) + "}";
+  for (const auto& [name, range] : claim.parameters) result += ", all $" + range_latex(name, range) + "$";
+  if (!claim.hypotheses.empty()) result += " with\n" + displayed(claim.hypotheses) + "there holds\n";
+  if (claim.hypotheses.empty()) result += " there holds\n";
+  return result + displayed(claim.conclusions);
+}
+
+}  // namespace delcert
