@@ -250,7 +250,7 @@ S norm_from_above(const Matrix<S>& matrix) {
   }
   if (order == 1) return square_root(greatest);
   // Where 1 % does not decide, the precision rises.
-  const long steps = precision_bits<S>() <= 128 ? 10 : precision_bits<S>() / 2;
+  const long steps = precision_bits<S>() <= 256 ? 10 : precision_bits<S>() / 2;
   for (long step = 0; step < steps; ++step) {
     const S between = middle(S((least + greatest) / S(2)));
     (is_proved(GramElimination<S>(gram.negated().shifted(between)).semidefinite()) ? greatest : least) = between;
