@@ -1,19 +1,20 @@
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <thread>
 
 #include "apps/attack_report.hpp"
 #include "apps/claim_options.hpp"
 #include "apps/commands.hpp"
+#include "apps/interruption.hpp"
 #include "apps/progress_line.hpp"
 #include "kernel/error.hpp"
 #include "proofs/certificate/atomic_file.hpp"
-#include "properties/attack/shrink.hpp"
-#include "properties/attack/witness.hpp"
+#include "properties/attack/twins.hpp"
 
 namespace delcert {
 
@@ -28,98 +29,75 @@ struct AttackOptions {
   std::string witnesses;
   std::string replay;
   bool twins = false;
+  bool stored = false;
   bool json = false;
 };
 
-/// The twins of a claim that have to be refuted.
-std::vector<Claim> twins_of(const Claim& claim) {
-  std::vector<Claim> result;
-  for (std::size_t at = 0; at < claim.conclusions.size(); ++at) {
-    if (claim.conclusions[at].twin) result.push_back(twin_of_conclusion(claim, at));
-  }
-  for (std::size_t at = 0; at < claim.hypotheses.size(); ++at) {
-    if (claim.hypotheses[at].no_twin.empty()) result.push_back(twin_of_hypothesis(claim, at));
-  }
-  return result;
-}
+constexpr std::uint64_t most_samples = 10000000000;
+
+/// Finished blocks are kept, unlike what other commands had begun.
+class InterruptedCampaign : public Interrupted {
+ public:
+  explicit InterruptedCampaign(const std::string& log)
+      : what_("interrupted; the same command goes on from what is finished in " + log) {}
+  [[nodiscard]] const char* what() const noexcept override { return what_.c_str(); }
+
+ private:
+  std::string what_;
+};
 
 std::vector<Target> targets_of(const AttackOptions& options) {
   std::vector<Target> result;
   for (const Claim& claim : claims_of(options.claims)) {
-    for (const Claim& one : options.twins ? twins_of(claim) : std::vector<Claim>{claim}) {
-      for (const Shape& shape : shapes_of(options.claims, one)) {
-        const std::uint64_t cost = instance_class(one.instance).cost(shape);
-        result.push_back({one, shape, (options.samples + cost - 1) / cost});
-      }
+    for (const Shape& shape : shapes_of(options.claims, claim)) {
+      const std::uint64_t cost = std::max<std::uint64_t>(1, instance_class(claim.instance).cost(shape));
+      result.push_back({claim, shape, (options.samples + cost - 1) / cost});
     }
   }
   return result;
 }
 
-/// What to call a claim in a witness so that a replay finds it again.
-std::string reference_of(const Claim& claim) {
-  const std::string original = claim.name.substr(0, claim.name.find('/'));
-  return claim.file == "proofs/claims/" + original + ".toml" ? original : claim.file;
+std::string write_witness(const std::string& folder, const std::string& name, const std::string& text) {
+  const std::filesystem::path path = std::filesystem::path(folder) / name;
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure) throw InputError("--witnesses " + folder + ": " + failure.message());
+  write_file_atomically(path, text);
+  return path.string();
 }
 
-std::string twin_of(const Claim& claim) {
-  const std::size_t slash = claim.name.find('/');
-  return slash == std::string::npos ? "" : claim.name.substr(slash + 1);
-}
-
-/// The first violation of a conclusion, made simpler.
-Refutation refutation_of(const Target& target, const Tally& tally, std::size_t conclusion, std::uint64_t seed) {
-  const Claim& claim = target.claim;
-  const std::uint64_t sample = tally.conclusions[conclusion].first_violation;
-  const auto instance = sample_instance(claim, target.shape, seed, sample);
-  const auto is_violated = [&](const Bindings& bindings) {
-    const Attempt result = attempt(claim, bindings);
-    return is_proved(result.hypotheses) && is_refuted(result.conclusions[conclusion].verdict);
-  };
-  const InstanceClass& its_class = instance_class(claim.instance);
-  Witness witness{reference_of(claim), claim.conclusions[conclusion].name, twin_of(claim), claim.instance,
-                  shrunk(its_class, instance.value().bindings, is_violated)};
-  return {claim.name, witness.conclusion, target.shape, sample, witness_text(witness), ""};
-}
-
-/// One for each conclusion of each claim that was refuted, in the first shape where it was.
+/// One for each conclusion of each claim that was refuted: the first violation in the first shape where there is one,
+/// made simpler.
 std::vector<Refutation> refutations_of(const std::vector<Target>& targets, const std::vector<Tally>& tallies,
-                                       const AttackOptions& options) {
+                                       const AttackOptions& options, const Progress& progress) {
   std::vector<Refutation> result;
   std::set<std::pair<std::string, std::string>> seen;
   for (std::size_t at = 0; at < targets.size(); ++at) {
+    const Claim& claim = targets[at].claim;
     for (std::size_t conclusion = 0; conclusion < tallies[at].conclusions.size(); ++conclusion) {
-      const Claim& claim = targets[at].claim;
-      if (tallies[at].conclusions[conclusion].violated == 0) continue;
-      if (!seen.emplace(claim.name, claim.conclusions[conclusion].name).second) continue;
-      result.push_back(refutation_of(targets[at], tallies[at], conclusion, options.seed));
+      const ConclusionTally& tally = tallies[at].conclusions[conclusion];
+      const std::string& name = claim.conclusions[conclusion].name;
+      if (tally.violated == 0 || !seen.emplace(claim.name, name).second) continue;
+      const auto instance = sample_instance(claim, targets[at].shape, options.seed, tally.first_violation);
+      const Witness witness = shrunk_witness(claim, conclusion, instance.value().bindings, progress);
+      result.push_back({claim.name, name, targets[at].shape, tally.first_violation, witness_text(witness), ""});
       if (options.witnesses.empty()) continue;
-      std::string stem = result.back().claim + "." + result.back().conclusion;
-      std::replace(stem.begin(), stem.end(), '/', '.');
-      const std::filesystem::path path = std::filesystem::path(options.witnesses) / (stem + ".json");
-      std::filesystem::create_directories(options.witnesses);
-      write_file_atomically(path, result.back().witness);
-      result.back().file = path.string();
+      result.back().file = write_witness(options.witnesses, witness_file_name(claim, name), result.back().witness);
     }
   }
   return result;
 }
 
-/// The claim or twin that a witness speaks of.
-Claim claim_of(const Witness& witness) {
-  const Claim claim = find_claim(witness.claim);
-  if (witness.twin.empty()) return claim;
-  for (Claim& twin : twins_of(claim)) {
-    if (twin_of(twin) == witness.twin) return std::move(twin);
-  }
-  throw InputError("the claim " + witness.claim + " has no twin " + witness.twin);
-}
-
 ExitStatus replay(const AttackOptions& options) {
+  if (options.claims.all || options.claims.names.size() > 1 || options.twins) {
+    throw InputError("--replay is about one witness, and at most one claim to take instead of the one it names");
+  }
   const Witness witness = read_witness(options.replay);
-  const Claim claim = claim_of(witness);
-  if (claim.instance != witness.instance_class) {
-    throw InputError(options.replay + ": the claim " + claim.name + " is about the class " + claim.instance);
+  Claim claim;
+  try {
+    claim = claim_of(witness, options.claims.names.empty() ? "" : options.claims.names.front());
+  } catch (const InputError& error) {
+    throw InputError(options.replay + ": " + error.what());
   }
   const Attempt result = attempt(claim, witness.bindings);
   std::cout << claim.name << ": the hypotheses are " << name_of(result.hypotheses) << "\n";
@@ -131,67 +109,135 @@ ExitStatus replay(const AttackOptions& options) {
     if (is_refuted(outcome.verdict)) return ExitStatus::rejected;
     return is_proved(outcome.verdict) ? ExitStatus::verified : ExitStatus::undecided;
   }
-  if (is_refuted(result.hypotheses)) return ExitStatus::verified;
-  if (is_undecided(result.hypotheses)) return ExitStatus::undecided;
-  throw InputError(options.replay + ": the claim " + claim.name + " has no conclusion " + witness.conclusion);
+  return is_refuted(result.hypotheses) ? ExitStatus::verified : ExitStatus::undecided;
 }
 
-/// All twins have to be refuted.
-ExitStatus report_twins(const std::vector<Target>& targets, const std::vector<Tally>& tallies) {
-  std::map<std::string, bool> refuted;
-  for (std::size_t at = 0; at < targets.size(); ++at) {
-    bool& one = refuted[targets[at].claim.name];
-    one = one || tallies[at].is_refuted();
+/// What became of a twin, and of a conclusion that has none.
+struct TwinRow {
+  std::string name;
+  std::string outcome;
+  std::string file;
+  bool is_refuted = false;
+};
+
+TwinRow attack_twin(const Claim& twin, const AttackOptions& options, const Progress& progress) {
+  TwinRow row{twin.name, "not refuted", "", false};
+  if (!options.witnesses.empty() && is_refuted_by_stored_witness(twin, options.witnesses)) {
+    row.file = (std::filesystem::path(options.witnesses) / witness_file_name(twin, twin.conclusions[0].name)).string();
+    return {twin.name, "refuted by a stored witness", row.file, true};
   }
-  std::size_t count = 0;
-  for (const auto& [name, is_refuted] : refuted) {
-    count += is_refuted ? 1U : 0U;
-    if (!is_refuted) std::cout << "not refuted: " << name << "\n";
+  if (options.stored) return row;
+  const Effort effort{options.samples, options.samples, options.seed};
+  const auto witness = refute(twin, shapes_of(options.claims, twin), effort, progress);
+  if (!witness) return row;
+  if (!options.witnesses.empty()) {
+    row.file = write_witness(options.witnesses, witness_file_name(twin, witness->conclusion), witness_text(*witness));
   }
-  std::cout << count << " of " << refuted.size() << " twins refuted\n";
-  return count == refuted.size() ? ExitStatus::verified : ExitStatus::rejected;
+  return {twin.name, "refuted", row.file, true};
 }
 
-ExitStatus report(const std::vector<Target>& targets, const std::vector<Tally>& tallies, const AttackOptions& options) {
-  const auto refutations = refutations_of(targets, tallies, options);
-  if (options.json) {
-    nlohmann::ordered_json json{{"seed", options.seed}, {"targets", attack_json(targets, tallies)}};
-    json["refutations"] = nlohmann::ordered_json::array();
-    for (const Refutation& one : refutations) {
-      json["refutations"].push_back({{"sample", one.sample}, {"witness", nlohmann::ordered_json::parse(one.witness)}});
+void print(const std::vector<TwinRow>& rows, std::size_t refuted, bool json) {
+  if (!json) {
+    for (const TwinRow& row : rows) {
+      if (!row.is_refuted) std::cout << row.outcome << ": " << row.name << "\n";
     }
-    std::cout << json.dump(1) << "\n";
-  } else {
-    std::cout << attack_table(targets, tallies);
+    std::cout << refuted << " of " << rows.size() << " twins refuted\n";
+    return;
   }
-  if (options.twins) return report_twins(targets, tallies);
-  std::uint64_t undecided = 0;
-  for (const Tally& tally : tallies) undecided += tally.undecided();
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const TwinRow& row : rows) {
+    list.push_back({{"twin", row.name}, {"refuted", row.is_refuted}, {"outcome", row.outcome}, {"file", row.file}});
+  }
+  std::cout << nlohmann::ordered_json{{"twins", list}}.dump(1) << "\n";
+}
+
+/// All twins have to be refuted, and every conclusion has one or says why not.
+ExitStatus attack_twins(const AttackOptions& options) {
+  if (!options.log.empty()) throw InputError("--log is about campaigns, not about --twins");
+  std::vector<TwinRow> rows;
+  {
+    ProgressLine line;
+    for (const Claim& claim : claims_of(options.claims)) {
+      for (const Claim& twin : twins_of(claim)) rows.push_back(attack_twin(twin, options, line.callback()));
+      for (const std::string& name : conclusions_without_twin(claim)) {
+        rows.push_back({claim.name + "/" + name, "neither twin nor reason", "", false});
+      }
+    }
+  }
+  const auto refuted = static_cast<std::size_t>(
+      std::count_if(rows.begin(), rows.end(), [](const TwinRow& row) { return row.is_refuted; }));
+  print(rows, refuted, options.json);
+  return refuted == rows.size() ? ExitStatus::verified : ExitStatus::rejected;
+}
+
+/// Claims none of whose samples met the hypotheses, in any shape.
+std::vector<std::string> never_met(const std::vector<Target>& targets, const std::vector<Tally>& tallies) {
+  std::map<std::string, std::uint64_t> met;
+  for (std::size_t at = 0; at < targets.size(); ++at) met[targets[at].claim.name] += tallies[at].met();
+  std::vector<std::string> result;
+  for (const auto& [name, count] : met) {
+    if (count == 0) result.push_back(name);
+  }
+  return result;
+}
+
+void print_json(const std::vector<Target>& targets, const std::vector<Tally>& tallies,
+                const std::vector<Refutation>& refutations, std::uint64_t seed) {
+  nlohmann::ordered_json json{{"seed", seed}, {"targets", attack_json(targets, tallies)}};
+  json["refutations"] = nlohmann::ordered_json::array();
   for (const Refutation& one : refutations) {
-    if (options.json) break;
+    json["refutations"].push_back({{"sample", one.sample}, {"witness", nlohmann::ordered_json::parse(one.witness)}});
+  }
+  std::cout << json.dump(1) << "\n";
+}
+
+void print_text(const std::vector<Target>& targets, const std::vector<Tally>& tallies,
+                const std::vector<Refutation>& refutations) {
+  std::cout << attack_table(targets, tallies);
+  for (const Refutation& one : refutations) {
     std::cout << "\nrefuted: " << one.claim << " / " << one.conclusion << " in " << text_of(one.shape) << ", sample "
               << one.sample << (one.file.empty() ? "" : ", " + one.file) << "\n"
               << one.witness;
   }
+  for (const std::string& name : never_met(targets, tallies)) {
+    std::cout << "\nnot attacked: " << name << ", no sample met its hypotheses\n";
+  }
+}
+
+ExitStatus report(const std::vector<Target>& targets, const std::vector<Tally>& tallies, const AttackOptions& options,
+                  const Progress& progress) {
+  const auto refutations = refutations_of(targets, tallies, options, progress);
+  if (options.json) {
+    print_json(targets, tallies, refutations, options.seed);
+  } else {
+    print_text(targets, tallies, refutations);
+  }
   if (!refutations.empty()) return ExitStatus::rejected;
-  return undecided > 0 ? ExitStatus::undecided : ExitStatus::verified;
+  const bool undecided =
+      std::any_of(tallies.begin(), tallies.end(), [](const Tally& tally) { return tally.undecided() > 0; });
+  return undecided || !never_met(targets, tallies).empty() ? ExitStatus::undecided : ExitStatus::verified;
 }
 
 ExitStatus run_attack(const AttackOptions& options) {
   if (!options.replay.empty()) return replay(options);
+  if (options.samples == 0 || options.samples > most_samples) throw InputError("--samples wants 1 to 10^10");
+  if (options.twins) return attack_twins(options);
+  if (options.stored) throw InputError("--stored is about --twins");
   CampaignPlan plan;
   plan.targets = targets_of(options);
   plan.seed = options.seed;
   plan.threads = options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
   plan.log = options.log;
-  constexpr std::uint64_t largest = std::numeric_limits<std::uint32_t>::max();
-  if (options.samples == 0 || options.samples > largest) throw InputError("--samples wants 1 to 4294967295");
+  ProgressLine line;
   std::vector<Tally> tallies;
-  {
-    ProgressLine line;
+  try {
     tallies = run_campaign(plan, line.callback());
+  } catch (const Interrupted&) {
+    if (options.log.empty()) throw;
+    throw InterruptedCampaign(options.log);
   }
-  return report(plan.targets, tallies, options);
+  line.clear();
+  return report(plan.targets, tallies, options, line.callback());
 }
 
 }  // namespace
@@ -205,13 +251,18 @@ void add_attack(CLI::App& program, Action& chosen) {
   command->add_option("--seed", options->seed, "Seed of the random choices (default 0)");
   command->add_option("--threads", options->threads, "Threads (default: all; the result does not depend on it)");
   command->add_option("--log", options->log, "JSON lines, one for each finished block; a campaign goes on from there");
-  command->add_option("--witnesses", options->witnesses, "Folder for witness files of what is refuted");
-  command->add_option("--replay", options->replay, "Decide again what this witness file says");
+  command->add_option(
+      "--witnesses", options->witnesses,
+      "Folder for witness files of what is refuted; with --twins what is refuted by one there is not attacked");
+  command->add_option("--replay", options->replay,
+                      "Decide again what this witness file says, of the claim that it names or of CLAIM");
   command->add_flag("--twins", options->twins, "Attack the twins, which all have to be refuted, instead of the claims");
+  command->add_flag("--stored", options->stored,
+                    "With --twins: only by the witnesses in the folder, nothing is searched");
   command->add_flag("--json", options->json, "Print JSON");
   command->footer(
-      "Exit status: 0 everything held (with --twins: all refuted), 1 something is refuted, 2 something is "
-      "undecided.\n\n"
+      "Exit status: 0 everything held, 1 something is refuted, 2 something is undecided or was never met.\n"
+      "With --twins: 0 all are refuted, 1 some are not.\n\n"
       "Examples:\n"
       "  delcert attack thickness-and-singular-value --samples 10000 --seed 1\n"
       "  delcert attack my-claim.toml --shape 2,2 --shape 2,3 --witnesses found\n"

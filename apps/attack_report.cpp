@@ -23,7 +23,7 @@ std::string share(std::uint64_t part, std::uint64_t whole) {
 std::string verdict_text(const ConclusionTally& conclusion) {
   if (conclusion.violated > 0) return fmt::format("REFUTED ({})", conclusion.violated);
   if (conclusion.undecided > 0) return "undecided";
-  return conclusion.held > 0 ? "held" : "no instance";
+  return conclusion.held > 0 ? "held" : "not attacked";
 }
 
 std::string rungs_text(const LadderStatistics& rungs) {

@@ -1,5 +1,6 @@
 #include "apps/claim_options.hpp"
 
+#include <algorithm>
 #include <charconv>
 
 #include "kernel/error.hpp"
@@ -18,6 +19,12 @@ int dimension_from(const std::string& text, const std::string& whole) {
   return result;
 }
 
+Shape shape_from(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos) return {0, dimension_from(text, text)};
+  return {dimension_from(text.substr(0, comma), text), dimension_from(text.substr(comma + 1), text)};
+}
+
 }  // namespace
 
 void add_claim_options(CLI::App& command, ClaimOptions& options) {
@@ -28,22 +35,35 @@ void add_claim_options(CLI::App& command, ClaimOptions& options) {
 }
 
 std::vector<Claim> claims_of(const ClaimOptions& options) {
+  if (options.all && !options.names.empty()) throw InputError("--all are all claims: name some, or say --all");
   if (options.all) return builtin_claim_list();
   if (options.names.empty()) throw InputError("no claim: name some, or say --all");
   std::vector<Claim> result;
-  for (const std::string& name : options.names) result.push_back(find_claim(name));
+  for (const std::string& name : options.names) {
+    Claim claim = find_claim(name);
+    const auto same =
+        std::find_if(result.begin(), result.end(), [&](const Claim& one) { return one.name == claim.name; });
+    if (same == result.end()) {
+      result.push_back(std::move(claim));
+    } else if (same->file != claim.file) {
+      throw InputError(same->file + " and " + claim.file + " are both called " + claim.name);
+    }
+  }
   return result;
 }
 
 std::vector<Shape> shapes_of(const ClaimOptions& options, const Claim& claim) {
-  if (options.shapes.empty()) return instance_class(claim.instance).shapes();
+  const InstanceClass& its_class = instance_class(claim.instance);
+  if (options.shapes.empty()) return its_class.shapes();
   std::vector<Shape> result;
   for (const std::string& text : options.shapes) {
-    const std::size_t comma = text.find(',');
-    if (comma == std::string::npos) {
-      result.push_back({0, dimension_from(text, text)});
-    } else {
-      result.push_back({dimension_from(text.substr(0, comma), text), dimension_from(text.substr(comma + 1), text)});
+    const Shape shape = shape_from(text);
+    if (has_shape(its_class, shape)) {
+      if (std::find(result.begin(), result.end(), shape) == result.end()) result.push_back(shape);
+    } else if (!options.all) {
+      std::string known;
+      for (const Shape& listed : its_class.shapes()) known += (known.empty() ? "" : "; ") + text_of(listed);
+      throw InputError("--shape " + text + ": the class " + its_class.name() + " of " + claim.name + " has " + known);
     }
   }
   return result;

@@ -18,10 +18,12 @@ struct ClaimOptions {
 /// CLAIM…, --all, --shape.
 void add_claim_options(CLI::App& command, ClaimOptions& options);
 
-/// The claims asked for. Throws InputError for a name that is none, and if nothing was asked for.
+/// The claims asked for, each once. Throws InputError for a name that is none, for two claims of the same name, and if
+/// nothing was asked for.
 [[nodiscard]] std::vector<Claim> claims_of(const ClaimOptions& options);
 
-/// The shapes asked for, else those of the claim's class. Throws InputError for text that is no shape, "k,m" or "m".
+/// The shapes asked for, each once, else those of the claim's class. Throws InputError for text that is no shape, "k,m"
+/// or "m", and for one that the class does not have; among all claims such a one is left out instead.
 [[nodiscard]] std::vector<Shape> shapes_of(const ClaimOptions& options, const Claim& claim);
 
 /// "k=2 m=3", "m=2" for a class without k.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -13,7 +14,7 @@
 #include "apps/progress_line.hpp"
 #include "kernel/error.hpp"
 #include "proofs/certificate/atomic_file.hpp"
-#include "properties/attack/witness.hpp"
+#include "properties/attack/twins.hpp"
 
 namespace delcert {
 
@@ -34,14 +35,13 @@ struct Row {
   std::optional<Tightest> found;
 };
 
-std::string write_witness(const Claim& claim, const Row& row, const std::string& folder) {
-  const bool builtin = claim.file == "proofs/claims/" + claim.name + ".toml";
-  const Witness witness{builtin ? claim.name : claim.file, row.conclusion, "", claim.instance, row.found->bindings};
-  const std::string stem = fmt::format("{}.{}.{}-{}", claim.name, row.conclusion, row.shape.k, row.shape.m);
-  const std::filesystem::path path = std::filesystem::path(folder) / (stem + ".json");
-  std::filesystem::create_directories(folder);
-  write_file_atomically(path, witness_text(witness));
-  return path.string();
+void write_witness(const Claim& claim, const Row& row, std::size_t conclusion, const std::string& folder) {
+  const Witness witness = witness_of(claim, conclusion, row.found->bindings);
+  const std::string name = fmt::format("{}.{}.{}-{}.json", claim.name, row.conclusion, row.shape.k, row.shape.m);
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure) throw InputError("--witnesses " + folder + ": " + failure.message());
+  write_file_atomically(std::filesystem::path(folder) / name, witness_text(witness));
 }
 
 std::string note_of(const Tightest& found) {
@@ -60,6 +60,7 @@ void print(const std::vector<Row>& rows, bool json) {
       if (row.found) {
         one["lower"] = row.found->ratio.lower;
         one["upper"] = row.found->ratio.upper;
+        one["evaluations"] = row.found->evaluations;
         one["note"] = note_of(*row.found);
       }
       list.push_back(std::move(one));
@@ -73,19 +74,21 @@ void print(const std::vector<Row>& rows, bool json) {
 }
 
 ExitStatus run_tighten(const TightenOptions& options) {
+  constexpr std::uint64_t most = 1000000000000;
+  if (options.evaluations == 0 || options.evaluations > most) throw InputError("--evaluations wants 1 to 10^12");
   std::vector<Row> rows;
   bool refuted = false;
   {
     ProgressLine line;
     for (const Claim& claim : claims_of(options.claims)) {
       for (const Shape& shape : shapes_of(options.claims, claim)) {
-        const std::uint64_t cost = instance_class(claim.instance).cost(shape);
+        const std::uint64_t cost = std::max<std::uint64_t>(1, instance_class(claim.instance).cost(shape));
         const std::uint64_t evaluations = std::max<std::uint64_t>(1, options.evaluations / cost);
         for (std::size_t at = 0; at < claim.conclusions.size(); ++at) {
           Row row{claim.name, claim.conclusions[at].name, shape,
                   tighten(claim, at, shape, evaluations, options.seed, line.callback())};
           refuted = refuted || (row.found && is_refuted(row.found->verdict));
-          if (row.found && !options.witnesses.empty()) (void)write_witness(claim, row, options.witnesses);
+          if (row.found && !options.witnesses.empty()) write_witness(claim, row, at, options.witnesses);
           rows.push_back(std::move(row));
         }
       }

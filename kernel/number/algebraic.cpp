@@ -157,11 +157,15 @@ std::vector<Algebraic> real_roots(std::span<const Rational> coefficients) {
   }
   fmpq_clear(fraction);
   const slong degree = fmpq_poly_degree(polynomial);
+  if (degree < 0) {
+    fmpq_poly_clear(polynomial);
+    throw std::invalid_argument("every number is a root of the polynomial 0");
+  }
   fmpz_poly_t integral;
   fmpz_poly_init(integral);
   fmpq_poly_get_numerator(integral, polynomial);
   fmpq_poly_clear(polynomial);
-  qqbar_ptr roots = _qqbar_vec_init(std::max(degree, slong{0}));
+  qqbar_ptr roots = _qqbar_vec_init(degree);
   qqbar_roots_fmpz_poly(roots, integral, 0);
   fmpz_poly_clear(integral);
   std::vector<Algebraic> result;
@@ -170,7 +174,7 @@ std::vector<Algebraic> real_roots(std::span<const Rational> coefficients) {
     result.emplace_back();
     qqbar_set(result.back().value_->number, roots + at);
   }
-  _qqbar_vec_clear(roots, std::max(degree, slong{0}));
+  _qqbar_vec_clear(roots, degree);
   std::sort(result.begin(), result.end(), [](const Algebraic& a, const Algebraic& b) { return is_proved(less(a, b)); });
   return result;
 }

@@ -69,7 +69,7 @@ class Algebraic {
   friend Verdict is_zero(const Algebraic& a);
 
   /// The real roots of Σ coefficients[i] xⁱ in increasing order, each as often as its multiplicity.
-  /// Precondition: some coefficient is not 0.
+  /// Throws std::invalid_argument if there is no coefficient but 0.
   friend std::vector<Algebraic> real_roots(std::span<const Rational> coefficients);
 
  private:

@@ -56,7 +56,9 @@ Surd operator*(const Surd& a, const Surd& b) {
   if (a.radicand_ == b.radicand_) return Surd(factor * a.radicand_, Rational(1));
   if (a.is_rational()) return Surd(std::move(factor), b.radicand_);
   if (b.is_rational()) return Surd(std::move(factor), a.radicand_);
-  return Surd(std::move(factor), a.radicand_ * b.radicand_);
+  Rational radicand = a.radicand_ * b.radicand_;
+  if (const auto root = exact_root(radicand)) return Surd(factor * *root, Rational(1));
+  return Surd(std::move(factor), std::move(radicand));
 }
 
 Surd operator/(const Surd& a, const Surd& b) {

@@ -105,6 +105,25 @@ std::optional<Instance> draw_instance(const Claim& claim, const HypothesisLimits
   return instance_class(claim.instance).draw(shape, given, limits, choices);
 }
 
+void require_names_of(const Claim& claim, const Bindings& bindings) {
+  const InstanceClass& its_class = instance_class(claim.instance);
+  require_signature(its_class, bindings);
+  for (const auto& [name, range] : claim.parameters) {
+    const auto found = bindings.find(name);
+    if (found == bindings.end()) throw InputError("the parameter " + name + " of " + claim.name + " is missing");
+    const Rational& value = std::get<Rational>(found->second);
+    const bool is_in_range = (range.lower < value || (range.has_lower && value == range.lower)) &&
+                             (value < range.upper || (range.has_upper && value == range.upper));
+    if (!is_in_range) throw InputError("the parameter " + name + " of " + claim.name + " is out of its range");
+  }
+  const Signature signature = its_class.signature();
+  for (const auto& [name, binding] : bindings) {
+    if (!signature.contains(name) && !claim.parameters.contains(name)) {
+      throw InputError("neither the class " + its_class.name() + " nor " + claim.name + " has a name " + name);
+    }
+  }
+}
+
 Claim twin_of_conclusion(const Claim& claim, std::size_t conclusion) {
   Claim result = claim;
   Conclusion twin;
@@ -160,8 +179,10 @@ Claim find_claim(const std::string& name_or_file) {
     }
     known.push_back(name);
   }
+  // Not even whether a file exists is known of a name that is too long.
+  std::error_code unknown;
   const bool is_file = name_or_file.ends_with(".toml") || name_or_file.find('/') != std::string::npos ||
-                       std::filesystem::exists(name_or_file);
+                       std::filesystem::exists(name_or_file, unknown);
   if (is_file) return read_claim(name_or_file, full_vocabulary(), all_signatures());
   throw InputError("no claim is called " + name_or_file + suggestion(name_or_file, known) +
                    " (delcert claims lists them)");

@@ -50,6 +50,11 @@ class HypothesisLimits : public Limits {
 [[nodiscard]] std::optional<Instance> draw_instance(const Claim& claim, const HypothesisLimits& limits,
                                                     const Shape& shape, Choices& choices);
 
+/// Throws InputError, saying why, unless the bindings have the names of the claim's class, a number for each parameter
+/// of the claim, within its range, and nothing else. That they are an instance of the class is another question
+/// (`InstanceClass::require`).
+void require_names_of(const Claim& claim, const Bindings& bindings);
+
 /// The claim with one conclusion only, replaced by its twin. Precondition: it has one.
 [[nodiscard]] Claim twin_of_conclusion(const Claim& claim, std::size_t conclusion);
 /// The claim without one of its hypotheses.

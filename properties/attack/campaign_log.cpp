@@ -8,22 +8,28 @@
 namespace delcert {
 
 namespace {
+
 using Json = nlohmann::ordered_json;
-}
+
+std::string first_line(const std::string& identity) { return Json{{"delcert_campaign", identity}}.dump(); }
+
+}  // namespace
 
 CampaignLog::CampaignLog(const std::filesystem::path& path, const std::string& identity) {
   if (path.empty()) return;
-  if (std::filesystem::exists(path)) read(path, identity);
-  const bool is_new = !std::filesystem::exists(path) || std::filesystem::file_size(path) == 0;
+  std::error_code unknown;
+  if (std::filesystem::is_directory(path, unknown)) throw InputError(path.string() + ": a folder, not a log");
+  const bool is_new = !std::filesystem::exists(path, unknown) || read(path, identity) == 0;
   out_.open(path, std::ios::binary | std::ios::app);
-  if (is_new) out_ << Json{{"delcert_campaign", identity}}.dump() << std::endl;
-  if (!out_) throw std::runtime_error("cannot write " + path.string());
+  if (is_new) out_ << first_line(identity) << std::endl;
+  if (!out_) throw InputError(path.string() + ": the log of the campaign cannot be written");
 }
 
-void CampaignLog::read(const std::filesystem::path& path, const std::string& identity) {
+std::size_t CampaignLog::read(const std::filesystem::path& path, const std::string& identity) {
   std::ifstream stream(path, std::ios::binary);
   std::stringstream buffer;
   buffer << stream.rdbuf();
+  if (!stream) throw InputError(path.string() + ": cannot be read");
   const std::string text = buffer.str();
   std::size_t whole = 0;  // the end of the last whole line
   std::size_t number = 0;
@@ -35,7 +41,7 @@ void CampaignLog::read(const std::filesystem::path& path, const std::string& ide
       const Json json = Json::parse(line);
       if (number == 1) {
         if (json.at("delcert_campaign") != identity) {
-          throw InputError(where + "the log of another campaign: other claims, samples, seed or version");
+          throw InputError("the log of another campaign: other claims, samples, seed or version");
         }
         continue;
       }
@@ -43,10 +49,17 @@ void CampaignLog::read(const std::filesystem::path& path, const std::string& ide
           tally_from(json.at("tally"));
     } catch (const nlohmann::json::exception& error) {
       throw InputError(where + "not a line of a campaign's log: " + error.what());
+    } catch (const InputError& error) {
+      throw InputError(where + error.what());
     }
   }
-  // What a crash cut off.
-  if (whole < text.size()) std::filesystem::resize_file(path, whole);
+  // What a crash cut off; but nothing is cut off from a file that was no log.
+  const std::string rest = text.substr(whole);
+  if (number == 0 && !first_line(identity).starts_with(rest)) {
+    throw InputError(path.string() + ":1: not the first line of this campaign's log");
+  }
+  if (!rest.empty()) std::filesystem::resize_file(path, whole);
+  return whole;
 }
 
 void CampaignLog::append(const Block& block, const Tally& tally) {

@@ -26,6 +26,8 @@ Bindings shrunk(const InstanceClass& instance_class, Bindings bindings,
       return has_property(candidate);
     } catch (const InputError&) {
       return false;
+    } catch (const Undecided&) {
+      return false;
     }
   };
   std::size_t tries = 0;
@@ -33,9 +35,10 @@ Bindings shrunk(const InstanceClass& instance_class, Bindings bindings,
   for (bool simpler = true; simpler && tries < most_tries;) {
     simpler = false;
     for (Bindings& candidate : instance_class.simpler(bindings)) {
-      if (++tries > most_tries) break;
       const std::size_t candidate_size = written_size(instance_class, candidate);
-      if (candidate_size >= size || !keeps(candidate)) continue;
+      if (candidate_size >= size) continue;
+      if (++tries > most_tries) break;
+      if (!keeps(candidate)) continue;
       bindings = std::move(candidate);
       size = candidate_size;
       simpler = true;

@@ -1,7 +1,11 @@
 #include "properties/attack/tally.hpp"
 
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
+
+#include "kernel/error.hpp"
 
 namespace delcert {
 
@@ -19,7 +23,18 @@ std::uint32_t stream(const Claim& claim, const Shape& shape) {
   return stream_of(claim.name + " " + std::to_string(shape.k) + " " + std::to_string(shape.m));
 }
 
-bool is_worse(const DoubleBounds& a, const std::optional<DoubleBounds>& b) { return !b || a.lower > b->lower; }
+bool is_worse(const DoubleBounds& a, const std::optional<DoubleBounds>& b) {
+  return !std::isnan(a.lower) && !std::isnan(a.upper) && (!b || a.lower > b->lower);
+}
+
+/// Throws for what `hexadecimal` does not write.
+double from_hexadecimal(const Json& json) {
+  const auto text = json.get<std::string>();
+  char* end = nullptr;
+  const double result = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || std::isnan(result)) throw InputError(text + " is not a bound of a ratio");
+  return result;
+}
 
 void record(ConclusionTally& tally, const ConclusionOutcome& outcome, std::uint64_t number) {
   if (is_proved(outcome.verdict)) ++tally.held;
@@ -129,13 +144,10 @@ Tally tally_from(const Json& json) {
     one.at("violated").get_to(conclusion.violated);
     one.at("undecided").get_to(conclusion.undecided);
     if (one.contains("worst")) {
-      const auto bound = [&](std::size_t at) {
-        return std::strtod(one.at("worst").at(at).get<std::string>().c_str(), nullptr);
-      };
-      conclusion.worst = DoubleBounds{bound(0), bound(1)};
+      conclusion.worst = DoubleBounds{from_hexadecimal(one.at("worst").at(0)), from_hexadecimal(one.at("worst").at(1))};
       one.at("worst_sample").get_to(conclusion.worst_sample);
     }
-    if (one.contains("first_violation")) one.at("first_violation").get_to(conclusion.first_violation);
+    if (conclusion.violated > 0) one.at("first_violation").get_to(conclusion.first_violation);
     result.conclusions.push_back(conclusion);
   }
   return result;
@@ -143,7 +155,7 @@ Tally tally_from(const Json& json) {
 
 std::optional<Instance> sample_instance(const Claim& claim, const Shape& shape, std::uint64_t seed,
                                         std::uint64_t number) {
-  RandomChoices choices(seed, stream(claim, shape), static_cast<std::uint32_t>(number));
+  RandomChoices choices(seed, stream(claim, shape), number);
   return draw_instance(claim, HypothesisLimits(claim), shape, choices);
 }
 
@@ -154,7 +166,7 @@ Tally attack_block(const Claim& claim, const Shape& shape, std::uint64_t seed, s
   tally.conclusions.resize(claim.conclusions.size());
   const LadderStatistics before = ladder_statistics();
   for (std::uint64_t number = first; number < first + count; ++number) {
-    RandomChoices choices(seed, stream(claim, shape), static_cast<std::uint32_t>(number));
+    RandomChoices choices(seed, stream(claim, shape), number);
     record(tally, claim, draw_instance(claim, limits, shape, choices), number);
   }
   tally.rungs = ladder_statistics() - before;

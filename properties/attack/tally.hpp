@@ -41,7 +41,7 @@ struct Tally {
 };
 
 [[nodiscard]] nlohmann::ordered_json tally_json(const Tally& tally);
-/// Throws nlohmann::json::exception for JSON that is not of a tally.
+/// Throws nlohmann::json::exception or InputError for JSON that is not of a tally.
 [[nodiscard]] Tally tally_from(const nlohmann::ordered_json& json);
 
 /// Samples first … first + count − 1 of the attack on a claim with a seed: each depends on (seed, claim's name, shape,

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <nlopt.hpp>
+#include <stdexcept>
 
 #include "kernel/error.hpp"
 
@@ -11,13 +13,14 @@ namespace delcert {
 
 namespace {
 
+/// Of an instance that is made of more choices, the first ones are searched and the others stay.
 constexpr std::size_t most_choices = 160;
 constexpr double worthless = -1;
 
 /// Random choices that are written down.
 class RecordedChoices : public Choices {
  public:
-  RecordedChoices(std::uint64_t seed, std::uint32_t stream, std::uint32_t number) : random_(seed, stream, number) {}
+  RecordedChoices(std::uint64_t seed, std::uint32_t stream, std::uint64_t number) : random_(seed, stream, number) {}
   [[nodiscard]] double unit() override {
     values_.push_back(random_.unit());
     return values_.back();
@@ -49,11 +52,11 @@ class Search {
     const std::uint32_t stream = stream_of("tighten " + claim_.name + " " + std::to_string(conclusion_) + " " +
                                            std::to_string(shape_.k) + " " + std::to_string(shape_.m));
     for (std::uint64_t number = 0; number < count; ++number) {
-      RecordedChoices choices(seed, stream, static_cast<std::uint32_t>(number));
+      RecordedChoices choices(seed, stream, number);
       const double score = score_of(draw_instance(claim_, limits_, shape_, choices));
-      if (score > worthless && choices.values().size() <= most_choices) pool_.push_back({score, choices.values()});
+      if (score > worthless) pool_.push_back({score, choices.values()});
     }
-    std::sort(pool_.begin(), pool_.end(), [](const Scored& a, const Scored& b) { return a.score > b.score; });
+    std::stable_sort(pool_.begin(), pool_.end(), [](const Scored& a, const Scored& b) { return a.score > b.score; });
   }
 
   void climb(std::size_t starts) {
@@ -74,7 +77,7 @@ class Search {
 
  private:
   double score_of(const std::optional<Instance>& instance) {
-    if (++used_ % 64 == 0) progress_("tighten", std::min(used_, budget_), budget_);
+    progress_("tighten", std::min(++used_, budget_), budget_);
     if (!instance) return worthless;
     const Attempt result = attempt(claim_, instance->bindings);
     if (!is_proved(result.hypotheses)) return worthless;
@@ -89,37 +92,40 @@ class Search {
   }
 
   void climb_from(Scored& start, std::uint64_t budget) {
-    nlopt::opt optimiser(nlopt::LN_SBPLX, static_cast<unsigned>(start.choices.size()));
+    std::vector<double> x(start.choices.begin(), start.choices.begin() + static_cast<std::ptrdiff_t>(std::min(
+                                                                             start.choices.size(), most_choices)));
+    if (x.empty() || budget == 0) return;
+    nlopt::opt optimiser(nlopt::LN_SBPLX, static_cast<unsigned>(x.size()));
     optimiser.set_lower_bounds(0);
     optimiser.set_upper_bounds(1);
+    // 0 would mean without end.
     optimiser.set_maxeval(static_cast<int>(std::min<std::uint64_t>(budget, std::numeric_limits<int>::max())));
     optimiser.set_xtol_abs(0x1p-40);
     optimiser.set_initial_step(0.05);
-    Context context{this, &start, nullptr};
+    Context context{this, &start, start.choices, nullptr};
     optimiser.set_max_objective(&Search::objective, &context);
-    std::vector<double> x = start.choices;
     double value = 0;
     try {
       optimiser.optimize(x, value);
-    } catch (const nlopt::roundoff_limited&) {
-      // The best so far is kept by the objective.
-    } catch (const nlopt::forced_stop&) {
-      std::rethrow_exception(context.failure);
+    } catch (const std::runtime_error&) {
+      // Limited by rounding, a failure, or stopped by the objective, which keeps the best so far.
     }
+    if (context.failure) std::rethrow_exception(context.failure);
   }
 
   struct Context {
     Search* search;
     Scored* best;
+    std::vector<double> choices;
     std::exception_ptr failure;
-    nlopt::opt* optimiser = nullptr;
   };
   /// Exceptions do not pass through the library.
   static double objective(const std::vector<double>& x, std::vector<double>&, void* data) {
     auto& context = *static_cast<Context*>(data);
     try {
-      const double score = context.search->score_of(x);
-      if (score > context.best->score) *context.best = {score, x};
+      std::copy(x.begin(), x.end(), context.choices.begin());
+      const double score = context.search->score_of(context.choices);
+      if (score > context.best->score) *context.best = {score, context.choices};
       return score;
     } catch (...) {
       context.failure = std::current_exception();
@@ -144,7 +150,7 @@ std::optional<Tightest> tighten(const Claim& claim, std::size_t conclusion, cons
                                 std::uint64_t evaluations, std::uint64_t seed, const Progress& progress) {
   constexpr std::size_t starts = 6;
   Search search(claim, conclusion, shape, evaluations, progress);
-  search.random_start(evaluations / 4, seed);
+  search.random_start(std::max<std::uint64_t>(1, evaluations / 4), seed);
   search.climb(starts);
   const auto instance = search.best();
   if (!instance) return std::nullopt;

@@ -1,7 +1,11 @@
 #include "properties/attack/witness.hpp"
 
+#include <array>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
 
 #include "kernel/error.hpp"
 #include "kernel/number/exact_text.hpp"
@@ -26,20 +30,29 @@ Json binding_json(const Binding& binding, const std::string& kind) {
   return result;
 }
 
-Binding binding_from(const std::string& name, const Json& json, const Vocabulary& vocabulary) {
+Binding binding_from(const Json& json, const std::string& wanted, const Vocabulary& vocabulary) {
   if (!json.is_object() || json.size() != 1) {
-    throw InputError(name + " wants one kind and its value, such as {\"number\": \"1/2\"}");
+    throw InputError("one kind and its value were expected, such as {\"number\": \"1/2\"}");
   }
-  const auto& [kind, value] = *json.items().begin();
-  if (kind == "number") {
-    if (!value.is_string()) throw InputError(name + ": a number wants an exact number in quotes");
+  const std::string& kind = json.begin().key();
+  const Json& value = json.begin().value();
+  if (kind != wanted) throw InputError("a " + wanted + " was expected, not a " + kind);
+  if (kind == types::number.name) {
+    if (!value.is_string()) throw InputError("a number wants an exact number in quotes");
     return parse_exact(value.get<std::string>());
   }
-  if (kind == "integer") {
-    if (!value.is_number_integer()) throw InputError(name + ": an integer was expected");
+  if (kind == types::integer.name) {
+    constexpr std::uint64_t largest = std::numeric_limits<long>::max();
+    const bool is_too_large = value.is_number_unsigned() && value.get<std::uint64_t>() > largest;
+    if (!value.is_number_integer() || is_too_large) throw InputError("an integer below 2^63 was expected");
     return value.get<long>();
   }
-  return vocabulary.read(kind, value);
+  try {
+    return vocabulary.read(kind, value);
+  } catch (const std::logic_error& error) {
+    // What constructors say of data that make no object.
+    throw InputError(error.what());
+  }
 }
 
 std::string text_at(const Json& json, const std::string& key) {
@@ -72,10 +85,18 @@ Json bindings_json(const Bindings& bindings, const Signature& signature) {
   return result;
 }
 
-Bindings bindings_from(const Json& json, const Vocabulary& vocabulary) {
+Bindings bindings_from(const Json& json, const Vocabulary& vocabulary, const Signature& signature) {
   if (!json.is_object()) throw InputError("bindings want an object of names");
   Bindings result;
-  for (const auto& [name, value] : json.items()) result[name] = binding_from(name, value, vocabulary);
+  for (const auto& [name, value] : json.items()) {
+    const auto known = signature.find(name);
+    try {
+      const Type& type = known == signature.end() ? types::number : known->second;
+      result[name] = binding_from(value, type.name, vocabulary);
+    } catch (const InputError& error) {
+      throw InputError("bindings, " + name + ": " + error.what());
+    }
+  }
   return result;
 }
 
@@ -105,8 +126,10 @@ Witness parse_witness(const std::string& text, const std::string& file) {
     Witness witness{
         text_at(json, "claim"), text_at(json, "conclusion"), text_at(json, "twin"), text_at(json, "instance"), {}};
     if (!json.contains("bindings")) throw InputError("the key bindings is missing");
-    witness.bindings = bindings_from(json.at("bindings"), full_vocabulary());
-    instance_class(witness.instance_class).require(witness.bindings);
+    const InstanceClass& its_class = instance_class(witness.instance_class);
+    witness.bindings = bindings_from(json.at("bindings"), full_vocabulary(), its_class.signature());
+    require_signature(its_class, witness.bindings);
+    its_class.require(witness.bindings);
     return witness;
   } catch (const nlohmann::json::exception& error) {
     throw InputError(file + ": " + error.what());
@@ -116,13 +139,16 @@ Witness parse_witness(const std::string& text, const std::string& file) {
 }
 
 Witness read_witness(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  std::ifstream stream(file, std::ios::binary);
   if (!stream) throw InputError(file + ": cannot be read");
-  const auto size = static_cast<std::size_t>(std::max<std::streamoff>(stream.tellg(), 0));
-  if (size > largest_file) throw InputError(file + ": larger than 64 MiB");
-  std::string text(size, '\0');
-  stream.seekg(0);
-  stream.read(text.data(), static_cast<std::streamsize>(size));
+  std::string text;
+  std::array<char, 1U << 16U> part{};
+  while (text.size() <= largest_file && stream) {
+    stream.read(part.data(), part.size());
+    text.append(part.data(), static_cast<std::size_t>(stream.gcount()));
+  }
+  if (stream.bad()) throw InputError(file + ": cannot be read");
+  if (text.size() > largest_file) throw InputError(file + ": larger than 64 MiB");
   return parse_witness(text, file);
 }
 

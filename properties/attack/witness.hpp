@@ -18,14 +18,17 @@ struct Witness {
 
 /// The bindings as JSON: {"name": {"number": "p/q"}, …}, kinds by the signature and "number" for parameters.
 [[nodiscard]] nlohmann::ordered_json bindings_json(const Bindings& bindings, const Signature& signature);
-/// And back; throws InputError for anything else, also for a kind that does not exist.
-[[nodiscard]] Bindings bindings_from(const nlohmann::ordered_json& json, const Vocabulary& vocabulary);
+/// And back: names of the signature of the kind that it says, all others as numbers. Throws InputError, naming the
+/// name, for anything else.
+[[nodiscard]] Bindings bindings_from(const nlohmann::ordered_json& json, const Vocabulary& vocabulary,
+                                     const Signature& signature);
 
 /// The text of a witness file (docs/claim-format.md).
 [[nodiscard]] std::string witness_text(const Witness& witness);
 /// Reads it back, and has the instance class check the instance. Throws InputError, naming `file`, for anything that is
 /// not a witness, or has unknown keys.
 [[nodiscard]] Witness parse_witness(const std::string& text, const std::string& file);
+/// The same from a file. Throws InputError also if it cannot be read or is larger than 64 MiB.
 [[nodiscard]] Witness read_witness(const std::string& file);
 
 }  // namespace delcert

@@ -21,8 +21,9 @@ double GivenChoices::unit() {
   constexpr double largest = 0x1.fffffffffffffp-1;
   const std::size_t at = taken_++;
   if (at >= values_.size()) return 0.5;
-  // A search may step on the ends of the interval or, by rounding, beyond.
-  return std::floor(std::clamp(values_[at], 0.0, largest) * 0x1p53) * 0x1p-53;
+  // A search may step on the ends of the interval or, by rounding, beyond. Not a number counts as 0.
+  const double value = values_[at] > 0 ? std::min(values_[at], largest) : 0;
+  return std::floor(value * 0x1p53) * 0x1p-53;
 }
 
 std::uint32_t stream_of(std::string_view text) {

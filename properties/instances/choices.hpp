@@ -32,18 +32,20 @@ class Choices {
   [[nodiscard]] Rational fraction(unsigned bits);
 };
 
-/// Random choices that depend on (seed, stream, number) only.
+/// Random choices that depend on (seed, stream, number) only. Numbers from 2³² on use streams of their own.
 class RandomChoices : public Choices {
  public:
-  RandomChoices(std::uint64_t seed, std::uint32_t stream, std::uint32_t number)
-      : random_(seed, RandomPurpose::instances, stream, number) {}
+  RandomChoices(std::uint64_t seed, std::uint32_t stream, std::uint64_t number)
+      : random_(seed, RandomPurpose::instances, stream + static_cast<std::uint32_t>(number >> 32U) * odd,
+                static_cast<std::uint32_t>(number)) {}
   [[nodiscard]] double unit() override { return random_.next_unit(); }
 
  private:
+  static constexpr std::uint32_t odd = 2654435769U;
   CounterRandom random_;
 };
 
-/// Given choices, then ½ for ever.
+/// Given choices, rounded to multiples of 2⁻⁵³ in [0, 1), then ½ for ever.
 class GivenChoices : public Choices {
  public:
   explicit GivenChoices(std::vector<double> values) : values_(std::move(values)) {}

@@ -1,5 +1,7 @@
 #include "properties/instances/instance_class.hpp"
 
+#include <algorithm>
+
 #include "kernel/error.hpp"
 #include "proofs/formula/arithmetic_vocabulary.hpp"
 #include "proofs/formula/formula_error.hpp"
@@ -32,6 +34,18 @@ const Vocabulary& full_vocabulary() {
   return vocabulary;
 }
 
+bool has_shape(const InstanceClass& instance_class, const Shape& shape) {
+  constexpr int highest = 8;
+  int highest_listed = 0;
+  bool can_spare = false;
+  for (const Shape& listed : instance_class.shapes()) {
+    if (listed == shape) return true;
+    highest_listed = std::max(highest_listed, listed.k);
+    can_spare = can_spare || (listed.k > 0 && listed.m - listed.k == shape.m - shape.k);
+  }
+  return can_spare && highest_listed < shape.k && shape.k <= highest;
+}
+
 void require_signature(const InstanceClass& instance_class, const Bindings& bindings) {
   for (const auto& [name, type] : instance_class.signature()) {
     const auto found = bindings.find(name);
@@ -40,6 +54,12 @@ void require_signature(const InstanceClass& instance_class, const Bindings& bind
                       : type == types::integer ? std::holds_alternative<long>(found->second)
                                                : std::holds_alternative<ObjectPointer>(found->second);
     if (!fits) throw InputError(instance_class.name() + ": " + name + " is not a " + type.text());
+  }
+  const Signature signature = instance_class.signature();
+  for (const auto& [name, binding] : bindings) {
+    if (!signature.contains(name) && !std::holds_alternative<Rational>(binding)) {
+      throw InputError(instance_class.name() + " has no " + name + ", and a parameter of a claim is a number");
+    }
   }
 }
 

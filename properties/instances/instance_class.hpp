@@ -99,7 +99,12 @@ class InstanceClass {
 /// The standard vocabulary and what all the classes add.
 [[nodiscard]] const Vocabulary& full_vocabulary();
 
-/// Names and types are those of the signature, and of the parameters, which are numbers.
+/// Whether an attack on the class can be told to use a shape: one of `shapes()`, or, for simplices, one of a higher
+/// dimension up to 8 with as many dimensions to spare as one of these.
+[[nodiscard]] bool has_shape(const InstanceClass& instance_class, const Shape& shape);
+
+/// Throws InputError unless the names of the signature are bound to what it says. What else is bound are parameters of
+/// a claim, which are numbers.
 void require_signature(const InstanceClass& instance_class, const Bindings& bindings);
 
 }  // namespace delcert
