@@ -134,7 +134,11 @@ class DistortionMapClass : public InstanceClass {
     if (map.is_in_domain(bare.points.back())) ++bare.domain_count;
     std::vector<Bindings> result;
     const bool at_circumcentre = number_in(bindings, "offset") == Rational(0);
-    if (!std::holds_alternative<FiniteMap>(map.form())) propose(result, bindings, bare);
+    if (!std::holds_alternative<FiniteMap>(map.form())) {
+      propose(result, bindings, bare);
+      propose_with_simpler_vertices(result, bindings);
+      if (const auto* linear = std::get_if<LinearMap>(&map.form())) propose_simpler_maps(result, bindings, *linear);
+    }
     const std::size_t count = simplex.vertex_count();
     for (std::size_t left_out = 0; count > 2 && left_out < count; ++left_out) {
       FiniteMap candidate = bare;
@@ -246,6 +250,57 @@ class DistortionMapClass : public InstanceClass {
     if (!is_proved(is_non_degenerate(gram))) return false;
     map.points.back() = circumcentre(*circumsphere(gram), vertices);
     return true;
+  }
+
+  static void propose_if_fit(std::vector<Bindings>& result, const Bindings& bindings, SimplexObject::Points vertices,
+                             const ExactPoint& centre, const std::shared_ptr<const MapObject>& map) {
+    const Rational& xi = number_in(bindings, "xi");
+    if (!std::all_of(vertices.begin(), vertices.end(), [&](const auto& each) { return map->is_in_domain(each); }) ||
+        !map->has_distortion(xi)) {
+      return;
+    }
+    Bindings candidate = bindings;
+    if (bind(candidate, std::make_shared<SimplexObject>(std::move(vertices)), centre, map, xi)) {
+      result.push_back(std::move(candidate));
+    }
+  }
+
+  /// The same map on simpler vertices, with their circumcentre.
+  static void propose_with_simpler_vertices(std::vector<Bindings>& result, const Bindings& bindings) {
+    const SimplexObject& simplex = simplex_in(bindings, "s");
+    const auto map = std::make_shared<MapObject>(map_in(bindings));
+    for (auto& points : simpler_points(simplex.points(), simplex.vertex_count(), simplex.ambient_dimension())) {
+      const auto gram = edge_gram_from_points(points);
+      if (!is_proved(is_non_degenerate(gram))) continue;
+      const ExactPoint centre = circumcentre(*circumsphere(gram), points);
+      propose_if_fit(result, bindings, std::move(points), centre, map);
+    }
+  }
+
+  /// Linear maps with rounder entries, on the same points.
+  static void propose_simpler_maps(std::vector<Bindings>& result, const Bindings& bindings, const LinearMap& map) {
+    const auto propose_map = [&](LinearMap candidate) {
+      propose_if_fit(result, bindings, simplex_in(bindings, "s").points(), point_in(bindings, "c"),
+                     std::make_shared<MapObject>(std::move(candidate)));
+    };
+    for (const long bits : {1L, 3L, 7L, 15L, 30L}) {
+      LinearMap candidate = map;
+      for (ExactPoint& row : candidate.rows) {
+        for (Rational& entry : row) entry = rounded_down(entry + Rational::power_of_two(-bits - 1), -bits);
+      }
+      if (candidate.rows != map.rows) propose_map(std::move(candidate));
+    }
+    for (std::size_t row = 0; row < map.rows.size(); ++row) {
+      for (std::size_t column = 0; column < map.rows.size(); ++column) {
+        std::vector<Rational> numbers = simpler_numbers(map.rows[row][column]);
+        if (!numbers.empty()) numbers.emplace_back(0);
+        for (const Rational& number : numbers) {
+          LinearMap candidate = map;
+          candidate.rows[row][column] = number;
+          if (number != map.rows[row][column]) propose_map(std::move(candidate));
+        }
+      }
+    }
   }
 
   static void propose(std::vector<Bindings>& result, const Bindings& bindings, const FiniteMap& map) {
