@@ -64,8 +64,9 @@ class AdaptiveSamplingClass : public InstanceClass {
     };
     reach("nu", Rational(2));
     reach("c", Rational(4));
-    reach("mu_hat", Rational(1));
     const Rational& nu = number_in(bindings, "nu");
+    // Below 1/ν, so that there is a y where the function rises.
+    reach("mu_hat", minimum(Rational(1), Rational(3) / (Rational(4) * nu)));
     std::vector<SizingObject::Cone> cones;
     const long count = choices.happens(0.5) ? 1 : choices.between(2, 3);
     for (long at = 0; at < count; ++at) {

@@ -168,8 +168,9 @@ class Draw {
       bindings()["delta0"] = choices_.happens(0.5) ? most : most * choices_.fraction(8);
       return;
     }
-    Rational flake_parameter =
-        rounded_down(*limit, binary_exponent(*limit) - 10) * (Rational(1) - choices_.fraction(3));
+    // In space, with larger ones nearly everything is nearly a flake, and the search takes long.
+    const Rational first = m == 2 ? *limit : minimum(*limit, Rational::power_of_two(-4));
+    Rational flake_parameter = rounded_down(first, binary_exponent(first) - 10) * (Rational(1) - choices_.fraction(3));
     const long powers = choices_.between(1, m + 1);
     const auto protection_for = [&](const Rational& flake) {
       bindings()["gamma0"] = flake;
@@ -188,7 +189,7 @@ class Draw {
       }
     }
     Rational protection = protection_for(flake_parameter);
-    if (is_free && !limits_.most("delta0", bindings(), true) && choices_.happens(0.4)) {
+    if (is_free && !limits_.most("delta0", bindings(), true) && choices_.happens(m == 2 ? 0.4 : 0.1)) {
       protection = largest_protection(flake_parameter, protection);
       result_.instance.traits.insert(Trait::boundary);
     }

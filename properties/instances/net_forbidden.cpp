@@ -17,6 +17,7 @@ class Search {
       : points_(points),
         filter_(FrameMetric<m>::cartesian().template on<Filter>()),
         exact_{square(parameters.flake_parameter), square(parameters.sampling_radius), square(parameters.protection)},
+        in_filter_(exact_.template on<Filter>()),
         squared_radius_bound_(scalar_from<Filter>(exact_.squared_sampling_radius)),
         squared_protection_(scalar_from<Filter>(exact_.squared_protection)) {
     for (const auto& point : points_) {
@@ -135,6 +136,7 @@ class Search {
     for (const std::uint32_t other : chosen_) {
       if (other == apex || found_) return;
     }
+    if (is_refuted(forbidden_in_filter(apex))) return;
     std::vector<std::vector<Rational>> coordinates;
     const auto add = [&](std::uint32_t at) { coordinates.emplace_back(points_[at].begin(), points_[at].end()); };
     for (const std::uint32_t at : chosen_) add(at);
@@ -144,9 +146,17 @@ class Search {
     found_->push_back(apex);
   }
 
+  [[nodiscard]] Verdict forbidden_in_filter(std::uint32_t apex) const {
+    std::vector<std::vector<Filter>> coordinates;
+    for (const std::uint32_t at : chosen_) coordinates.emplace_back(position_[at].begin(), position_[at].end());
+    coordinates.emplace_back(position_[apex].begin(), position_[apex].end());
+    return is_forbidden_configuration(edge_gram_from_points(coordinates), m, in_filter_);
+  }
+
   const std::vector<Vector<Rational, m>>& points_;
   MetricOn<Filter, m> filter_;
   ForbiddenConfigurationParameters<Rational> exact_;
+  ForbiddenConfigurationParameters<Filter> in_filter_;
   Filter squared_radius_bound_;
   Filter squared_protection_;
   Filter squared_reach_;

@@ -15,7 +15,7 @@ const RunObject& run_in(const Bindings& bindings) {
 RunRecipe draw_recipe(int dimension, const Rational& most_share, Choices& choices) {
   RunRecipe recipe;
   // Some runs without perturbation, of a lattice: they satisfy no hypotheses, and nothing holds of them.
-  const bool perturbed = !choices.happens(0.08);
+  const bool perturbed = !choices.happens(0.12);
   recipe.mode = perturbed ? RunMode::theory : RunMode::none;
   const long kind = choices.between(0, dimension == 2 ? 2 : 5);
   if (dimension == 2) {

@@ -30,7 +30,7 @@ TEST(RunClass, ItsClaimsHold) {
 }
 
 TEST(RunClass, WithoutTheHypothesisTheClaimsAreRefuted) {
-  const ClaimCount count = count_outcomes(twin_of_hypothesis(find_claim("delaunay-complex"), 0), {0, 2}, 40);
+  const ClaimCount count = count_outcomes(twin_of_hypothesis(find_claim("delaunay-complex"), 0), {0, 2}, 60);
   EXPECT_GT(count.violated, 0);
 }
 
