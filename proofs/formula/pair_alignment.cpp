@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "kernel/simplex/gram_elimination.hpp"
-#include "kernel/simplex/spectrum.hpp"
 
 namespace delcert {
 
@@ -275,8 +274,8 @@ Alignment<S> least_errors(Evaluation<S>& evaluation, const SimplexObject& simple
     by_lengths = maximum(by_lengths, absolute(difference));
   }
   S by_values = by_lengths;
-  const auto before = eigenvalues<S>(simplex.exact_gram().gram());
-  const auto after = eigenvalues<S>(image.exact_gram().gram());
+  const auto before = eigenvalues_by_scaling<S>(simplex.exact_gram().gram());
+  const auto after = eigenvalues_by_scaling<S>(image.exact_gram().gram());
   if (before && after) {
     for (std::size_t j = 0; j < before->size(); ++j) {
       by_values = maximum(by_values, absolute(S(square_root((*after)[j]) - square_root((*before)[j]))));

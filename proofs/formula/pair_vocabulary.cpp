@@ -1,7 +1,6 @@
 #include "proofs/formula/pair_vocabulary.hpp"
 
 #include "kernel/error.hpp"
-#include "kernel/simplex/spectrum.hpp"
 #include "proofs/formula/pair_alignment.hpp"
 
 namespace delcert {
@@ -73,7 +72,7 @@ void add_pair_quantities(Vocabulary& vocabulary) {
       "gram_difference_norm", {types::simplex, types::simplex}, "‖E‖ = s_1(E) for P̃ᵀP̃ = PᵀP + E, a squared length.",
       "\\lVert E(#1, #2)\\rVert", []<class S>(Evaluation<S>&, Arguments<S> a) -> Partial<S> {
         require_pair(simplex_of(a[0]), simplex_of(a[1]));
-        const auto values = eigenvalues<S>(gram_difference(simplex_of(a[0]), simplex_of(a[1])));
+        const auto values = eigenvalues_by_scaling<S>(gram_difference(simplex_of(a[0]), simplex_of(a[1])));
         return values ? Partial<S>(norm_from_eigenvalues(*values)) : Partial<S>::absent(values.exists());
       }));
   vocabulary.add(number_function(

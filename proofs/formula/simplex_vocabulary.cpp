@@ -13,6 +13,7 @@
 #include "kernel/simplex/realisability.hpp"
 #include "kernel/simplex/spectrum.hpp"
 #include "kernel/simplex/thickness.hpp"
+#include "proofs/formula/pair_alignment.hpp"
 #include "proofs/formula/simplex_object.hpp"
 
 namespace delcert {
@@ -52,7 +53,8 @@ struct DualLengths {
 template <class S>
 const Partial<std::vector<S>>& spectrum(Evaluation<S>& evaluation, const SimplexObject& simplex) {
   return evaluation
-      .template attached<Spectrum<S>>(simplex, [&] { return Spectrum<S>{eigenvalues<S>(simplex.exact_gram().gram())}; })
+      .template attached<Spectrum<S>>(
+          simplex, [&] { return Spectrum<S>{eigenvalues_by_scaling<S>(simplex.exact_gram().gram())}; })
       .values;
 }
 
