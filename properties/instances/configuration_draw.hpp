@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+
+#include "properties/instances/configuration_geometry.hpp"
+#include "properties/instances/instance_class.hpp"
+
+namespace delcert {
+
+/// A (k+1)-simplex of points of a perturbed set with the set's parameters, names as in the instance classes.
+struct Configuration {
+  SimplexObject::Points points;
+  Rational gamma0;
+  Rational delta0;
+  Rational mu0;
+  Rational rho0;
+  Rational epsilon;
+  Rational perturbed_mu0;
+  Rational perturbed_epsilon;
+  bool at_boundary = false;
+
+  /// δ = δ₀μ₀′ε′
+  [[nodiscard]] Rational protection() const { return delta0 * perturbed_mu0 * perturbed_epsilon; }
+  /// (5/2)(1 + δ₀μ₀/2)ε of P3
+  [[nodiscard]] Rational edge_bound() const;
+  /// α₀ = 2¹³Γ₀/μ₀³ of P1
+  [[nodiscard]] Rational hoop_bound() const;
+};
+
+/// A forbidden configuration of dimension k + 1 in ℝᵐ (def:forbidden.config) with vertices μ₀′ε′ apart.
+///
+/// All vertices lie on a sphere of ℝᵏ, rationally; then one of them is moved off it by at most δ, and for k < m also
+/// out of ℝᵏ, as high as leaves a flake, with a shift along ℝᵏ such that a larger ball still goes through all of them.
+/// Facets are fat, or (k ≥ 3) slivers that are hardly Γ₀-good. Nothing for k = 1 (there is none, proof in
+/// docs/claims/forbidden-configurations.md), and rarely for other choices. Where no hypothesis limits μ₀, some are
+/// drawn in ℝ² with μ₀ = 17/10, from a hexagonal net: see docs. Precondition: `bound` has k and m.
+[[nodiscard]] std::optional<Configuration> draw_forbidden_configuration(const Shape& shape, const Bindings& bound,
+                                                                        const Limits& limits, Choices& choices);
+
+/// A (k+1)-simplex in ℝᵐ with the properties P1 … P4 of lem:prop.forbid.cfg only, and vertices μ₀ε apart (ρ₀ = 0): all
+/// vertices near a sphere of radius up to 2ε, one moved so far that the α₀-hoop property hardly holds. Most of them
+/// are not forbidden configurations. Precondition: `bound` has k and m.
+[[nodiscard]] std::optional<Configuration> draw_forbidden_properties(const Shape& shape, const Bindings& bound,
+                                                                     const Limits& limits, Choices& choices);
+
+/// Whether the vertices are μ₀′ε′ apart and the simplex is a forbidden configuration; decided exactly.
+[[nodiscard]] bool is_forbidden_configuration(const Configuration& configuration);
+/// Whether the simplex has the properties P1 … P4; decided exactly.
+[[nodiscard]] bool has_forbidden_properties(const Configuration& configuration);
+
+/// The same at another size: points and radii multiplied.
+[[nodiscard]] Configuration scaled(Configuration configuration, const Rational& factor);
+
+}  // namespace delcert
