@@ -237,7 +237,8 @@ class Draw {
       if (given && most == *given) result_.at_boundary = true;
     } else {
       const double w = (u - at_limit) / (1.0 - at_limit);
-      const double exponent = static_cast<double>(lowest_flake_exponent) * w * w * w * w;
+      const double w2 = w * w;
+      const double exponent = static_cast<double>(lowest_flake_exponent) * w2 * w2 * w2 * w2;
       const long whole = static_cast<long>(exponent);
       const Rational rest = Rational::exactly(1.0 - (exponent - static_cast<double>(whole)) / 2.0);
       result_.gamma0 = shortened_down(most * Rational::power_of_two(-whole) * rest, 6);
