@@ -103,7 +103,9 @@ ExitStatus replay(const AttackOptions& options) {
   std::cout << claim.name << ": the hypotheses are " << name_of(result.hypotheses) << "\n";
   for (std::size_t at = 0; at < result.conclusions.size(); ++at) {
     if (claim.conclusions[at].name != witness.conclusion) continue;
-    const ConclusionOutcome& outcome = result.conclusions[at];
+    ConclusionOutcome outcome = result.conclusions[at];
+    Scene scene(witness.bindings);
+    if (!outcome.ratio) outcome.ratio = ratio_bounds(*claim.conclusions[at].formula, scene, true);
     std::cout << claim.conclusions[at].text << ": " << name_of(outcome.verdict) << ", ratio "
               << ratio_text(outcome.ratio) << "\n";
     if (is_refuted(outcome.verdict)) return ExitStatus::rejected;
@@ -225,6 +227,7 @@ ExitStatus run_attack(const AttackOptions& options) {
   if (options.stored) throw InputError("--stored is about --twins");
   CampaignPlan plan;
   plan.targets = targets_of(options);
+  if (plan.targets.empty()) throw InputError("no claim is about a class with this --shape");
   plan.seed = options.seed;
   plan.threads = options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
   plan.log = options.log;

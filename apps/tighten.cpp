@@ -94,6 +94,7 @@ ExitStatus run_tighten(const TightenOptions& options) {
       }
     }
   }
+  if (rows.empty()) throw InputError("no claim is about a class with this --shape");
   print(rows, options.json);
   return refuted ? ExitStatus::rejected : ExitStatus::verified;
 }

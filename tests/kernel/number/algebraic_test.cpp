@@ -139,5 +139,54 @@ TEST(Algebraic, copies_are_independent_and_assignment_to_itself_and_after_moving
   EXPECT_TRUE(equal(b, Algebraic(2) + Algebraic(3) / root_of(2)));
 }
 
+TEST(Algebraic, real_roots_come_in_order_with_their_multiplicity_and_without_the_complex_ones) {
+  // (x − 1)² (x + 2) (x² + 1) x
+  const std::vector<Rational> coefficients = {0, 2, -3, 2, -2, 0, 1};
+  const auto roots = real_roots(coefficients);
+  ASSERT_EQ(roots.size(), 4U);
+  const std::vector<int> expected = {-2, 0, 1, 1};
+  for (std::size_t at = 0; at < roots.size(); ++at) EXPECT_TRUE(equal(roots[at], Algebraic(expected[at]))) << at;
+}
+
+TEST(Algebraic, real_roots_are_roots_and_all_of_them) {
+  // x³ − 3x + 1 has three, x³ − 2 one, x⁴ + 1 none.
+  const std::vector<Rational> three = {1, -3, 0, 1};
+  const auto roots = real_roots(three);
+  ASSERT_EQ(roots.size(), 3U);
+  for (const Algebraic& root : roots) {
+    EXPECT_EQ(is_zero(square(root) * root - Algebraic(3) * root + Algebraic(1)), Verdict::proved);
+  }
+  EXPECT_EQ(less(roots[0], roots[1]), Verdict::proved);
+  EXPECT_EQ(less(roots[1], roots[2]), Verdict::proved);
+  const std::vector<Rational> one = {-2, 0, 0, 1};
+  ASSERT_EQ(real_roots(one).size(), 1U);
+  EXPECT_TRUE(equal(square(real_roots(one)[0]) * real_roots(one)[0], Algebraic(2)));
+  const std::vector<Rational> none = {1, 0, 0, 0, 1};
+  EXPECT_TRUE(real_roots(none).empty());
+}
+
+TEST(Algebraic, real_roots_of_rational_coefficients_leading_zeros_and_constants) {
+  const std::vector<Rational> rational = {Rational(-1) / Rational(9), 0, 1, 0, 0};
+  const auto roots = real_roots(rational);
+  ASSERT_EQ(roots.size(), 2U);
+  EXPECT_TRUE(roots[0].rational() == Rational(-1) / Rational(3));
+  EXPECT_TRUE(roots[1].rational() == Rational(1) / Rational(3));
+  const std::vector<Rational> constant = {5};
+  EXPECT_TRUE(real_roots(constant).empty());
+  const std::vector<Rational> zero = {0, 0};
+  EXPECT_THROW((void)real_roots(zero), std::invalid_argument);
+  EXPECT_THROW((void)real_roots(std::vector<Rational>{}), std::invalid_argument);
+}
+
+// Two roots that no double tells apart.
+TEST(Algebraic, real_roots_that_nearly_coincide_are_two) {
+  const Rational gap = Rational::power_of_two(-300);
+  const std::vector<Rational> coefficients = {Rational(1) + gap, -(Rational(2) + gap), 1};
+  const auto roots = real_roots(coefficients);
+  ASSERT_EQ(roots.size(), 2U);
+  EXPECT_TRUE(roots[0].rational() == Rational(1));
+  EXPECT_TRUE(roots[1].rational() == Rational(1) + gap);
+}
+
 }  // namespace
 }  // namespace delcert

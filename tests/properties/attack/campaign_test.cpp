@@ -1,0 +1,167 @@
+#include "properties/attack/campaign.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "kernel/error.hpp"
+#include "tests/properties/attack/small_claims.hpp"
+
+namespace delcert {
+namespace {
+
+class Campaign : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+    plan_.targets = {
+        {test::wrong_claim(), {2, 2}, 60}, {test::right_claim(), {1, 2}, 35}, {test::right_claim(), {2, 2}, 1}};
+    plan_.seed = 3;
+    plan_.block = 10;
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  static std::string text_of(const std::vector<Tally>& tallies) {
+    std::string result;
+    for (const Tally& tally : tallies) result += tally_json(tally).dump() + "\n";
+    return result;
+  }
+  std::string result() const { return text_of(run_campaign(plan_, no_progress())); }
+  std::string error_of() const {
+    try {
+      (void)run_campaign(plan_, no_progress());
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  std::filesystem::path folder_ = std::filesystem::temp_directory_path() / "delcert-campaign-test";
+  CampaignPlan plan_;
+};
+
+TEST_F(Campaign, the_result_is_that_of_single_blocks) {
+  const auto tallies = run_campaign(plan_, no_progress());
+  ASSERT_EQ(tallies.size(), 3U);
+  for (std::size_t at = 0; at < 3; ++at) {
+    const Target& target = plan_.targets[at];
+    EXPECT_EQ(tally_json(tallies[at]).dump(),
+              tally_json(attack_block(target.claim, target.shape, 3, 0, target.samples)).dump());
+  }
+}
+
+TEST_F(Campaign, the_result_depends_neither_on_the_number_of_threads_nor_on_the_blocks) {
+  const std::string one = result();
+  for (const unsigned threads : {0U, 2U, 5U, 100000U}) {
+    plan_.threads = threads;
+    EXPECT_EQ(result(), one) << threads;
+  }
+  plan_.block = 7;
+  EXPECT_EQ(result(), one);
+  plan_.seed = 4;
+  EXPECT_NE(result(), one);
+}
+
+TEST_F(Campaign, interrupted_at_any_time_and_resumed_it_gives_the_same) {
+  const std::string one = result();
+  plan_.log = folder_ / "log.jsonl";
+  plan_.threads = 2;
+  for (int interruptions = 0; interruptions < 4; ++interruptions) {
+    std::size_t last = 0;
+    const Progress interrupt = [&](std::string_view, std::size_t done, std::size_t total) {
+      EXPECT_LE(done, total);
+      EXPECT_GE(done, last);
+      last = done;
+      if (done > static_cast<std::size_t>(interruptions) * 20) throw std::runtime_error("interrupted");
+    };
+    try {
+      (void)run_campaign(plan_, interrupt);
+    } catch (const std::runtime_error& error) {
+      EXPECT_STREQ(error.what(), "interrupted");
+    }
+  }
+  EXPECT_EQ(result(), one);
+  // And from the log alone.
+  EXPECT_EQ(result(), one);
+}
+
+TEST_F(Campaign, a_log_of_other_claims_samples_parameters_or_seed_is_refused) {
+  plan_.log = folder_ / "log.jsonl";
+  (void)result();
+  EXPECT_EQ(error_of(), "no error");
+  const CampaignPlan good = plan_;
+  plan_.seed = 4;
+  EXPECT_NE(error_of().find("another campaign"), std::string::npos);
+  plan_ = good;
+  plan_.targets[0].samples = 61;
+  EXPECT_NE(error_of().find("another campaign"), std::string::npos);
+  plan_ = good;
+  plan_.targets[1].claim.parameters.at("eta").upper = Rational(2);
+  EXPECT_NE(error_of().find("another campaign"), std::string::npos);
+  plan_ = good;
+  plan_.targets[0].claim.conclusions[0].text += " ";
+  EXPECT_NE(error_of().find("another campaign"), std::string::npos);
+  plan_ = good;
+  plan_.targets.pop_back();
+  EXPECT_NE(error_of().find("another campaign"), std::string::npos);
+}
+
+TEST_F(Campaign, a_log_with_a_block_that_is_not_of_the_campaign_is_refused) {
+  plan_.log = folder_ / "log.jsonl";
+  (void)result();
+  std::ifstream stream(plan_.log);
+  std::stringstream buffer;
+  buffer << stream.rdbuf();
+  const std::string good = buffer.str();
+  const auto block = [&](std::size_t target, std::uint64_t first, const Tally& tally) {
+    std::ofstream(plan_.log) << good
+                             << nlohmann::json{{"target", target}, {"first", first}, {"tally", tally_json(tally)}}
+                             << "\n";
+  };
+  const Tally ten = attack_block(plan_.targets[0].claim, {2, 2}, 3, 0, 10);
+  block(0, 0, ten);
+  EXPECT_EQ(error_of(), "no error");
+  block(7, 0, ten);
+  EXPECT_NE(error_of().find("no block of this campaign"), std::string::npos);
+  block(0, 5, ten);
+  EXPECT_NE(error_of().find("no block of this campaign"), std::string::npos);
+  block(0, 60, ten);
+  EXPECT_NE(error_of().find("no block of this campaign"), std::string::npos);
+  block(2, 0, ten);
+  EXPECT_NE(error_of().find("no block of this campaign"), std::string::npos);
+}
+
+TEST_F(Campaign, what_a_worker_throws_arrives_with_claim_and_shape_whatever_the_threads) {
+  plan_.targets[1].claim =
+      test::claim_about_simplices("asks-too-much", "[[show]]\nclaim = \"altitude(s, 1) > 0 or altitude(s, 9) > 0\"\n");
+  plan_.targets[2].claim = plan_.targets[1].claim;
+  plan_.targets[1].claim.conclusions[0] =
+      test::claim_about_simplices("b", "[[show]]\nclaim = \"altitude(s, 9) > 0\"\n").conclusions[0];
+  const std::string one = error_of();
+  EXPECT_TRUE(one.starts_with("asks-too-much (k=1, m=2): ")) << one;
+  plan_.threads = 4;
+  for (int round = 0; round < 5; ++round) EXPECT_EQ(error_of(), one);
+}
+
+TEST_F(Campaign, no_targets_and_no_samples_give_empty_tallies) {
+  plan_.targets[0].samples = 0;
+  EXPECT_EQ(run_campaign(plan_, no_progress()).at(0).samples, 0U);
+  plan_.targets.clear();
+  EXPECT_TRUE(run_campaign(plan_, no_progress()).empty());
+}
+
+TEST_F(Campaign, blocks_are_neither_many_nor_empty) {
+  Target target = plan_.targets[0];
+  EXPECT_EQ(block_size(plan_, target), 10U);
+  target.samples = 1000000000000;
+  EXPECT_EQ(block_size(plan_, target), 50000000U);
+  plan_.block = 0;
+  target.samples = 5;
+  EXPECT_EQ(block_size(plan_, target), 1U);
+}
+
+}  // namespace
+}  // namespace delcert
