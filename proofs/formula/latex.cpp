@@ -58,7 +58,8 @@ bool is_delimited(std::string_view before) {
 std::string filled(const std::string& pattern, const std::vector<Piece>& arguments) {
   std::string result;
   for (std::size_t at = 0; at < pattern.size(); ++at) {
-    const bool is_place = pattern[at] == '#' && at + 1 < pattern.size();
+    const bool is_sign = at > 0 && pattern[at - 1] == '\\';
+    const bool is_place = pattern[at] == '#' && !is_sign && at + 1 < pattern.size();
     if (is_place && pattern[at + 1] == '*') {
       for (std::size_t number = 0; number < arguments.size(); ++number) {
         result += (number == 0 ? "" : ", ") + arguments[number].text;

@@ -1,4 +1,5 @@
 // Point files: the first byte chooses the dimension; what is accepted is written and read again as the same points.
+#include "kernel/error.hpp"
 #include "kernel/sample/point_file.hpp"
 #include "properties/fuzz/fuzz_target.hpp"
 

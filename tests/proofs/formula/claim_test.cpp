@@ -9,6 +9,7 @@
 #include "kernel/error.hpp"
 #include "proofs/formula/builtin_claims.hpp"
 #include "properties/instances/instance_class.hpp"
+#include "tests/proofs/formula/source_folder.hpp"
 
 namespace delcert {
 namespace {
@@ -122,7 +123,7 @@ TEST(Claims, every_file_of_the_library_is_a_claim_named_after_it) {
 
 std::vector<fs::path> malformed_files() {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(DELCERT_SOURCE_DIR "/tests/cli/malformed/claims")) {
+  for (const auto& entry : fs::directory_iterator(source_folder() / "tests/cli/malformed/claims")) {
     files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());

@@ -7,6 +7,7 @@
 
 #include "proofs/formula/arithmetic_vocabulary.hpp"
 #include "properties/instances/instance_class.hpp"
+#include "tests/proofs/formula/source_folder.hpp"
 
 namespace delcert {
 namespace {
@@ -29,21 +30,36 @@ TEST(VocabularyText, tables_have_a_line_for_each_function_and_definition) {
   EXPECT_NE(table.find("| `twice(x, k)` | `2*x + k` | A \\| in a cell. |\n"), std::string::npos);
 }
 
-/// The part of docs/claim-format.md between the two comments.
-TEST(VocabularyText, the_manual_has_the_table_of_the_whole_vocabulary) {
-  std::ifstream stream(DELCERT_SOURCE_DIR "/docs/claim-format.md", std::ios::binary);
+/// The part of docs/claim-format.md between two comments.
+std::string generated_part(const std::string& name) {
+  std::ifstream stream(source_folder() / "docs/claim-format.md", std::ios::binary);
   std::stringstream content;
   content << stream.rdbuf();
   const std::string text = content.str();
-  const std::string begin = "<!-- functions: generated -->\n";
-  const std::string end = "<!-- functions: end -->\n";
+  const std::string begin = "<!-- " + name + ": generated -->\n";
   const std::size_t from = text.find(begin);
-  const std::size_t to = text.find(end);
-  ASSERT_NE(from, std::string::npos);
-  ASSERT_NE(to, std::string::npos);
-  EXPECT_EQ(text.substr(from + begin.size(), to - from - begin.size()), vocabulary_table(full_vocabulary()))
-      << "docs/claim-format.md: put in the output of `delcert claims functions`";
+  const std::size_t to = text.find("<!-- " + name + ": end -->\n");
+  if (from == std::string::npos || to == std::string::npos) return "no part " + name;
+  return text.substr(from + begin.size(), to - from - begin.size());
 }
+
+TEST(VocabularyText, the_manual_has_the_table_of_the_whole_vocabulary) {
+  EXPECT_EQ(generated_part("functions"), vocabulary_table(full_vocabulary()));
+}
+
+TEST(VocabularyText, the_manual_has_all_instance_classes_with_what_they_bind) {
+  std::string table = "| class | an instance is | binds |\n|---|---|---|\n";
+  for (const InstanceClass* each : instance_classes()) {
+    std::string bound;
+    for (const auto& [name, type] : each->signature()) {
+      bound += (bound.empty() ? "`" : ", `") + name + "` " + type.text();
+    }
+    table += "| `" + each->name() + "` | " + each->meaning() + " | " + bound + " |\n";
+  }
+  EXPECT_EQ(generated_part("classes"), table);
+}
+
+TEST(VocabularyText, a_part_that_is_not_there_is_noticed) { EXPECT_EQ(generated_part("nothing"), "no part nothing"); }
 
 }  // namespace
 }  // namespace delcert
