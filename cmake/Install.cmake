@@ -1,23 +1,24 @@
-# cmake --install: the two programs, the libraries with their headers, the manifolds of the examples, the docs, and
-# what find_package(delcert) reads.
+# cmake --install: the two programs, the libraries with their headers, the manifolds and claims of the examples, the
+# docs, and what find_package(delcert) reads.
 include(CMakePackageConfigHelpers)
 set(DELCERT_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/delcert)
 
 set_target_properties(delcert_rigour PROPERTIES EXPORT_NAME rigour)
 set_target_properties(delcert_kernel PROPERTIES EXPORT_NAME kernel)
 set_target_properties(delcert_proofs PROPERTIES EXPORT_NAME proofs)
-install(TARGETS delcert_rigour delcert_kernel delcert_proofs EXPORT delcert
+set_target_properties(delcert_properties PROPERTIES EXPORT_NAME properties)
+install(TARGETS delcert_rigour delcert_kernel delcert_proofs delcert_properties EXPORT delcert
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS delcert delcert-check RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 
 # Below include/delcert/, so that consumers write the same includes as we do.
-foreach(folder kernel proofs/constants proofs/certificate)
+foreach(folder kernel proofs/constants proofs/certificate proofs/formula properties/instances properties/attack)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/delcert/${folder}
     FILES_MATCHING PATTERN "*.hpp")
 endforeach()
 install(FILES ${PROJECT_BINARY_DIR}/generated/delcert_version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/delcert)
 
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/manifolds DESTINATION ${CMAKE_INSTALL_DATADIR}/delcert)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/manifolds ${PROJECT_SOURCE_DIR}/examples/claims DESTINATION ${CMAKE_INSTALL_DATADIR}/delcert)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
   ${PROJECT_SOURCE_DIR}/CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})

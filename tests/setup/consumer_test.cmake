@@ -13,7 +13,8 @@ function(run title)
 endfunction()
 
 run("install" ${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
-foreach(name bin/delcert bin/delcert-check share/delcert/manifolds/torus-3.toml share/doc/delcert/certificate-format.md)
+foreach(name bin/delcert bin/delcert-check share/delcert/manifolds/torus-3.toml
+    share/delcert/claims/circumradius-below-edge.toml share/doc/delcert/certificate-format.md)
   if(NOT EXISTS ${prefix}/${name})
     message(SEND_ERROR "${name} is not installed")
   endif()
@@ -45,4 +46,9 @@ after a move by 2^-100: refuted, which took more than doubles
 ")
 if(NOT output STREQUAL expected)
   message(SEND_ERROR "near_square says\n${output}and not\n${expected}")
+endif()
+
+run("claim" ${WORK}/build/claim)
+if(NOT output MATCHES "^100 triangles, undecided: 0, refuted\n{\n.*\"points\": .*}\ndecided anew: refuted\n$")
+  message(SEND_ERROR "claim says\n${output}")
 endif()

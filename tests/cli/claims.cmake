@@ -1,0 +1,16 @@
+# The list of claims and what they can speak of.
+set(delcert $<TARGET_FILE:delcert>)
+set(claims ${PROJECT_SOURCE_DIR}/examples/claims)
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/malformed-claim.toml
+  "name = 'a'\ninstance = 'simplex'\n[[show]]\nclaim = 'circumradus(s) <= 1'\n")
+
+delcert_cli_test(claims STATUS 0 ERROR "^$" OUTPUT "thickness-and-singular-value +lem:bound.skP +paper +simplex\n" COMMAND ${delcert} claims)
+delcert_cli_test(claims-show STATUS 0 ERROR "^$" OUTPUT "^thickness-and-singular-value: .*source: lem:bound.skP .paper.*show .*twin, to be refuted: "
+  COMMAND ${delcert} claims show thickness-and-singular-value)
+delcert_cli_test(claims-show-file STATUS 0 ERROR "^$" OUTPUT "show radius: circumradius.s. <= longest_edge.s.\n"
+  COMMAND ${delcert} claims show ${claims}/circumradius-below-edge.toml)
+delcert_cli_test(claims-classes STATUS 0 ERROR "^$" OUTPUT "simplex: a non-degenerate.*s, a simplex\n" COMMAND ${delcert} claims classes)
+delcert_cli_test(claims-unknown STATUS 3 OUTPUT "^$" ERROR "no claim is called nothing" COMMAND ${delcert} claims show nothing)
+delcert_cli_test(claims-unknown-subcommand STATUS 64 OUTPUT "^$" ERROR "^delcert: error: " COMMAND ${delcert} claims shwo)
+delcert_cli_test(claims-malformed STATUS 3 OUTPUT "^$" ERROR "malformed-claim.toml:4:[0-9]+: "
+  COMMAND ${delcert} claims show malformed-claim.toml)
