@@ -1,0 +1,75 @@
+#include "apps/attack_report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "tests/properties/attack/small_claims.hpp"
+
+namespace delcert {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TEST(AttackReport, ratios_have_the_digits_that_both_bounds_share) {
+  EXPECT_EQ(ratio_text(std::nullopt), "–");
+  EXPECT_EQ(ratio_text(DoubleBounds{0.5, 0.5}), "0.5");
+  EXPECT_EQ(ratio_text(DoubleBounds{0.123456781, 0.123456784}), "0.12345678");
+  EXPECT_EQ(ratio_text(DoubleBounds{0.97, 1.02}), "[0.97, 1.02]");
+  EXPECT_EQ(ratio_text(DoubleBounds{0, infinity}), "unbounded");
+}
+
+/// Two targets with one conclusion each.
+std::vector<Target> targets() { return {{test::wrong_claim(), {2, 2}, 40}, {test::right_claim(), {0, 3}, 10}}; }
+
+std::vector<Tally> tallies() {
+  Tally refuted;
+  refuted.samples = 40;
+  refuted.not_drawn = 4;
+  refuted.hypotheses_not_met = 6;
+  refuted.traits = {15, 0, 1};
+  refuted.rungs.settled = {999, 0, 1, 0};
+  refuted.conclusions.resize(1);
+  refuted.conclusions[0].held = 28;
+  refuted.conclusions[0].violated = 2;
+  refuted.conclusions[0].worst = DoubleBounds{1.5, 1.5};
+  Tally nothing;
+  nothing.samples = 10;
+  nothing.not_drawn = 10;
+  nothing.conclusions.resize(1);
+  return {refuted, nothing};
+}
+
+TEST(AttackReport, the_table_has_a_row_for_each_conclusion_and_shape) {
+  const std::string table = attack_table(targets(), tallies());
+  EXPECT_NE(table.find("| wrong / radius | k=2 m=2 | 40 | 25.0 % | 50.0 % | 0 | 3.3 % | 1.5 | "
+                       "99.9 % / 0 / 0.1 % / 0 | 0 | REFUTED (2) |\n"),
+            std::string::npos)
+      << table;
+  EXPECT_NE(table.find("| right / radius | m=3 | 10 | 100.0 % | 0 | 0 | 0 | – | 0 / 0 / 0 / 0 | 0 | not attacked |\n"),
+            std::string::npos)
+      << table;
+}
+
+TEST(AttackReport, verdicts_are_held_refuted_undecided_or_nothing) {
+  auto some = tallies();
+  some[0].conclusions[0].violated = 0;
+  EXPECT_NE(attack_table(targets(), some).find("| held |"), std::string::npos);
+  some[0].conclusions[0].undecided = 1;
+  EXPECT_NE(attack_table(targets(), some).find("| 1 | undecided |"), std::string::npos);
+}
+
+TEST(AttackReport, json_says_the_same) {
+  const auto json = attack_json(targets(), tallies());
+  ASSERT_EQ(json.size(), 2U);
+  EXPECT_EQ(json[0]["claim"], "wrong");
+  EXPECT_EQ(json[0]["k"], 2);
+  EXPECT_EQ(json[0]["tally"]["samples"], 40);
+  EXPECT_EQ(json[0]["tally"]["conclusions"][0]["name"], "radius");
+  EXPECT_EQ(json[0]["tally"]["conclusions"][0]["verdict"], "REFUTED (2)");
+  EXPECT_EQ(json[1]["tally"]["conclusions"][0]["verdict"], "not attacked");
+}
+
+}  // namespace
+}  // namespace delcert

@@ -1,0 +1,162 @@
+#include "properties/attack/twins.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "kernel/error.hpp"
+#include "tests/properties/attack/small_claims.hpp"
+
+namespace delcert {
+namespace {
+
+namespace fs = std::filesystem;
+using test::claim_about_simplices;
+using test::right_claim;
+using test::triangle_bindings;
+using test::wrong_claim;
+
+class Twins : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  static void write(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+
+  fs::path folder_ = fs::temp_directory_path() / "delcert-twins-test";
+};
+
+TEST_F(Twins, a_claim_has_those_that_it_does_not_excuse) {
+  std::vector<std::string> names;
+  for (const Claim& twin : twins_of(right_claim())) names.push_back(twin.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"right/radius-twin", "right/without-small"}));
+  EXPECT_TRUE(conclusions_without_twin(right_claim()).empty());
+  EXPECT_EQ(conclusions_without_twin(wrong_claim()), std::vector<std::string>{"radius"});
+  const Claim excused = claim_about_simplices(
+      "a",
+      "given = [{ claim = \"k >= 1\", no_twin = \"always\" }]\n[[show]]\nclaim = \"k >= 1\"\nno_twin = \"always\"\n");
+  EXPECT_TRUE(twins_of(excused).empty());
+  EXPECT_TRUE(conclusions_without_twin(excused).empty());
+}
+
+TEST_F(Twins, names_are_taken_apart_and_put_together) {
+  const auto twins = twins_of(right_claim());
+  EXPECT_EQ(original_name(twins[0]), "right");
+  EXPECT_EQ(twin_name(twins[0]), "radius-twin");
+  EXPECT_EQ(original_name(right_claim()), "right");
+  EXPECT_EQ(twin_name(right_claim()), "");
+  EXPECT_EQ(witness_file_name(twins[0], "radius-twin"), "right.radius-twin.json");
+  EXPECT_EQ(witness_file_name(twins[1], "radius"), "right.without-small.json");
+  EXPECT_EQ(witness_file_name(right_claim(), "radius"), "right.radius.json");
+}
+
+TEST_F(Twins, both_twins_are_refuted_and_the_claim_is_not) {
+  const Effort effort{60, 40, 1};
+  const std::vector<Shape> shapes = {{1, 1}, {2, 2}, {3, 3}};
+  for (const Claim& twin : twins_of(right_claim())) {
+    const auto witness = refute(twin, shapes, effort, no_progress());
+    ASSERT_TRUE(witness.has_value()) << twin.name;
+    EXPECT_EQ(witness->twin, twin_name(twin));
+    EXPECT_EQ(decide_witness(twin, *witness), Verdict::refuted);
+    EXPECT_NO_THROW(require_witness_of(twin, *witness));
+    EXPECT_EQ(decide_witness(right_claim(), {"right", "radius", "", "simplex", witness->bindings}), Verdict::proved);
+  }
+  EXPECT_FALSE(refute(right_claim(), shapes, {20, 20, 1}, no_progress()).has_value());
+}
+
+TEST_F(Twins, what_random_samples_do_not_refute_directed_search_does) {
+  const Claim claim = claim_about_simplices("a", "[[show]]\nclaim = \"thickness(s) <= 432/1000 or k = 1\"\n");
+  EXPECT_FALSE(refute(claim, {{2, 2}}, {40, 1, 1}, no_progress()).has_value());
+  EXPECT_TRUE(refute(claim, {{2, 2}}, {40, 3000, 1}, no_progress()).has_value());
+}
+
+TEST_F(Twins, a_stored_witness_refutes_its_twin_and_no_other) {
+  const auto twins = twins_of(right_claim());
+  EXPECT_FALSE(is_refuted_by_stored_witness(twins[0], folder_));
+  EXPECT_FALSE(is_refuted_by_stored_witness(twins[0], folder_ / "none"));
+  const auto witness = refute(twins[0], {{2, 2}}, {60, 40, 1}, no_progress());
+  write(folder_ / "right.radius-twin.json", witness_text(*witness));
+  EXPECT_TRUE(is_refuted_by_stored_witness(twins[0], folder_));
+  EXPECT_FALSE(is_refuted_by_stored_witness(twins[1], folder_));
+  // Under the name of the other twin, cut off, or not refuting.
+  write(folder_ / "right.without-small.json", witness_text(*witness));
+  EXPECT_THROW((void)is_refuted_by_stored_witness(twins[1], folder_), InputError);
+  write(folder_ / "right.radius-twin.json", witness_text(*witness).substr(0, 100));
+  EXPECT_THROW((void)is_refuted_by_stored_witness(twins[0], folder_), InputError);
+  Witness harmless = *witness;
+  harmless.bindings["eta"] = Rational::power_of_two(-100);
+  write(folder_ / "right.radius-twin.json", witness_text(harmless));
+  EXPECT_THROW((void)is_refuted_by_stored_witness(twins[0], folder_), InputError);
+}
+
+TEST_F(Twins, a_witness_whose_hypotheses_fail_refutes_nothing) {
+  const Claim claim = claim_about_simplices("a", "given = [\"k = 1\"]\n[[show]]\nname = \"b\"\nclaim = \"k = 1\"\n");
+  EXPECT_EQ(decide_witness(claim, {"a", "b", "", "simplex", triangle_bindings(0, 1)}), Verdict::proved);
+}
+
+TEST_F(Twins, a_witness_finds_its_claim_or_is_given_another) {
+  const fs::path file = folder_ / "wrong.toml";
+  write(file,
+        "name = \"wrong\"\ninstance = \"simplex\"\n[[show]]\nname = \"radius\"\nclaim = \"circumradius(s) <= "
+        "longest_edge(s)\"\n"
+        "twin = \"circumradius(s) <= 0\"\n");
+  const Witness witness{"moved-away.toml", "radius-twin", "radius-twin", "simplex", triangle_bindings(0, 1)};
+  EXPECT_THROW((void)claim_of(witness), InputError);
+  EXPECT_EQ(claim_of(witness, file.string()).name, "wrong/radius-twin");
+  Witness other = witness;
+  other.twin = "without-hope";
+  EXPECT_THROW((void)claim_of(other, file.string()), InputError);
+  other = witness;
+  other.conclusion = "diameter";
+  EXPECT_THROW((void)claim_of(other, file.string()), InputError);
+  other = witness;
+  other.instance_class = "simplex-pair";
+  EXPECT_THROW((void)claim_of(other, file.string()), InputError);
+  other = witness;
+  other.bindings["eta"] = Rational(1);
+  EXPECT_THROW((void)claim_of(other, file.string()), InputError);
+}
+
+/// Every twin of every claim of the library is refuted by a witness in proofs/claims/witnesses, decided anew. What
+/// `delcert attack --all --twins --witnesses proofs/claims/witnesses` finds is written there.
+class StoredTwins : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(StoredTwins, are_all_refuted_by_stored_witnesses) {
+  const fs::path folder = fs::path(DELCERT_SOURCE_DIR) / "proofs/claims/witnesses";
+  const Claim& claim = builtin_claim_list()[GetParam()];
+  for (const Claim& twin : twins_of(claim)) {
+    EXPECT_TRUE(is_refuted_by_stored_witness(twin, folder)) << twin.name << " has no witness";
+  }
+  for (const std::string& name : conclusions_without_twin(claim)) {
+    ADD_FAILURE() << claim.name << " / " << name << " has neither a twin nor a reason";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryClaim, StoredTwins, testing::Range(std::size_t{0}, builtin_claim_list().size()),
+                         [](const testing::TestParamInfo<std::size_t>& of) {
+                           std::string name = builtin_claim_list()[of.param].name;
+                           std::replace_if(
+                               name.begin(), name.end(), [](char c) { return c == '-' || c == '.'; }, '_');
+                           return name;
+                         });
+
+TEST_F(Twins, no_stored_witness_is_of_a_claim_or_twin_that_is_gone) {
+  const fs::path folder = fs::path(DELCERT_SOURCE_DIR) / "proofs/claims/witnesses";
+  std::vector<std::string> expected;
+  for (const Claim& claim : builtin_claim_list()) {
+    for (const Claim& twin : twins_of(claim)) expected.push_back(witness_file_name(twin, ""));
+    for (const Conclusion& conclusion : claim.conclusions) {
+      expected.push_back(witness_file_name(claim, conclusion.name));
+    }
+  }
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    EXPECT_TRUE(std::find(expected.begin(), expected.end(), entry.path().filename().string()) != expected.end())
+        << entry.path();
+  }
+}
+
+}  // namespace
+}  // namespace delcert
