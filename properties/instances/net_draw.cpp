@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kernel/error.hpp"
+#include "kernel/manifold/flat_atlas.hpp"
 #include "kernel/perturb/perturbation.hpp"
 #include "proofs/certificate/run_parameters.hpp"
 #include "properties/instances/net_forbidden.hpp"
