@@ -7,6 +7,8 @@ set(DELCERT_TWIN_EXEMPTIONS
   "kernel/error" "exception types without behaviour of their own"
   "kernel/progress" "the type of a callback without behaviour of its own"
   "kernel/manifold/atlas" "an interface, tested through flat_atlas"
+  "proofs/formula/builtin_claims" "a declaration of what is generated, read in tests/proofs/formula/claim_test.cpp"
+  "properties/instances/instance_classes" "the list of all classes, gone through in properties/instances/instance_class_test"
   "kernel/perturb/parameters" "plain data, derived and tested in proofs/certificate/run_parameters")
 
 # Sets `result` to the list of complaints about the tree under `root`, given the exemptions (stem, reason, …).
@@ -27,7 +29,7 @@ function(delcert_twin_complaints root exemptions result)
     set(on_change)
   endif()
   set(stems)
-  foreach(folder kernel proofs/constants proofs/certificate)
+  foreach(folder kernel proofs/constants proofs/certificate proofs/formula properties/instances properties/attack)
     file(GLOB_RECURSE sources ${on_change} RELATIVE ${root} ${root}/${folder}/*.hpp ${root}/${folder}/*.cpp)
     file(GLOB_RECURSE tests ${on_change} RELATIVE ${root}/tests ${root}/tests/${folder}/*_test.cpp)
     list(TRANSFORM sources REPLACE "\\.[ch]pp$" "")

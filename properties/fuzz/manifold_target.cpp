@@ -7,7 +7,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace delcert;
   try {
     const ManifoldDescription manifold = parse_manifold(fuzz::text_of(data, size), "a.toml");
-    fuzz::require(manifold.gram.size() == manifold.dimension.value, "a manifold has a Gram matrix of its dimension");
+    fuzz::require(manifold.gram.size() == static_cast<std::size_t>(manifold.dimension.value),
+                  "a manifold has a Gram matrix of its dimension");
   } catch (const InputError& error) {
     fuzz::require_message(error.what(), "a.toml");
   }
