@@ -135,8 +135,12 @@ TEST(ScalarFrom, encloses_dyadic_numbers_of_all_sizes_tightly) {
         const Rational x = dyadic(digits, exponent, sign);
         const Interval enclosure = scalar_from<Interval>(x);
         const bool is_finite = std::isfinite(enclosure.lower()) && std::isfinite(enclosure.upper());
-        if (std::isfinite(enclosure.lower())) EXPECT_LE(Rational::exactly(enclosure.lower()), x);
-        if (std::isfinite(enclosure.upper())) EXPECT_GE(Rational::exactly(enclosure.upper()), x);
+        if (std::isfinite(enclosure.lower())) {
+          EXPECT_LE(Rational::exactly(enclosure.lower()), x);
+        }
+        if (std::isfinite(enclosure.upper())) {
+          EXPECT_GE(Rational::exactly(enclosure.upper()), x);
+        }
         if (!is_finite) continue;
         const bool is_double = digits <= 53 && exponent >= -1022;
         EXPECT_EQ(is_double, enclosure.lower() == enclosure.upper()) << digits << " " << exponent;
