@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "kernel/error.hpp"
 #include "tests/properties/attack/small_claims.hpp"
@@ -86,7 +87,7 @@ TEST(InstanceClass, the_vocabulary_knows_the_kinds_that_classes_bind) {
     for (const auto& [name, type] : each->signature()) {
       if (type == types::number || type == types::integer) continue;
       try {
-        (void)full_vocabulary().read(type.name, nullptr);
+        (void)full_vocabulary().read(type.name, nlohmann::ordered_json(nullptr));
         ADD_FAILURE() << "null is no " << type.name;
       } catch (const std::exception& error) {
         EXPECT_EQ(std::string(error.what()).find("no kind of object"), std::string::npos)
