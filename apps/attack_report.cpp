@@ -40,7 +40,7 @@ std::string ratio_text(const std::optional<DoubleBounds>& ratio) {
   if (!ratio) return "–";
   if (!std::isfinite(ratio->lower) || !std::isfinite(ratio->upper)) return "unbounded";
   for (int digits = 9; digits >= 2; --digits) {
-    const std::string lower = fmt::format("{:.{}g}", ratio->lower, digits);
+    std::string lower = fmt::format("{:.{}g}", ratio->lower, digits);
     if (lower == fmt::format("{:.{}g}", ratio->upper, digits)) return lower;
   }
   return fmt::format("[{:.3g}, {:.3g}]", ratio->lower, ratio->upper);
