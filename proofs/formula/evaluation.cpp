@@ -246,14 +246,14 @@ Partial<S> Evaluation<S>::number(const Expression& term) {
 
 template <class S>
 Partial<S> Evaluation<S>::arithmetic(const Expression& term) {
-  const Partial<S> first = number(*term.children.at(0));
+  Partial<S> first = number(*term.children.at(0));
   if (!first) return first;
   if (term.operation == Operation::negate) return S(S(0) - *first);
   if (term.operation == Operation::power) {
     const auto exponent = exact(*term.children[1]);
     return exponent ? power(*first, *exponent) : Partial<S>::absent(Verdict::refuted);
   }
-  const Partial<S> second = number(*term.children.at(1));
+  Partial<S> second = number(*term.children.at(1));
   if (!second) return second;
   switch (term.operation) {
     case Operation::add:

@@ -297,7 +297,7 @@ template <class S>
 Partial<Alignment<S>> enclosed_alignment(Evaluation<S>& evaluation, const SimplexObject& simplex,
                                          const SimplexObject& image) {
   if (are_congruent(simplex, image)) return Alignment<S>{S(0), S(0)};
-  const auto undecided = Partial<Alignment<S>>::absent(Verdict::undecided);
+  auto undecided = Partial<Alignment<S>>::absent(Verdict::undecided);
   const auto before = triangular_factor(evaluation, simplex);
   const auto after = triangular_factor(evaluation, image);
   if (!before || !after || !is_bounded(*before) || !is_bounded(*after)) return undecided;

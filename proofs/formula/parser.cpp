@@ -252,7 +252,7 @@ class Parser {
     if (here().text.size() > most_digits) throw FormulaError(here().offset, "a number of more than 1000 digits");
     // GMP takes leading zeros for octal.
     const std::size_t first = here().text.find_first_not_of('0');
-    const Rational result(first == std::string::npos ? Integer(0) : Integer(here().text.substr(first)));
+    Rational result(first == std::string::npos ? Integer(0) : Integer(here().text.substr(first)));
     ++at_;
     return result;
   }
