@@ -179,13 +179,20 @@ NetSample<m> draw_net(long factor, Choices& choices) {
   } else {
     const Basis<m> basis = lattice_basis<m>(choices);
     const Rational covering = lattice_covering_radius<m>(basis);
+    // In space four corners of a square stay coplanar under equal steps, up to less than the density's certificate can
+    // orient; there the steps are of different lengths, and not too small.
+    const long finest = m == 2 ? 40 : 14;
     const Rational step =
-        result.family == NetFamily::displaced ? Rational::power_of_two(-choices.between(5, 40)) : Rational(0);
+        result.family == NetFamily::displaced ? Rational::power_of_two(-choices.between(5, finest)) : Rational(0);
     result.radius = covering + Rational(2) * step;
     result.points = lattice_points<m>(basis, (Rational(factor) + rim()) * result.radius);
     for (std::uint32_t at = 1; at < result.points.size(); ++at) {
       CounterRandom random(seed, RandomPurpose::instances, at, 2);
-      for (Rational& coordinate : result.points[at]) coordinate += (random.next_word() & 1U) == 0 ? step : -step;
+      for (Rational& coordinate : result.points[at]) {
+        const std::uint32_t word = random.next_word();
+        const Rational length = m == 2 ? step : step * Rational(1 + (word >> 24U)) * Rational::power_of_two(-8);
+        coordinate += (word & 1U) == 0 ? length : -length;
+      }
     }
   }
   if (choices.happens(0.15)) add_close_points<m>(result.points, result.radius, choices);

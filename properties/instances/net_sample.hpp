@@ -15,7 +15,7 @@ using NetPoints = std::vector<Vector<Rational, m>>;
 enum class NetFamily : unsigned char {
   poisson,   ///< a maximal Poisson-disk set
   lattice,   ///< square, hexagonal up to 2⁻¹⁰, oblong; cubic, body- and face-centred cubic, oblong
-  displaced  ///< a lattice, every coordinate moved by ±2^−k
+  displaced  ///< a lattice, every coordinate moved by ±2^−k, in space by at most that
 };
 
 /// A net as it was made, before anything is certified.
