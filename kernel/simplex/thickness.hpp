@@ -29,7 +29,7 @@ template <Scalar S>
   if (simplex.dimension() == 1) return S(1);
   std::optional<S> least;
   for (std::size_t p = 0; p < simplex.vertex_count(); ++p) {
-    const Partial<S> here = squared_altitude(simplex, p);
+    Partial<S> here = squared_altitude(simplex, p);
     if (!here) return here;
     least = least ? minimum(*least, *here) : *here;
   }
