@@ -8,14 +8,14 @@
 
 namespace {
 
-constexpr const char* text = R"(
+constexpr const char* text = R"toml(
 name = "circumradius-below-edge"
 instance = "simplex"
 
 [[show]]
 name = "radius"
 claim = "circumradius(s) <= longest_edge(s)"
-)";
+)toml";
 
 }  // namespace
 

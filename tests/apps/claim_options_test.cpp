@@ -1,6 +1,7 @@
 #include "apps/claim_options.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -30,7 +31,8 @@ TEST(ClaimOptions, claims_are_those_named_each_once_or_all) {
 }
 
 TEST(ClaimOptions, two_claims_of_the_same_name_are_refused) {
-  const auto folder = std::filesystem::temp_directory_path() / "delcert-claim-options-test";
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("delcert-claim-options-test-" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);
   for (const char* name : {"a.toml", "b.toml"}) {
     std::ofstream(folder / name) << "name = \"same\"\ninstance = \"simplex\"\n[[show]]\nclaim = \"k >= 1\"\n";

@@ -92,7 +92,7 @@ class Campaign : public testing::Test {
     return content_of(output());
   }
 
-  fs::path folder_ = fs::temp_directory_path() / "delcert-campaign-cli-test";
+  fs::path folder_ = fs::temp_directory_path() / ("delcert-campaign-cli-test-" + std::to_string(getpid()));
 };
 
 TEST_F(Campaign, one_thread_and_two_print_the_same) {

@@ -1,6 +1,7 @@
 #include "properties/attack/campaign_log.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -42,7 +43,8 @@ class CampaignLogFile : public testing::Test {
     return "no error";
   }
 
-  std::filesystem::path folder_ = std::filesystem::temp_directory_path() / "delcert-campaign-log-test";
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("delcert-campaign-log-test-" + std::to_string(getpid()));
   std::filesystem::path path_ = folder_ / "log.jsonl";
   Tally tally_ = attack_block(test::wrong_claim(), {2, 2}, 1, 0, 20);
 };

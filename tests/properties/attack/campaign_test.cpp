@@ -1,6 +1,7 @@
 #include "properties/attack/campaign.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -39,7 +40,8 @@ class Campaign : public testing::Test {
     return "no error";
   }
 
-  std::filesystem::path folder_ = std::filesystem::temp_directory_path() / "delcert-campaign-test";
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("delcert-campaign-test-" + std::to_string(getpid()));
   CampaignPlan plan_;
 };
 

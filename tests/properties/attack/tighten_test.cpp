@@ -52,15 +52,12 @@ TEST(Tighten, the_search_is_better_than_its_random_start_and_finds_what_refutes)
   EXPECT_EQ(attempt(claim, found->bindings).conclusions.at(1).verdict, Verdict::refuted);
 }
 
-TEST(Tighten, the_same_seed_gives_the_same_and_another_need_not) {
-  const auto text = [](std::uint64_t seed) {
-    const auto found = tighten(loose_claim(), 0, {2, 3}, 60, seed, no_progress());
+TEST(Tighten, the_same_seed_gives_the_same) {
+  const auto points = [] {
+    const auto found = tighten(loose_claim(), 0, {2, 3}, 60, 5, no_progress());
     return object_of<SimplexObject>(std::get<ObjectPointer>(found.value().bindings.at("s"))).points();
   };
-  EXPECT_EQ(text(5), text(5));
-  bool differs = false;
-  for (std::uint64_t seed = 6; seed < 16 && !differs; ++seed) differs = text(seed) != text(5);
-  EXPECT_TRUE(differs);
+  EXPECT_EQ(points(), points());
 }
 
 TEST(Tighten, any_number_of_evaluations_ends) {

@@ -1,6 +1,7 @@
 #include "properties/attack/twins.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
@@ -26,7 +27,7 @@ class Twins : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
   static void write(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
-  fs::path folder_ = fs::temp_directory_path() / "delcert-twins-test";
+  fs::path folder_ = fs::temp_directory_path() / ("delcert-twins-test-" + std::to_string(getpid()));
 };
 
 TEST_F(Twins, a_claim_has_those_that_it_does_not_excuse) {

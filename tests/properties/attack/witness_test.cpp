@@ -1,6 +1,7 @@
 #include "properties/attack/witness.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -158,7 +159,7 @@ TEST(Witness, an_instance_that_breaks_the_promise_of_its_class_is_an_error) {
 }
 
 TEST(Witness, files_that_cannot_be_read_are_errors_that_name_them) {
-  const auto folder = std::filesystem::temp_directory_path() / "delcert-witness-test";
+  const auto folder = std::filesystem::temp_directory_path() / ("delcert-witness-test-" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);
   EXPECT_THROW((void)read_witness((folder / "none.json").string()), InputError);
   EXPECT_THROW((void)read_witness(folder.string()), InputError);
