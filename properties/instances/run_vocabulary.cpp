@@ -94,15 +94,17 @@ void add_statements(Vocabulary& vocabulary) {
 void add_numbers(Vocabulary& vocabulary) {
   vocabulary.add(number_function(
       "least_protection", {types::run},
-      "The least protection of the simplices of a run, a length; enclosed to 11 binary digits, and undefined beyond "
-      "half a sampling radius.",
+      "The least protection of the simplices of a run, a length; enclosed to 11 binary digits, from half a sampling "
+      "radius on only between what is certified and twice the covering radius; undefined without certified stars.",
       "\\delta(#1)", []<class S>(Evaluation<S>&, Arguments<S> a) -> Partial<S> {
         const RunObject& run = run_of(a[0]);
         if (!run.claims().stars) return Partial<S>::absent(Verdict::undecided);
         const Rational& lower = run.claims().stars->protection;
         const Rational upper = lower * (Rational(1) + Rational::power_of_two(-10));
-        if (Rational(2) * upper >= run.sampling_radius()) return Partial<S>::absent(Verdict::undecided);
-        return between<S>(lower, upper);
+        if (Rational(2) * upper < run.sampling_radius()) return between<S>(lower, upper);
+        // The certified number is not searched for beyond. If σ is δ-protected, δ > cov, take x at the distance
+        // R + δ − cov from C(σ): what is within cov of x can only be a vertex of σ, at least δ − cov away.
+        return between<S>(lower, Rational(2) * run.covering_upper());
       }));
   vocabulary.add(number_function(
       "least_thickness", {types::run}, "The least thickness of the simplices of a run.", "\\Upsilon(#1)",

@@ -42,6 +42,21 @@ TEST(RunVocabulary, speaks_of_a_run_of_the_algorithm) {
   EXPECT_EQ(verdict(run, "least_protection(r) > 1/100"), Verdict::refuted);
 }
 
+// Defect: undecided from half a sampling radius on, where the certified number ends.
+TEST(RunVocabulary, bounds_a_protection_beyond_half_a_sampling_radius) {
+  RunRecipe recipe;
+  recipe.manifold = "torus-3";
+  recipe.divisions = 14;
+  recipe.centred = true;
+  recipe.perturbation_share = Rational(Integer(1), Integer(8));
+  Bindings run;
+  run["r"] = ObjectPointer(std::make_shared<RunObject>(recipe));
+  // The sampling radius of the lattice is √5/56 = 0.0399…; in the lattice itself the protection is 0.0244….
+  EXPECT_EQ(verdict(run, "least_protection(r) > 1/60"), Verdict::proved);
+  EXPECT_EQ(verdict(run, "least_protection(r) < 1/12"), Verdict::proved);
+  EXPECT_EQ(verdict(run, "least_protection(r) < 1/60 or least_protection(r) > 1/12"), Verdict::refuted);
+}
+
 TEST(RunVocabulary, refutes_it_all_without_perturbation) {
   const Bindings run = run_of(RunMode::none);
   for (const char* statement : {"satisfies_hypotheses(r)", "has_no_forbidden_configuration(r)",
