@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# theorems_test.sh WORK: the theory of proofs/formal compiles, and what must not pass does not.
+set -uo pipefail
+project=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../.." && pwd)
+check=$project/proofs/formal/check.sh
+mkdir -p "$1"
+failures=0
+fail() {
+  failures=$((failures + 1))
+  echo "FAILED: $*"
+}
+
+"$check" theorems "$1" || fail "the theory does not pass"
+
+copy=$(mktemp -d)
+trap 'rm -rf "$copy"' EXIT
+
+# refused NAME FILE EXPRESSION REASON: the theory with a file changed by sed, or a new one, is refused for this reason.
+refused() {
+  rm -rf "${copy:?}"/*
+  cp -r "$project/proofs/formal" "$copy/formal"
+  cp -r "$1" "$copy/work"
+  local name=$2 file=$copy/formal/$3 changed
+  if [[ -e $file ]]; then
+    changed=$(sed "$4" "$file")
+    [[ $changed != "$(cat "$file")" ]] || { fail "$name: nothing was changed"; return; }
+  else
+    changed=$4
+  fi
+  printf '%s\n' "$changed" >"$file"
+  "$copy/formal/check.sh" theorems "$copy/work" >"$copy/log" 2>&1 && { fail "$name: accepted"; return; }
+  grep -q "$5" "$copy/log" || fail "$name: refused for another reason: $(cat "$copy/log")"
+}
+
+header='Require Import Reals. Open Scope R_scope.'
+refused "$1" "a proof left out" left_out.v "$header Lemma l : 0 < 0. Proof. Admitted." "proofs are left out"
+refused "$1" "an axiom" axiom.v "$header Axiom a : 0 < 0. Lemma l : 0 < 0. Proof. exact a. Qed." "proofs are left out"
+# A variable outside of sections is an axiom by another name: only Coq's own account of axioms shows it.
+refused "$1" "an axiom in disguise" disguise.v \
+  "$header Hypothesis a : 0 < 0. Lemma l : 0 < 0. Proof. exact a. Qed." "more axioms than those of the real numbers: disguise.a$"
+refused "$1" "floating-point numbers" floats.v \
+  "From Interval Require Import Tactic. $header Lemma l x : 0 <= x <= 1 -> x * x <= 2. Proof. intros; interval. Qed." \
+  "more axioms than those of the real numbers: .*PrimFloat"
+refused "$1" "a smaller constant for the Gram matrix" distortion.v 's/<= 4 \* xi \* (d \* d)/<= 399 \/ 100 * xi * (d * d)/' \
+  "FAILED: distortion.v"
+refused "$1" "a smaller circumradius" circumradius.v 's|r <= d / (2 \* t)\.|r <= d / (201 / 100 * t).|' "FAILED: circumradius.v"
+refused "$1" "a larger separation" nets.v 's|2 / 5 \* mu <= mu|41 / 100 * mu <= mu|' "FAILED: nets.v"
+refused "$1" "a larger singular value" simplices.v \
+  's/singular_values_at_least m k p b (sqrt (INR k) \* t \* d)/singular_values_at_least m k p b (INR k * t * d)/' \
+  "FAILED: simplices.v"
+
+echo "$failures failures"
+exit $((failures > 0))
