@@ -48,7 +48,7 @@ class InterruptedCampaign : public Interrupted {
 
 std::vector<Target> targets_of(const AttackOptions& options) {
   std::vector<Target> result;
-  for (const Claim& claim : claims_of(options.claims)) {
+  for (const Claim& claim : claims_about_instances(options.claims)) {
     for (const Shape& shape : shapes_of(options.claims, claim)) {
       const std::uint64_t cost = std::max<std::uint64_t>(1, instance_class(claim.instance).cost(shape));
       result.push_back({claim, shape, (options.samples + cost - 1) / cost});
@@ -159,7 +159,7 @@ ExitStatus attack_twins(const AttackOptions& options) {
   std::vector<TwinRow> rows;
   {
     ProgressLine line;
-    for (const Claim& claim : claims_of(options.claims)) {
+    for (const Claim& claim : claims_about_instances(options.claims)) {
       for (const Claim& twin : twins_of(claim)) rows.push_back(attack_twin(twin, options, line.callback()));
       for (const std::string& name : conclusions_without_twin(claim)) {
         rows.push_back({claim.name + "/" + name, "neither twin nor reason", "", false});

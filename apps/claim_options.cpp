@@ -34,9 +34,20 @@ void add_claim_options(CLI::App& command, ClaimOptions& options) {
                      "Only k-simplices in R^m, as k,m, or nets in R^m, as m; may be repeated");
 }
 
+std::vector<Claim> claims_about_instances(const ClaimOptions& options) {
+  if (options.all && options.names.empty()) return builtin_claim_list();
+  std::vector<Claim> result = claims_of(options);
+  for (const Claim& claim : result) {
+    if (claim.instance.empty()) {
+      throw InputError(claim.name + " has steps only, which are proved and not attacked: delcert prove " + claim.name);
+    }
+  }
+  return result;
+}
+
 std::vector<Claim> claims_of(const ClaimOptions& options) {
   if (options.all && !options.names.empty()) throw InputError("--all are all claims: name some, or say --all");
-  if (options.all) return builtin_claim_list();
+  if (options.all) return builtin_files();
   if (options.names.empty()) throw InputError("no claim: name some, or say --all");
   std::vector<Claim> result;
   for (const std::string& name : options.names) {

@@ -19,11 +19,28 @@ void print_parameters(const Claim& claim) {
   }
 }
 
+void print_step(const Step& step) {
+  std::cout << "  step " << step.name << (step.lines.empty() ? "" : ", lines " + step.lines) << " ("
+            << name_of(step.status) << "): " << step.claim.text << "\n";
+  for (const auto& [name, range] : step.parameters) {
+    std::cout << "    for all " << name << " in " << step_range_text(range) << "\n";
+  }
+  for (const Statement& abbreviation : step.abbreviations) {
+    std::cout << "    let " << abbreviation.name << " = " << abbreviation.text << "\n";
+  }
+  for (const Statement& hypothesis : step.hypotheses) std::cout << "    given " << hypothesis.text << "\n";
+  for (const auto& [name, value] : step.constants)
+    std::cout << "    constant " << name << " = " << exact_text(value) << "\n";
+  if (!step.note.empty()) std::cout << "    note: " << step.note << "\n";
+}
+
 void print_claim(const Claim& claim) {
   std::cout << claim.name << (claim.title.empty() ? "" : ": " + claim.title) << "\n";
   if (!claim.source.empty()) std::cout << "  source: " << claim.source << " (" << name_of(claim.status) << ")\n";
-  const InstanceClass& its_class = instance_class(claim.instance);
-  std::cout << "  about: " << its_class.name() << ", " << its_class.meaning() << "\n";
+  if (!claim.instance.empty()) {
+    const InstanceClass& its_class = instance_class(claim.instance);
+    std::cout << "  about: " << its_class.name() << ", " << its_class.meaning() << "\n";
+  }
   print_parameters(claim);
   for (const Hypothesis& hypothesis : claim.hypotheses) {
     std::cout << "  given " << hypothesis.name << ": " << hypothesis.text << "\n";
@@ -34,12 +51,14 @@ void print_claim(const Claim& claim) {
     if (conclusion.twin) std::cout << "    twin, to be refuted: " << conclusion.twin->text << "\n";
     if (!conclusion.no_twin.empty()) std::cout << "    no twin: " << conclusion.no_twin << "\n";
   }
+  for (const Step& step : claim.steps) print_step(step);
   if (!claim.note.empty()) std::cout << "  note: " << claim.note << "\n";
 }
 
 ExitStatus list_claims() {
-  for (const Claim& claim : builtin_claim_list()) {
-    std::cout << fmt::format("{:45} {:42} {:8} {}\n", claim.name, claim.source, name_of(claim.status), claim.instance);
+  for (const Claim& claim : builtin_files()) {
+    std::cout << fmt::format("{:45} {:42} {:8} {}\n", claim.name, claim.source, name_of(claim.status),
+                             claim.instance.empty() ? "steps only" : claim.instance);
   }
   return ExitStatus::verified;
 }

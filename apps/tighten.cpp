@@ -80,7 +80,7 @@ ExitStatus run_tighten(const TightenOptions& options) {
   bool refuted = false;
   {
     ProgressLine line;
-    for (const Claim& claim : claims_of(options.claims)) {
+    for (const Claim& claim : claims_about_instances(options.claims)) {
       for (const Shape& shape : shapes_of(options.claims, claim)) {
         const std::uint64_t cost = std::max<std::uint64_t>(1, instance_class(claim.instance).cost(shape));
         const std::uint64_t evaluations = std::max<std::uint64_t>(1, options.evaluations / cost);

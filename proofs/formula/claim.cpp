@@ -7,45 +7,49 @@
 
 #include "kernel/error.hpp"
 #include "proofs/formula/formula_error.hpp"
+#include "proofs/formula/step_reader.hpp"
 #include "proofs/formula/token.hpp"
-#include "proofs/formula/toml_position.hpp"
-#include "proofs/formula/type_check.hpp"
+#include "proofs/formula/toml_reader.hpp"
 
 namespace delcert {
 
 namespace {
 
 constexpr std::size_t largest_file = std::size_t{1} << 20U;
-constexpr std::size_t most_parts = 1000;
-constexpr const char* wrong_name =
-    "a name is made of at most 80 small letters, digits, '-', '.' and '_', and begins with a letter or a digit";
 
-bool is_name(std::string_view text) {
-  const auto fits = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '.' || c == '_';
-  };
-  const auto is_sign = [](char c) { return c == '-' || c == '.' || c == '_'; };
-  return !text.empty() && text.size() <= 80 && !is_sign(text[0]) && std::all_of(text.begin(), text.end(), fits);
-}
-
-class Reader {
+class Reader : TomlReader {
  public:
   Reader(const std::string& text, std::string file, const Vocabulary& vocabulary, const Signatures& signatures)
-      : text_(text), file_(std::move(file)), vocabulary_(vocabulary), signatures_(signatures) {}
+      : TomlReader(text, std::move(file)), vocabulary_(vocabulary), signatures_(signatures) {}
 
   Claim read() {
     const toml::table table = parse();
-    refuse_unknown(table, {"name", "title", "source", "status", "instance", "note", "forall", "given", "show"});
+    refuse_unknown(table, {"name", "title", "source", "status", "instance", "note", "forall", "given", "show", "step"});
     Claim claim;
-    claim.file = file_;
+    claim.file = file();
     claim.name = string(table, "name", true);
-    if (!is_name(claim.name)) {
-      fail(table.get("name")->source(), wrong_name);
-    }
+    require_name(*table.get("name"), claim.name);
     claim.title = string(table, "title", false);
     claim.source = string(table, "source", false);
     claim.note = string(table, "note", false);
     claim.status = status(table);
+    if (table.contains("step") && !table.contains("show")) {
+      for (const char* key : {"instance", "forall", "given"}) {
+        if (const toml::node* node = table.get(key))
+          fail(node->source(), "a file of steps only has no key " + std::string(key));
+      }
+    } else {
+      read_instance(table, claim);
+      read_parameters(table, claim);
+      read_hypotheses(table, claim);
+      read_conclusions(table, claim);
+    }
+    claim.steps = read_steps(*this, table, claim.status, vocabulary_);
+    return claim;
+  }
+
+ private:
+  void read_instance(const toml::table& table, Claim& claim) {
     claim.instance = string(table, "instance", true);
     const auto found = signatures_.find(claim.instance);
     if (found == signatures_.end()) {
@@ -55,54 +59,6 @@ class Reader {
            "no instance class is called " + shortened(claim.instance) + suggestion(claim.instance, known));
     }
     signature_ = found->second;
-    read_parameters(table, claim);
-    read_hypotheses(table, claim);
-    read_conclusions(table, claim);
-    return claim;
-  }
-
- private:
-  [[noreturn]] void fail(std::size_t line, std::size_t column, const std::string& message) const {
-    throw InputError(file_ + ":" + std::to_string(line) + ":" + std::to_string(column) + ": " + message);
-  }
-  [[noreturn]] void fail(const toml::source_region& where, const std::string& message) const {
-    fail(where.begin.line, where.begin.column, message);
-  }
-
-  static std::string one_line(std::string_view text) {
-    std::string result(text);
-    std::replace_if(
-        result.begin(), result.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
-    return result;
-  }
-
-  toml::table parse() const {
-    try {
-      return toml::parse(text_);
-    } catch (const toml::parse_error& error) {
-      fail(error.source(), one_line(error.description()));
-    }
-  }
-
-  void refuse_unknown(const toml::table& table, const std::vector<std::string>& known) const {
-    for (const auto& [key, node] : table) {
-      const std::string word(key.str());
-      if (std::find(known.begin(), known.end(), word) == known.end()) {
-        fail(key.source(), "unknown key " + shortened(word) + suggestion(word, known));
-      }
-    }
-  }
-
-  std::string string(const toml::table& table, const std::string& key, bool required) const {
-    const toml::node* node = table.get(key);
-    if (node == nullptr) {
-      if (required) fail(table.source(), "the key " + key + " is missing");
-      return "";
-    }
-    const auto value = node->value_exact<std::string>();
-    if (!value) fail(node->source(), "the key " + key + " wants a string");
-    if (required && value->empty()) fail(node->source(), "the key " + key + " wants a string that is not empty");
-    return *value;
   }
 
   ClaimStatus status(const toml::table& table) const {
@@ -130,33 +86,14 @@ class Reader {
         fail(key.source(), shortened(name) + " is no name for a parameter: letters, digits and '_', and no function");
       }
       if (signature_.contains(name)) fail(key.source(), "the class " + claim.instance + " binds " + name + " already");
-      const auto text = value.value_exact<std::string>();
-      if (!text) fail(value.source(), "a parameter wants a string such as \"(0, 1]\"");
-      try {
-        claim.parameters[name] = parse_range(*text);
-      } catch (const FormulaError& error) {
-        fail_in(value, error);
-      }
+      claim.parameters[name] = in_string(value, "a parameter wants a string such as \"(0, 1]\"",
+                                         [](const std::string& text) { return parse_range(text); });
     }
     for (const auto& [name, range] : claim.parameters) signature_[name] = types::number;
   }
 
   Statement statement(const toml::node& node, const std::string& name) const {
-    const auto text = node.value_exact<std::string>();
-    if (!text) fail(node.source(), "a formula wants a string");
-    try {
-      return {name, *text, type_checked(parse_formula(*text), vocabulary_, signature_, types::truth)};
-    } catch (const FormulaError& error) {
-      fail_in(node, error);
-    }
-  }
-
-  const toml::array* list(const toml::table& table, const std::string& key) const {
-    const toml::node* node = table.get(key);
-    if (node == nullptr) return nullptr;
-    if (!node->is_array()) fail(node->source(), "the key " + key + " wants a list");
-    if (node->as_array()->size() > most_parts) fail(node->source(), "more than 1000 parts of the key " + key);
-    return node->as_array();
+    return formula(node, name, vocabulary_, signature_, types::truth);
   }
 
   void require_new(const toml::node& part, const std::vector<std::string>& taken, const std::string& name) const {
@@ -168,9 +105,7 @@ class Reader {
   std::string part_name(const toml::table& part, const std::vector<std::string>& taken, const std::string& kind) const {
     std::string name = string(part, "name", false);
     if (name.empty()) name = kind + "-" + std::to_string(taken.size() + 1);
-    if (!is_name(name)) {
-      fail(part.get("name")->source(), wrong_name);
-    }
+    if (const toml::node* node = part.get("name")) require_name(*node, name);
     require_new(part, taken, name);
     return name;
   }
@@ -221,21 +156,6 @@ class Reader {
     return part.contains("no_twin") ? string(part, "no_twin", true) : "";
   }
 
-  const toml::node& required(const toml::table& table, const std::string& key) const {
-    const toml::node* node = table.get(key);
-    if (node == nullptr) fail(table.source(), "the key " + key + " is missing");
-    return *node;
-  }
-
-  /// The place in the file of what is wrong in a formula.
-  [[noreturn]] void fail_in(const toml::node& node, const FormulaError& error) const {
-    const auto& begin = node.source().begin;
-    const TextPosition where = position_in_toml_string(text_, {begin.line, begin.column}, error.offset());
-    fail(where.line, where.column, error.what());
-  }
-
-  const std::string& text_;
-  std::string file_;
   const Vocabulary& vocabulary_;
   const Signatures& signatures_;
   Signature signature_;
@@ -256,17 +176,6 @@ Claim read_claim(const std::string& file, const Vocabulary& vocabulary, const Si
   if (stream.bad()) throw InputError(file + ": cannot be read");
   if (text.size() > largest_file) throw InputError(file + ": larger than 1 MiB");
   return parse_claim(text, file, vocabulary, signatures);
-}
-
-std::string_view name_of(ClaimStatus status) {
-  switch (status) {
-    case ClaimStatus::paper:
-      return "paper";
-    case ClaimStatus::mended:
-      return "mended";
-    default:
-      return "user";
-  }
 }
 
 }  // namespace delcert

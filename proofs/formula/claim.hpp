@@ -6,16 +6,10 @@
 #include <vector>
 
 #include "proofs/formula/parser.hpp"
+#include "proofs/formula/step.hpp"
 #include "proofs/formula/vocabulary.hpp"
 
 namespace delcert {
-
-/// A hypothesis or a conclusion of a claim.
-struct Statement {
-  std::string name;
-  std::string text;
-  ExpressionPointer formula;
-};
 
 struct Hypothesis : Statement {
   /// Why the claim without this hypothesis need not be refuted; empty if it has to be.
@@ -29,24 +23,20 @@ struct Conclusion : Statement {
   std::string no_twin;
 };
 
-enum class ClaimStatus : unsigned char {
-  paper,   ///< as the paper states it
-  mended,  ///< with what the paper's statement lacks
-  user     ///< not in the paper
-};
-
-/// A claim about all instances of a class (docs/claim-format.md): whenever the hypotheses hold, so do the conclusions.
+/// A claim about all instances of a class (docs/claim-format.md): whenever the hypotheses hold, so do the conclusions;
+/// and the steps of its proof that are about numbers.
 struct Claim {
   std::string file;
   std::string name;
   std::string title;
   std::string source;  ///< the LaTeX label in the paper, or a citation; may be empty for a user's claim
   ClaimStatus status = ClaimStatus::user;
-  std::string instance;  ///< the instance class
+  std::string instance;  ///< the instance class; empty for a file of steps only, which has no conclusions
   std::string note;
   std::map<std::string, ParameterRange> parameters;
   std::vector<Hypothesis> hypotheses;
   std::vector<Conclusion> conclusions;
+  std::vector<Step> steps;
 };
 
 /// The names that each instance class binds.
@@ -59,7 +49,5 @@ using Signatures = std::map<std::string, Signature>;
 
 /// The same from a file. Throws InputError also if it cannot be read or is larger than 1 MiB.
 [[nodiscard]] Claim read_claim(const std::string& file, const Vocabulary& vocabulary, const Signatures& signatures);
-
-[[nodiscard]] std::string_view name_of(ClaimStatus status);
 
 }  // namespace delcert

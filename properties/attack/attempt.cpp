@@ -160,11 +160,22 @@ const Signatures& all_signatures() {
   return signatures;
 }
 
-const std::vector<Claim>& builtin_claim_list() {
+const std::vector<Claim>& builtin_files() {
   static const std::vector<Claim> claims = [] {
     std::vector<Claim> result;
     for (const auto& [name, text] : builtin_claims()) {
       result.push_back(parse_claim(text, "proofs/claims/" + name + ".toml", full_vocabulary(), all_signatures()));
+    }
+    return result;
+  }();
+  return claims;
+}
+
+const std::vector<Claim>& builtin_claim_list() {
+  static const std::vector<Claim> claims = [] {
+    std::vector<Claim> result;
+    for (const Claim& claim : builtin_files()) {
+      if (!claim.instance.empty()) result.push_back(claim);
     }
     return result;
   }();

@@ -66,7 +66,10 @@ void require_names_of(const Claim& claim, const Bindings& bindings);
 /// The names that each instance class binds.
 [[nodiscard]] const Signatures& all_signatures();
 
-/// All claims of the library by name; they are read once. Throws InputError for a file that is none.
+/// All files of claims of the library by name, also those of steps only; they are read once. Throws InputError for a
+/// file that is none.
+[[nodiscard]] const std::vector<Claim>& builtin_files();
+/// Those of them that are about instances.
 [[nodiscard]] const std::vector<Claim>& builtin_claim_list();
 
 /// A claim by its name in the library, or by a file's name. Throws InputError, with a suggestion, if there is none.

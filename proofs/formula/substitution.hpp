@@ -1,0 +1,22 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "proofs/formula/expression.hpp"
+
+namespace delcert {
+
+using Replacements = std::map<std::string, ExpressionPointer>;
+
+/// The formula with terms in the place of names; what a quantifier binds is left alone.
+/// Precondition: type-checked, and no term has a name that a quantifier around the place binds.
+[[nodiscard]] ExpressionPointer replaced(const ExpressionPointer& formula, const Replacements& replacements);
+
+/// The formula with the bodies of definitions, such as constant_c(m, mu0), in the place of their calls.
+[[nodiscard]] ExpressionPointer without_definitions(const ExpressionPointer& formula);
+
+/// The term that is this number, as the parser would make it: −3/4 is −(3/4), literals are integers from 0 on.
+[[nodiscard]] ExpressionPointer number_expression(const Rational& value);
+
+}  // namespace delcert
