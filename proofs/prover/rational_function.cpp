@@ -8,10 +8,26 @@ namespace delcert {
 namespace {
 
 constexpr std::size_t most_terms = 3000;
-constexpr long greatest_exponent = 300;
+constexpr long greatest_exponent = 100000;
+constexpr unsigned long greatest_degree = 2000;
 
 bool is_moderate(const RationalFunction& a) {
   return a.numerator.term_count() <= most_terms && a.denominator.term_count() <= most_terms;
+}
+
+/// Whether a power of a polynomial has a moderate number of terms of a moderate degree: of t terms to the power e there
+/// are at most C(e + t − 1, t − 1).
+bool has_moderate_power(const Polynomial& base, unsigned long exponent) {
+  if (base.constant()) return true;
+  for (const unsigned long degree : base.degrees()) {
+    if (degree > 0 && exponent > greatest_degree / degree) return false;
+  }
+  double terms = 1;
+  for (std::size_t i = 1; i < base.term_count(); ++i) {
+    terms *= static_cast<double>(exponent + i) / static_cast<double>(i);
+    if (terms > static_cast<double>(most_terms)) return false;
+  }
+  return true;
 }
 
 std::optional<Rational> constant_of(const RationalFunction& a) {
@@ -128,6 +144,7 @@ std::optional<RationalFunction> RationalFunctionReader::power(const Expression& 
 
 std::optional<RationalFunction> RationalFunctionReader::integer_power(const RationalFunction& base, long exponent) {
   const auto size = static_cast<unsigned long>(exponent < 0 ? -exponent : exponent);
+  if (!has_moderate_power(base.numerator, size) || !has_moderate_power(base.denominator, size)) return std::nullopt;
   RationalFunction result{base.numerator.power(size), base.denominator.power(size)};
   if (exponent >= 0) return result;
   if (base.numerator.is_zero()) return std::nullopt;
