@@ -19,7 +19,14 @@ if(NOT DELCERT_CLANG_TIDY)
   return()
 endif()
 
-# The compile commands may be GCC's, with warnings that clang does not know.
+# The compile commands may be GCC's, with warnings that clang does not know and with precompiled headers that clang
+# cannot read: it gets a copy without them.
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/tidy)
+set(commands ${PROJECT_BINARY_DIR}/tidy/compile_commands.json)
+add_custom_command(OUTPUT ${commands}
+  COMMAND sh -c "sed 's, -Winvalid-pch -include [^ ]*/cmake_pch[.]hxx,,' \
+'${PROJECT_BINARY_DIR}/compile_commands.json' >'${commands}'"
+  DEPENDS ${PROJECT_BINARY_DIR}/compile_commands.json VERBATIM)
 set(stamps)
 foreach(folder kernel proofs apps)
   delcert_targets_below(${PROJECT_SOURCE_DIR}/${folder} targets)
@@ -46,10 +53,10 @@ foreach(folder kernel proofs apps)
       cmake_path(GET stamp PARENT_PATH stamp_folder)
       file(MAKE_DIRECTORY ${stamp_folder})
       add_custom_command(OUTPUT ${stamp}
-        COMMAND sh -c "'${DELCERT_CLANG_TIDY}' --quiet -p '${PROJECT_BINARY_DIR}' \
+        COMMAND sh -c "'${DELCERT_CLANG_TIDY}' --quiet -p '${PROJECT_BINARY_DIR}/tidy' \
 --extra-arg=-Wno-unknown-warning-option '${source}' >'${stamp}.new' 2>&1 \
 || { cat '${stamp}.new'; exit 1; }; mv '${stamp}.new' '${stamp}'"
-        DEPENDS ${binary_folder}/CMakeFiles/${target}.dir/${local}.o ${PROJECT_SOURCE_DIR}/.clang-tidy
+        DEPENDS ${commands} ${binary_folder}/CMakeFiles/${target}.dir/${local}.o ${PROJECT_SOURCE_DIR}/.clang-tidy
         COMMENT "clang-tidy ${name}" VERBATIM)
       list(APPEND stamps ${stamp})
     endforeach()
