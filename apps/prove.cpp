@@ -2,15 +2,17 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "apps/claim_options.hpp"
 #include "apps/commands.hpp"
+#include "apps/proof_report.hpp"
 #include "kernel/error.hpp"
-#include "kernel/number/exact_text.hpp"
-#include "proofs/prover/prover.hpp"
+#include "proofs/certificate/atomic_file.hpp"
+#include "proofs/prover/proof_log.hpp"
 
 namespace delcert {
 
@@ -20,48 +22,25 @@ struct ProveOptions {
   ClaimOptions claims;
   std::vector<std::string> steps;
   bool json = false;
+  bool slack = false;
+  bool mutate = false;
+  std::string log;
 };
-
-std::string point_text(const std::map<std::string, Rational>& point) {
-  std::string result;
-  for (const auto& [name, value] : point) result += (result.empty() ? "" : ", ") + name + " = " + exact_text(value);
-  return result;
-}
-
-/// What is said of a step beside its verdict.
-std::string detail(const StepOutcome& outcome) {
-  if (is_refuted(outcome.verdict)) {
-    return outcome.counterexample.empty() ? "false" : "false at " + point_text(outcome.counterexample);
-  }
-  if (is_proved(outcome.verdict) || outcome.left.empty()) return "";
-  return (outcome.left.size() > 1 ? "left among others: " : "left: ") + outcome.left.front();
-}
-
-nlohmann::ordered_json json_of(const Claim& claim, const Step& step, const StepOutcome& outcome) {
-  nlohmann::ordered_json result{{"claim", claim.name},      {"step", step.name},
-                                {"lines", step.lines},      {"status", name_of(step.status)},
-                                {"method", outcome.method}, {"verdict", name_of(outcome.verdict)},
-                                {"boxes", outcome.boxes}};
-  if (is_refuted(outcome.verdict)) {
-    nlohmann::ordered_json point = nlohmann::ordered_json::object();
-    for (const auto& [name, value] : outcome.counterexample) point[name] = exact_text(value);
-    result["counterexample"] = point;
-  }
-  if (is_undecided(outcome.verdict)) result["left"] = outcome.left;
-  return result;
-}
 
 class Report {
  public:
   explicit Report(const ProveOptions& options) : options_(options) {}
 
-  void prove_all() {
-    if (!options_.json)
-      std::cout
-          << "| step | lines | status | method | verdict | boxes | seconds | |\n|---|---|---|---|---|--:|--:|---|\n";
+  void run() {
+    const auto begin = std::chrono::steady_clock::now();
+    if (!options_.json) std::cout << step_table_head();
     for (const Claim& claim : claims_of(options_.claims)) {
+      std::string log;
       for (const Step& step : claim.steps) {
-        if (is_asked_for(step)) prove_one(claim, step);
+        if (is_asked_for(step)) prove_one(claim, step, log);
+      }
+      if (!options_.log.empty() && !log.empty()) {
+        write_file_atomically(std::filesystem::path(options_.log) / (claim.name + ".jsonl"), proof_log_head() + log);
       }
     }
     for (const std::string& name : options_.steps) {
@@ -69,13 +48,12 @@ class Report {
         throw InputError("no step of the claims named is called " + name);
       }
     }
-    if (options_.json) std::cout << all_.dump(2) << "\n";
-  }
-
-  void print_totals() const {
-    if (options_.json) return;
-    std::cout << fmt::format("\n{} steps: {} proved, {} refuted, {} undecided\n", proved_ + refuted_ + undecided_,
-                             proved_, refuted_, undecided_);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    if (options_.json) {
+      std::cout << nlohmann::ordered_json{{"steps", all_}}.dump(2) << "\n";
+    } else {
+      print_totals(seconds.count());
+    }
   }
 
   [[nodiscard]] ExitStatus status() const {
@@ -91,33 +69,65 @@ class Report {
     return true;
   }
 
-  void prove_one(const Claim& claim, const Step& step) {
+  void prove_one(const Claim& claim, const Step& step, std::string& log) {
     const auto begin = std::chrono::steady_clock::now();
     const StepOutcome outcome = prove(step);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
     ++(is_proved(outcome.verdict) ? proved_ : is_refuted(outcome.verdict) ? refuted_ : undecided_);
+    if (is_proved(outcome.verdict) && !options_.log.empty())
+      log += proof_log_line(claim.name, step, step.constants, outcome);
+    nlohmann::ordered_json json = step_json(claim, step, outcome);
+    if (options_.slack || options_.mutate) json["slack"] = slack_of_all(claim, step);
     if (options_.json) {
-      all_.push_back(json_of(claim, step, outcome));
-      return;
+      all_.push_back(std::move(json));
+    } else {
+      std::cout << step_row(claim, step, outcome, seconds.count()) << std::flush;
     }
-    std::cout << fmt::format("| {} / {} | {} | {} | {} | {} | {} | {:.2f} | {} |\n", claim.name, step.name, step.lines,
-                             name_of(step.status), outcome.method, name_of(outcome.verdict), outcome.boxes,
-                             seconds.count(), detail(outcome))
-              << std::flush;
+  }
+
+  nlohmann::ordered_json slack_of_all(const Claim& claim, const Step& step) {
+    nlohmann::ordered_json result = nlohmann::ordered_json::array();
+    for (const auto& [name, value] : step.constants) {
+      const Slack slack = slack_of(step, name);
+      slack_rows_ += slack_row(claim, step, slack);
+      ++constants_;
+      if (slack.proved && slack.refuted) ++moved_refuted_;
+      if (slack.proved && !slack.refuted) any_ += fmt::format("  {} / {}: {}\n", claim.name, step.name, name);
+      if (!slack.proved) never_ += fmt::format("  {} / {}: {}\n", claim.name, step.name, name);
+      result.push_back(slack_json(slack));
+    }
+    return result;
+  }
+
+  void print_totals(double seconds) const {
+    if (options_.slack) std::cout << "\n" << slack_table_head() << slack_rows_;
+    std::cout << fmt::format("\n{} steps: {} proved, {} refuted, {} undecided, {:.1f} s\n",
+                             proved_ + refuted_ + undecided_, proved_, refuted_, undecided_, seconds);
+    if (!options_.mutate) return;
+    const double share =
+        constants_ == 0 ? 100 : 100.0 * static_cast<double>(moved_refuted_) / static_cast<double>(constants_);
+    std::cout << fmt::format("{} constants moved past their slack: {} refuted with a counterexample ({:.1f} %)\n",
+                             constants_, moved_refuted_, share);
+    if (!any_.empty()) std::cout << "no value refuted:\n" << any_;
+    if (!never_.empty()) std::cout << "no value proved:\n" << never_;
   }
 
   const ProveOptions& options_;
   std::vector<std::string> found_;
   nlohmann::ordered_json all_ = nlohmann::ordered_json::array();
+  std::string slack_rows_;
+  std::string any_;
+  std::string never_;
   std::size_t proved_ = 0;
   std::size_t refuted_ = 0;
   std::size_t undecided_ = 0;
+  std::size_t constants_ = 0;
+  std::size_t moved_refuted_ = 0;
 };
 
 ExitStatus run_prove(const ProveOptions& options) {
   Report report(options);
-  report.prove_all();
-  report.print_totals();
+  report.run();
   return report.status();
 }
 
@@ -130,12 +140,17 @@ void add_prove(CLI::App& program, Action& chosen) {
                       "Claims: names of the library (delcert claims lists them) or TOML files");
   command->add_flag("--all", options->claims.all, "All files of the library");
   command->add_option("--step", options->steps, "Only the step of this name; may be repeated");
+  command->add_flag("--slack", options->slack, "Also the best value of each constant with which a step goes through");
+  command->add_flag("--mutate", options->mutate, "Count the constants that are refuted once moved past their slack");
+  command->add_option("--log", options->log, "Write a log of the proofs, for delcert-replay, into this folder")
+      ->check(CLI::ExistingDirectory);
   command->add_flag("--json", options->json, "Print JSON");
   command->footer(
       "Exit status: 0 all proved, 1 one refuted, 2 one undecided and none refuted.\n\n"
       "Examples:\n"
       "  delcert prove --all\n"
-      "  delcert prove my-steps.toml --step ratio");
+      "  delcert prove my-steps.toml --step ratio --slack\n"
+      "  delcert prove thickness-under-distortion --log logs && delcert-replay logs/thickness-under-distortion.jsonl");
   command->callback([options, &chosen] { chosen = [options] { return run_prove(*options); }; });
 }
 

@@ -242,9 +242,9 @@ class Builder {
     form.constant = Rational(0);
     if (!difference.is_zero()) {
       form.constant = Rational(1);
-      multiply(form, difference);
-      multiply(form, left->denominator);
-      multiply(form, right->denominator);
+      multiply(form, difference, 1);
+      multiply(form, left->denominator, -1);
+      multiply(form, right->denominator, -1);
     }
     for (const Polynomial& divisor : divisors) {
       for (const auto& factor : divisor.factors().powers) form.divisors.push_back(factor_number(factor.base));
@@ -254,17 +254,19 @@ class Builder {
     atom.polynomial = std::move(form);
   }
 
-  void multiply(PolynomialForm& form, const Polynomial& p) {
+  /// Multiplies by p, or divides by it if the direction is −1.
+  void multiply(PolynomialForm& form, const Polynomial& p, long direction) {
     const auto factors = p.factors();
-    form.constant *= factors.constant;
+    form.constant *= power(factors.constant, direction);
     for (const auto& [base, exponent] : factors.powers) {
       const std::size_t number = factor_number(base);
       const auto known = std::find_if(form.powers.begin(), form.powers.end(),
                                       [&](const PolynomialForm::Power& one) { return one.factor == number; });
+      const long change = direction * static_cast<long>(exponent);
       if (known == form.powers.end()) {
-        form.powers.push_back({number, exponent % 2 == 1});
-      } else if (exponent % 2 == 1) {
-        known->odd = !known->odd;
+        form.powers.push_back({number, change});
+      } else {
+        known->exponent += change;
       }
     }
   }

@@ -10,12 +10,11 @@
 
 namespace delcert {
 
-/// left − right of a comparison as a quotient of products of polynomials: its sign is that of `constant` times the
-/// factors, where no divisor vanishes.
+/// left − right of a comparison is `constant` times powers of polynomials, where no divisor vanishes.
 struct PolynomialForm {
   struct Power {
     std::size_t factor = 0;  ///< a number in `Goal::factors`
-    bool odd = true;
+    long exponent = 1;       ///< negative for what is divided by
   };
   Rational constant;
   std::vector<Power> powers;

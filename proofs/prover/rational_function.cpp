@@ -62,9 +62,13 @@ RationalFunction RationalFunctionReader::constant(const Rational& value) const {
 }
 
 RationalFunction RationalFunctionReader::reduced(const Polynomial& numerator, const Polynomial& denominator) {
+  const RingPointer& ring = numerator.ring();
+  if (const auto value = denominator.constant()) {
+    return {numerator * Polynomial(ring, Rational(1) / *value), Polynomial(ring, Rational(1))};
+  }
   const Polynomial common = Polynomial::common_divisor(numerator, denominator);
   if (common.constant()) return {numerator, denominator};
-  return {Polynomial::exact_quotient(numerator, common), Polynomial::exact_quotient(denominator, common)};
+  return reduced(Polynomial::exact_quotient(numerator, common), Polynomial::exact_quotient(denominator, common));
 }
 
 RationalFunction RationalFunctionReader::sum(const RationalFunction& a, const RationalFunction& b, bool subtract) {
@@ -186,7 +190,9 @@ std::optional<RationalFunction> RationalFunctionReader::root(const RationalFunct
   for (const auto& factor : factors.powers) {
     if (factor.exponent % 2 == 0) continue;
     const auto variable = as_variable(factor.base);
-    if (!variable || squared_[*variable] || sign_of_(factor.base) == Sign::unknown) return std::nullopt;
+    if (!variable || squared_[*variable]) return std::nullopt;
+    const Sign sign = sign_of_(factor.base);
+    if (sign != Sign::positive && sign != Sign::nonnegative) return std::nullopt;
     wanted.insert(*variable);
   }
   wanted_squares_.insert(wanted.begin(), wanted.end());

@@ -141,7 +141,7 @@ class Search {
     Sign result = form.constant < Rational(0) ? Sign::negative : Sign::positive;
     for (const auto& power : form.powers) {
       const Sign sign = factors[power.factor].sign;
-      result = product(result, power.odd ? sign : even_power(sign));
+      result = product(result, power.exponent % 2 != 0 ? sign : even_power(sign));
     }
     return result;
   }

@@ -1,0 +1,130 @@
+#include "proofs/prover/proof_log.hpp"
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace delcert {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string fraction_text(const Rational& x) {
+  const Integer denominator = x.denominator();
+  return x.numerator().str() + (denominator == 1 ? "" : "/" + denominator.str());
+}
+
+std::string operator_of(const Expression& expression) {
+  switch (expression.operation) {
+    case Operation::negate:
+    case Operation::subtract:
+      return "-";
+    case Operation::add:
+      return "+";
+    case Operation::multiply:
+      return "*";
+    case Operation::divide:
+      return "/";
+    case Operation::power:
+      return "^";
+    case Operation::less:
+      return "<";
+    case Operation::less_equal:
+      return "<=";
+    case Operation::greater:
+      return ">";
+    case Operation::greater_equal:
+      return ">=";
+    case Operation::equal:
+      return "=";
+    case Operation::negation:
+      return "not";
+    case Operation::conjunction:
+      return "and";
+    case Operation::disjunction:
+      return "or";
+    case Operation::implication:
+      return "implies";
+    case Operation::call:
+      return expression.text;
+    default:
+      throw std::logic_error("what has no S-expression");
+  }
+}
+
+Json end_of(const std::optional<Rational>& end) { return end ? Json(fraction_text(*end)) : Json(nullptr); }
+
+Json tree_of(const GoalOutcome& outcome, std::size_t at) {
+  const ProofNode& node = outcome.result.nodes[at];
+  if (!node.cut) return node.is_exact ? "exact" : "leaf";
+  return Json::array({outcome.goal.names[node.cut->side], fraction_text(node.cut->lower_part),
+                      fraction_text(node.cut->upper_part), tree_of(outcome, node.lower), tree_of(outcome, node.upper)});
+}
+
+Json atom_of(const Atom& atom) {
+  if (!atom.polynomial) return Json{{"by", "enclosure"}};
+  Json powers = Json::array();
+  for (const auto& power : atom.polynomial->powers) powers.push_back({power.factor, power.exponent});
+  return Json{{"by", "polynomial"},
+              {"constant", fraction_text(atom.polynomial->constant)},
+              {"powers", powers},
+              {"divisors", atom.polynomial->divisors}};
+}
+
+Json goal_of(const GoalOutcome& outcome) {
+  const Goal& goal = outcome.goal;
+  Json squared = Json::array();
+  for (std::size_t i = 0; i < goal.names.size(); ++i) {
+    if (goal.is_squared[i]) squared.push_back(goal.names[i]);
+  }
+  Json factors = Json::array();
+  for (const Polynomial& factor : goal.factors) factors.push_back(factor.text());
+  Json atoms = Json::array();
+  for (const Atom& atom : goal.atoms) atoms.push_back(atom_of(atom));
+  Json trees = Json::array();
+  for (const std::size_t root : outcome.result.roots) trees.push_back(tree_of(outcome, root));
+  return Json{
+      {"statement", s_expression(*goal.statement)}, {"squared", squared}, {"factors", factors}, {"atoms", atoms},
+      {"precision", enclosure_precision.value},     {"trees", trees}};
+}
+
+}  // namespace
+
+std::string s_expression(const Expression& expression) {
+  if (expression.operation == Operation::literal) return fraction_text(expression.value);
+  if (expression.operation == Operation::name) return expression.text;
+  std::string result = "(" + operator_of(expression);
+  for (const auto& child : expression.children) result += " " + s_expression(*child);
+  return result + ")";
+}
+
+std::string proof_log_line(const std::string& claim, const Step& step, const std::map<std::string, Rational>& constants,
+                           const StepOutcome& outcome) {
+  Json parameters = Json::array();
+  for (const auto& [name, range] : step.parameters) {
+    parameters.push_back(Json{{"name", name},
+                              {"integer", range.is_integer},
+                              {"lower", end_of(range.lower)},
+                              {"has_lower", range.has_lower},
+                              {"upper", end_of(range.upper)},
+                              {"has_upper", range.has_upper}});
+  }
+  Json hypotheses = Json::array();
+  for (const Statement& hypothesis : step.hypotheses) {
+    hypotheses.push_back(s_expression(*expanded(step, constants, hypothesis.formula)));
+  }
+  Json goals = Json::array();
+  for (const GoalOutcome& goal : outcome.goals) goals.push_back(goal_of(goal));
+  return Json{{"claim", claim},
+              {"step", step.name},
+              {"parameters", parameters},
+              {"hypotheses", hypotheses},
+              {"statement", s_expression(*expanded(step, constants, step.claim.formula))},
+              {"goals", goals}}
+             .dump() +
+         "\n";
+}
+
+std::string proof_log_head() { return Json{{"format", "delcert-proof-log"}, {"version", 1}}.dump() + "\n"; }
+
+}  // namespace delcert
