@@ -12,10 +12,12 @@ bool is_section(const std::string& label) { return label.starts_with("sec:"); }
 }  // namespace
 
 const std::vector<PaperLabel>& paper_labels() {
-  static const std::string parameters = "a relation between parameters, without an instance: `delcert constants`";
+  static const std::string parameters =
+      "a relation between parameters, without an instance: `delcert constants`, and the steps of parameter-constraints";
   static const std::string domain = "a demand on the domains, met by construction and checked at level 0";
   static const std::string part = "a conclusion of the lemma it stands in";
-  static const std::string curved = "about curved metrics: no instance class has one yet";
+  static const std::string curved =
+      "about curved metrics, of which there are no instances: the steps of riemannian-constants";
   static const std::vector<PaperLabel> labels{
       {"def:forbidden.config",
        "a definition: `is_forbidden_configuration`, kernel/simplex/forbidden_configuration.hpp"},
