@@ -1,6 +1,7 @@
 """What the extraction finds in a small LaTeX text, and that gaps and idle entries of the mapping are noticed."""
 
 import pathlib
+import re
 import sys
 import unittest
 
@@ -99,6 +100,26 @@ class Mapping(unittest.TestCase):
         for wrong in ("", "12-", "14-12", "a"):
             with self.assertRaises(ValueError):
                 coverage.lines_of(wrong)
+
+
+def missing_steps(text, claim_files):
+    """The steps that a text names as claim/step and that do not exist."""
+    named = re.findall(r"\b([a-z][a-z0-9-]*)/([a-z][a-z0-9-]*)\b", text)
+    return [f"{claim}/{step}" for claim, step in named
+            if claim in claim_files and step not in [one["name"] for one in claim_files[claim].get("step", [])]]
+
+
+class Findings(unittest.TestCase):
+    def test_steps_that_findings_name_exist(self):
+        proofs = pathlib.Path(coverage.__file__).resolve().parents[1]
+        claim_files = {path.stem: coverage.load(path) for path in (proofs / "claims").glob("*.toml")}
+        for path in sorted((proofs / "errata").glob("*.toml")):
+            finding = coverage.load(path)
+            text = " ".join(value for value in finding.values() if isinstance(value, str))
+            self.assertEqual(missing_steps(text, claim_files), [], path.name)
+
+    def test_a_step_that_does_not_exist(self):
+        self.assertEqual(missing_steps("three/last, three/first, u/v", CLAIMS), ["three/first"])
 
 
 if __name__ == "__main__":
