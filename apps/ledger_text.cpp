@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
-#include <vector>
 
+#include "apps/text_table.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "proofs/constants/decimal_bounds.hpp"
 #include "proofs/constants/ledger_entries.hpp"
@@ -17,6 +16,13 @@ namespace {
 
 constexpr int digits = 6;
 constexpr int digits_of_estimates = 3;
+
+std::vector<LedgerEntry> selected_entries(const Ledger& ledger, const ConstantNames& only) {
+  std::vector<LedgerEntry> entries = ledger_entries(ledger);
+  if (!only.empty())
+    std::erase_if(entries, [&](const auto& e) { return std::find(only.begin(), only.end(), e.name) == only.end(); });
+  return entries;
+}
 
 std::string parameters_sentence(const Ledger& ledger) {
   return satisfies_parameter_constraints(ledger) ? "Hypotheses 2 (hyps:param.bnds) hold for these parameters."
@@ -36,6 +42,8 @@ std::string value_text(const LedgerEntry& entry) {
                            : enclosure_text(entry.value);
 }
 
+std::string log2_text(const LedgerEntry& entry) { return entry.log2 ? enclosure_text(*entry.log2) : ""; }
+
 std::string decimal_latex(const std::string& decimal) {
   const auto exponent = decimal.find('e');
   if (exponent == std::string::npos) return decimal;
@@ -50,35 +58,8 @@ std::string value_latex(const LedgerEntry& entry) {
   return "[" + decimal_latex(lower) + ", " + decimal_latex(upper) + "]";
 }
 
-/// Columns that a text takes on a terminal: its code points without combining marks (as in ρ̃).
-std::size_t width_of(const std::string& text) {
-  std::size_t width = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    const bool continues = (byte & 0xC0U) == 0x80U;
-    const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0U;
-    const bool combines = byte == 0xCCU || (byte == 0xCDU && next < 0xB0U);
-    if (!continues && !combines) ++width;
-  }
-  return width;
-}
-
-using Row = std::array<std::string, 6>;
-
-std::string layout(const std::vector<Row>& rows) {
-  std::array<std::size_t, std::tuple_size_v<Row>> widths{};
-  for (const Row& row : rows)
-    for (std::size_t column = 0; column < row.size(); ++column)
-      widths[column] = std::max(widths[column], width_of(row[column]));
-  std::string text;
-  for (const Row& row : rows) {
-    std::string line;
-    for (std::size_t column = 0; column < row.size(); ++column)
-      line += row[column] + std::string(widths[column] + 2 - width_of(row[column]), ' ');
-    line.erase(line.find_last_not_of(' ') + 1);
-    text += line + "\n";
-  }
-  return text;
+std::string exact_latex(const LedgerEntry& entry) {
+  return entry.exact_latex.empty() ? "" : "$" + entry.exact_latex + "$";
 }
 
 std::string with_spaces(std::string name) {
@@ -86,19 +67,9 @@ std::string with_spaces(std::string name) {
   return name;
 }
 
-}  // namespace
-
-std::string ledger_table(const Ledger& ledger) {
-  std::vector<Row> rows{{"", "constant", "exact", "value", "log2", "source"}};
-  for (const LedgerEntry& entry : ledger_entries(ledger))
-    rows.push_back({entry.symbol, with_spaces(entry.name), entry.exact, value_text(entry),
-                    entry.log2 ? enclosure_text(*entry.log2) : "", entry.source});
-  return layout(rows) + "\n" + parameters_sentence(ledger) + "\n";
-}
-
-std::string ledger_json(const Ledger& ledger) {
+nlohmann::ordered_json ledger_object(const Ledger& ledger, const ConstantNames& only) {
   nlohmann::ordered_json constants = nlohmann::ordered_json::object();
-  for (const LedgerEntry& entry : ledger_entries(ledger)) {
+  for (const LedgerEntry& entry : selected_entries(ledger, only)) {
     nlohmann::ordered_json& object = constants[entry.name];
     object["symbol"] = entry.symbol;
     if (!entry.exact.empty()) object["exact"] = entry.exact;
@@ -115,19 +86,130 @@ std::string ledger_json(const Ledger& ledger) {
     object["source"] = entry.source;
   }
   nlohmann::ordered_json document;
+  document["parameters"] = {{"dimension", ledger.dimension.value},
+                            {"separation", exact_text(ledger.separation)},
+                            {"perturbation", exact_text(ledger.perturbation)},
+                            {"radius_variation", exact_text(ledger.radius_variation)},
+                            {"distortion", exact_text(ledger.distortion)}};
   document["constants"] = std::move(constants);
   document["hypotheses_2"] = satisfies_parameter_constraints(ledger);
+  return document;
+}
+
+/// A constant of one ledger of a sweep.
+struct SweptEntry {
+  const Ledger* ledger;
+  LedgerEntry entry;
+};
+
+/// The constants of all ledgers, one block after the other; what is an input makes no block.
+std::vector<std::vector<SweptEntry>> blocks_of(const SweptLedgers& swept, const ConstantNames& only) {
+  const ConstantNames names = all_constant_names();
+  std::vector<std::vector<SweptEntry>> blocks(names.size());
+  for (const Ledger& ledger : swept.ledgers) {
+    for (LedgerEntry& entry : selected_entries(ledger, only)) {
+      if (entry.source == "input") continue;
+      const auto block = std::find(names.begin(), names.end(), entry.name) - names.begin();
+      blocks[static_cast<std::size_t>(block)].push_back({&ledger, std::move(entry)});
+    }
+  }
+  std::erase_if(blocks, [](const auto& block) { return block.empty(); });
+  return blocks;
+}
+
+std::string text_of(const LeftOut& left_out) {
+  return fmt::format("left out: m = {}, μ₀ = {}, ρ₀ = {}: {}", left_out.dimension.value,
+                     exact_text(left_out.separation), exact_text(left_out.perturbation), left_out.reason);
+}
+
+/// The ledgers whose distortion is above its bound, and what was left out: one line each.
+std::vector<std::string> remarks_on(const SweptLedgers& swept) {
+  std::vector<std::string> remarks;
+  for (const Ledger& ledger : swept.ledgers) {
+    if (satisfies_parameter_constraints(ledger)) continue;
+    remarks.push_back(fmt::format("m = {}, μ₀ = {}, ρ₀ = {}: {}", ledger.dimension.value, exact_text(ledger.separation),
+                                  exact_text(ledger.perturbation), parameters_sentence(ledger)));
+  }
+  if (remarks.empty()) remarks.emplace_back("Hypotheses 2 (hyps:param.bnds) hold for all of these parameters.");
+  for (const LeftOut& left_out : swept.left_out) remarks.push_back(text_of(left_out));
+  return remarks;
+}
+
+}  // namespace
+
+ConstantNames all_constant_names() {
+  // In dimension 2 there is everything.
+  const Ledger ledger = constants_for(Dimension{2}, Rational(1), Rational(1) / Rational(4));
+  ConstantNames names;
+  for (const LedgerEntry& entry : ledger_entries(ledger)) names.push_back(entry.name);
+  return names;
+}
+
+std::string ledger_table(const Ledger& ledger, const ConstantNames& only) {
+  std::vector<std::vector<std::string>> rows{{"", "constant", "exact", "value", "log2", "source"}};
+  for (const LedgerEntry& entry : selected_entries(ledger, only))
+    rows.push_back(
+        {entry.symbol, with_spaces(entry.name), entry.exact, value_text(entry), log2_text(entry), entry.source});
+  return text_table(rows) + "\n" + parameters_sentence(ledger) + "\n";
+}
+
+std::string ledger_json(const Ledger& ledger, const ConstantNames& only) {
+  return ledger_object(ledger, only).dump(2) + "\n";
+}
+
+std::string ledger_latex(const Ledger& ledger, const ConstantNames& only) {
+  std::string text = "\\begin{tabular}{lllll}\n\\toprule\n & constant & exact & value & source \\\\\n\\midrule\n";
+  for (const LedgerEntry& entry : selected_entries(ledger, only))
+    text += fmt::format("${}$ & {} & {} & ${}$ & {} \\\\\n", entry.latex_symbol, with_spaces(entry.name),
+                        exact_latex(entry), value_latex(entry), entry.source);
+  return text + "\\bottomrule\n\\end{tabular}\n% " + parameters_sentence(ledger) + "\n";
+}
+
+std::string sweep_table(const SweptLedgers& swept, const ConstantNames& only) {
+  std::string text;
+  for (const auto& block : blocks_of(swept, only)) {
+    const LedgerEntry& first = block.front().entry;
+    text += fmt::format("{}  {}  ({})\n", first.symbol, with_spaces(first.name), first.source);
+    std::vector<std::vector<std::string>> rows{{"  m", "μ₀", "ρ₀", "exact", "value", "log2"}};
+    for (const auto& [ledger, entry] : block)
+      rows.push_back({"  " + std::to_string(ledger->dimension.value), exact_text(ledger->separation),
+                      exact_text(ledger->perturbation), entry.exact, value_text(entry), log2_text(entry)});
+    text += text_table(rows) + "\n";
+  }
+  for (const std::string& remark : remarks_on(swept)) text += remark + "\n";
+  return text;
+}
+
+std::string sweep_json(const SweptLedgers& swept, const ConstantNames& only) {
+  nlohmann::ordered_json document{{"ledgers", nlohmann::ordered_json::array()},
+                                  {"left_out", nlohmann::ordered_json::array()}};
+  for (const Ledger& ledger : swept.ledgers) document["ledgers"].push_back(ledger_object(ledger, only));
+  for (const LeftOut& left_out : swept.left_out)
+    document["left_out"].push_back({{"dimension", left_out.dimension.value},
+                                    {"separation", exact_text(left_out.separation)},
+                                    {"perturbation", exact_text(left_out.perturbation)},
+                                    {"reason", left_out.reason}});
   return document.dump(2) + "\n";
 }
 
-std::string ledger_latex(const Ledger& ledger) {
-  std::string text = "\\begin{tabular}{lllll}\n\\toprule\n & constant & exact & value & source \\\\\n\\midrule\n";
-  for (const LedgerEntry& entry : ledger_entries(ledger)) {
-    const std::string exact = entry.exact_latex.empty() ? "" : "$" + entry.exact_latex + "$";
-    text += fmt::format("${}$ & {} & {} & ${}$ & {} \\\\\n", entry.latex_symbol, with_spaces(entry.name), exact,
-                        value_latex(entry), entry.source);
+std::string sweep_latex(const SweptLedgers& swept, const ConstantNames& only) {
+  std::string text =
+      "\\begin{longtable}{rllll}\n\\toprule\n$m$ & $\\mu_0$ & $\\rho_0$ & exact & value \\\\\n\\midrule\n";
+  text += "\\endhead\n\\bottomrule\n\\endfoot\n";
+  bool is_first = true;
+  for (const auto& block : blocks_of(swept, only)) {
+    const LedgerEntry& first = block.front().entry;
+    text += fmt::format("{}\\multicolumn{{5}}{{l}}{{${}$ {} ({})}} \\\\*\n", is_first ? "" : "\\addlinespace\n",
+                        first.latex_symbol, with_spaces(first.name), first.source);
+    is_first = false;
+    for (const auto& [ledger, entry] : block)
+      text +=
+          fmt::format("{} & ${}$ & ${}$ & {} & ${}$ \\\\\n", ledger->dimension.value, exact_text(ledger->separation),
+                      exact_text(ledger->perturbation), exact_latex(entry), value_latex(entry));
   }
-  return text + "\\bottomrule\n\\end{tabular}\n% " + parameters_sentence(ledger) + "\n";
+  text += "\\end{longtable}\n";
+  for (const std::string& remark : remarks_on(swept)) text += "% " + remark + "\n";
+  return text;
 }
 
 }  // namespace delcert

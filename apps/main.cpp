@@ -14,7 +14,7 @@ namespace delcert {
 namespace {
 
 constexpr AddCommand commands[] = {add_constants, add_sample, add_certify, add_check, add_info,
-                                   add_claims,    add_attack, add_tighten, add_prove};
+                                   add_claims,    add_attack, add_tighten, add_prove, add_errata};
 
 /// Rigour rests on rounding that is really directed, on no contraction, on the libraries: refuse to go on without.
 bool arithmetic_is_sound() {

@@ -27,13 +27,11 @@ void require_domain(const Ledger& ledger) {
   if (ledger.radius_variation < zero || ledger.radius_variation > ledger.radius_variation_bound)
     refuse("radius variation", exact_text(ledger.radius_variation),
            fmt::format("0 to (1 - distortion)/(1 + distortion) = {}", exact_text(ledger.radius_variation_bound)));
-  const Rational quarter = ledger.separation / Rational(4);
-  if (ledger.perturbation <= zero || ledger.perturbation_tilde > quarter) {
-    const Rational largest = quarter / ((one + ledger.radius_variation) * (one + ledger.distortion));
-    refuse("perturbation", exact_text(ledger.perturbation),
-           fmt::format("above 0 and at most {} (separation/4, divided by (1 + radius variation)(1 + distortion))",
-                       exact_text(largest)));
-  }
+  if (ledger.perturbation <= zero || ledger.perturbation_tilde > ledger.perturbation_tilde_bound)
+    refuse(
+        "perturbation", exact_text(ledger.perturbation),
+        fmt::format("above 0 and at most {} (separation/4, divided by (1 + radius variation)(1 + distortion))",
+                    exact_text(largest_perturbation(ledger.separation, ledger.radius_variation, ledger.distortion))));
 }
 
 /// δ₀ rounded up: to a power of 2 near 2^-128 where it is smaller, else to 128 digits.
@@ -55,6 +53,8 @@ Ledger constants_for(Dimension dimension, const Rational& separation, const Rati
   ledger.radius_variation = radius_variation;
   ledger.distortion = distortion;
   if (distortion >= Rational(0)) ledger.radius_variation_bound = (one - distortion) / (one + distortion);
+  ledger.perturbation_tilde_bound = separation / Rational(4);
+  ledger.flake_parameter_bound = Rational(2) * separation * separation / Rational(75);
   ledger.perturbation_tilde = (one + radius_variation) * (one + distortion) * perturbation;
   require_domain(ledger);
 
@@ -72,9 +72,11 @@ Ledger constants_for(Dimension dimension, const Rational& separation, const Rati
   ledger.flake_parameter = PowerProduct(perturbation) / ledger.flake_divisor;
   const PowerProduct& flake = ledger.flake_parameter;
   ledger.protection_parameter = power(flake, m + 1);
+  ledger.protection = ledger.protection_parameter * PowerProduct(separation - Rational(2) * tilde);
   ledger.hoop_bound = power(two, 13) * flake / power(mu, 3);
   ledger.hoop_bound_tilde = power(two, 16) * root_of_m_cubed * flake / power(mu, 3);
   ledger.tolerance = two * ledger.hoop_bound_tilde;
+  ledger.longest_edge_excess = PowerProduct(Rational(5) / Rational(4)) * ledger.protection_parameter * mu;
   ledger.longest_edge_upper =
       Rational(5) / Rational(2) * (one + upper_bound_of(ledger.protection_parameter) * separation / Rational(2));
   ledger.candidates_bound = power(PowerProduct(Rational(14)) / mu, m * m + m);
@@ -89,7 +91,18 @@ Ledger constants_for(Dimension dimension, const Rational& separation, const Rati
   ledger.riemannian_flake_divisor = divisor(5);
   ledger.riemannian_flake_parameter = PowerProduct(ledger.riemannian_perturbation) / ledger.riemannian_flake_divisor;
   ledger.riemannian_sampling_radius = power(ledger.riemannian_flake_parameter, 2 * m + 1) / power(two, 6);
+  ledger.piecewise_flat_distortion =
+      power(two, 8) * power(ledger.riemannian_flake_parameter, -2 * m) * power(ledger.riemannian_sampling_radius, 2);
   return ledger;
+}
+
+Rational largest_perturbation(const Rational& separation, const Rational& radius_variation,
+                              const Rational& distortion) {
+  const Rational zero(0);
+  const Rational one(1);
+  const Rational quarter = separation / Rational(4);
+  if (radius_variation < zero || distortion < zero) return quarter;
+  return quarter / ((one + radius_variation) * (one + distortion));
 }
 
 bool satisfies_parameter_constraints(const Ledger& ledger) {

@@ -31,20 +31,27 @@ struct Ledger {
   PowerProduct flake_parameter;
   /// δ₀ = Γ₀^{m+1}: Delaunay simplices become δ₀μ₀′ε′-protected (lem:loc.eucl.protect).
   PowerProduct protection_parameter;
+  /// δ₀μ₀′ε′/ε = δ₀(μ₀ − 2ρ̃₀), the protection relative to ε (lem:loc.eucl.protect).
+  PowerProduct protection;
   /// α₀ = 2¹³Γ₀/μ₀³ (lem:prop.forbid.cfg, P1).
   PowerProduct hoop_bound;
   /// α̃₀ = 2¹⁶m^{3/2}Γ₀/μ₀³ (lem:hoop.distort). Rational, since m^{3/2} cancels.
   PowerProduct hoop_bound_tilde;
   /// 2α̃₀: a perturbation is good when farther than this from every candidate sphere (def:extended.good.pert). Rational.
   PowerProduct tolerance;
-  /// An upper bound of (5/2)(1 + δ₀μ₀/2), the longest edge of a forbidden configuration (lem:prop.forbid.cfg, P3); at
-  /// most 2⁻¹²⁶ above it.
+  /// (5/4)δ₀μ₀: the longest edge of a forbidden configuration is shorter than 5/2 and this (lem:prop.forbid.cfg, P3).
+  PowerProduct longest_edge_excess;
+  /// An upper bound of (5/2)(1 + δ₀μ₀/2), which is 5/2 and that excess; at most 2⁻¹²⁶ above it.
   Rational longest_edge_upper;
   /// (14/μ₀)^{m²+m} > the number of simplices tested for a label (eq:bnd.nbr.cplx).
   PowerProduct candidates_bound;
 
   /// ε₀ ≤ (1 − ξ₀)/(1 + ξ₀) (hyps:param.bnds).
   Rational radius_variation_bound;
+  /// ρ̃₀ ≤ μ₀/4 (hyps:param.bnds).
+  Rational perturbation_tilde_bound;
+  /// Γ₀ ≤ 2μ₀²/75 (eq:dnobnd).
+  Rational flake_parameter_bound;
   /// ξ₀ ≤ 2⁻⁴(ρ₀/C)^{4m+2} (hyps:param.bnds). Rational.
   PowerProduct distortion_bound;
   /// ξ₀ ≤ Γ₀^{2m+1}μ₀²/2¹² (lem:stable.stars).
@@ -66,7 +73,14 @@ struct Ledger {
   /// ε ≤ 2⁻⁶(ρ₀/C̃)^{2m+1} at the riemannian_perturbation (thm:riem.del.tri), for sectional curvatures within [−1, 1];
   /// the other bound of Theorem 3, a quarter of the injectivity radius, is not in it. A length on the manifold.
   PowerProduct riemannian_sampling_radius;
+  /// 2⁸(C̃/ρ₀)^{2m}ε² at that radius: how much the piecewise flat metric differs from the manifold's, relatively
+  /// (thm:riem.del.tri).
+  PowerProduct piecewise_flat_distortion;
 };
+
+/// μ₀/(4(1 + ε₀)(1 + ξ₀)), the largest ρ₀ for which ρ̃₀ ≤ μ₀/4; μ₀/4 where ε₀ or ξ₀ is negative.
+[[nodiscard]] Rational largest_perturbation(const Rational& separation, const Rational& radius_variation,
+                                            const Rational& distortion);
 
 /// The ledger of the paper. Throws InputError, naming the parameter, its value and its range, unless
 /// 1 ≤ m ≤ largest_ledger_dimension, 0 < μ₀ ≤ 1, 0 ≤ ξ₀ < 1, 0 ≤ ε₀ ≤ (1 − ξ₀)/(1 + ξ₀), 0 < ρ₀ and ρ̃₀ ≤ μ₀/4.

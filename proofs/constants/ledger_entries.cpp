@@ -48,6 +48,13 @@ LedgerEntry entry(const Heading& heading, const Rational& x) {
 
 LedgerEntry entry(const Heading& heading, const Bounds& value) { return entry(heading, "", "", value, std::nullopt); }
 
+/// 5/2 and its excess, the latter from 256 bits.
+Bounds longest_edge_bounds(const Ledger& ledger) {
+  const Rational least = Rational(5) / Rational(2);
+  const Bounds excess = ledger.longest_edge_excess.bounds();
+  return {least + excess.lower, least + excess.upper};
+}
+
 }  // namespace
 
 std::vector<LedgerEntry> ledger_entries(const Ledger& ledger) {
@@ -70,14 +77,19 @@ std::vector<LedgerEntry> ledger_entries(const Ledger& ledger) {
       entry({"protection_parameter", "δ₀", "\\delta_0", "lem:loc.eucl.protect"}, ledger.protection_parameter),
       entry({"protection_parameter_squared", "δ₀²", "\\delta_0^2", "lem:loc.eucl.protect"},
             power(ledger.protection_parameter, 2)),
+      entry({"protection", "δ/ε", "\\delta/\\epsilon", "lem:loc.eucl.protect"}, ledger.protection),
       entry({"hoop_bound", "α₀", "\\alpha_0", "lem:prop.forbid.cfg"}, ledger.hoop_bound),
       entry({"hoop_bound_squared", "α₀²", "\\alpha_0^2", "lem:prop.forbid.cfg"}, power(ledger.hoop_bound, 2)),
       entry({"hoop_bound_tilde", "α̃₀", "\\tilde\\alpha_0", "lem:hoop.distort"}, ledger.hoop_bound_tilde),
       entry({"tolerance", "2α̃₀", "2\\tilde\\alpha_0", "def:extended.good.pert"}, ledger.tolerance),
       entry({"longest_edge", "(5/2)(1+δ₀μ₀/2)", "\\frac52(1+\\frac12\\delta_0\\mu_0)", "lem:prop.forbid.cfg"},
-            Bounds{Rational(5) / Rational(2), ledger.longest_edge_upper}),
+            "5/2 + " + ledger.longest_edge_excess.text(), "\\frac{5}{2} + " + ledger.longest_edge_excess.latex(),
+            longest_edge_bounds(ledger), std::nullopt),
       entry({"candidates_bound", "|S_i| <", "|\\mathcal{S}_i| <", "eq:bnd.nbr.cplx"}, ledger.candidates_bound),
       entry({"radius_variation_bound", "ε₀ ≤", "\\epsilon_0 \\le", "hyps:param.bnds"}, ledger.radius_variation_bound),
+      entry({"perturbation_tilde_bound", "ρ̃₀ ≤", "\\tilde\\rho_0 \\le", "hyps:param.bnds"},
+            ledger.perturbation_tilde_bound),
+      entry({"flake_parameter_bound", "Γ₀ ≤", "\\Gamma_0 \\le", "eq:dnobnd"}, ledger.flake_parameter_bound),
       entry({"distortion_bound", "ξ₀ ≤", "\\xi_0 \\le", "hyps:param.bnds"}, ledger.distortion_bound),
       entry({"stable_stars_distortion_bound", "ξ₀ ≤", "\\xi_0 \\le", "lem:stable.stars"},
             ledger.stable_stars_distortion_bound),
@@ -88,9 +100,16 @@ std::vector<LedgerEntry> ledger_entries(const Ledger& ledger) {
       entry({"riemannian_perturbation", "min(ρ₀, μ₀/5)", "\\min(\\rho_0, \\mu_0/5)", "thm:riem.del.tri"},
             ledger.riemannian_perturbation),
       entry({"riemannian_flake_divisor", "C̃", "\\tilde C", "thm:riem.del.tri"}, ledger.riemannian_flake_divisor),
+      entry({"riemannian_flake_parameter", "ρ₀/C̃", "\\rho_0/\\tilde C", "thm:riem.del.tri"},
+            ledger.riemannian_flake_parameter),
       entry({"riemannian_sampling_radius", "ε ≤ (Λ = 1)", "\\epsilon \\le", "thm:riem.del.tri"},
             ledger.riemannian_sampling_radius),
-      entry({"sphere_sample_size_at_least", "n ≥ on S^m", "n \\ge", "volume of geodesic balls"}, sphere.at_least)};
+      entry({"piecewise_flat_distortion", "|d_M/d_PL−1| ≤", "\\lvert d_M/d_{PL} - 1 \\rvert \\le", "thm:riem.del.tri"},
+            ledger.piecewise_flat_distortion),
+      entry({"sphere_sample_size_at_least", "n ≥ on S^m", "n \\ge", "volume of geodesic balls"},
+            (sphere.has_factor_pi ? "π·" : "") + sphere.at_least_without_pi.text(),
+            (sphere.has_factor_pi ? "\\pi \\cdot " : "") + sphere.at_least_without_pi.latex(), sphere.at_least,
+            sphere.at_least_log2)};
   if (sphere.measured_estimate) {
     entries.push_back(
         entry({"sphere_sample_size_estimate", "n ≈ on S^m", "n \\approx", "measured on Poisson-disk nets"},

@@ -13,6 +13,11 @@ struct SphereSampleSize {
   /// cover the sphere, and such a ball has at most the volume of a Euclidean ball of the same radius. Bounds of this
   /// proved number.
   Bounds at_least;
+  /// The same number exactly: this product, times π for odd m.
+  PowerProduct at_least_without_pi;
+  bool has_factor_pi = false;
+  /// Where its binary logarithm lies.
+  Bounds at_least_log2;
   /// About as many as a maximal Poisson-disk net has: 0.697 area/ε² for m = 2, 0.743 volume/ε³ for m = 3. Both
   /// factors were measured on such nets; nothing is proved about them. Empty in other dimensions.
   std::optional<Bounds> measured_estimate;

@@ -44,3 +44,35 @@ delcert_cli_test(constants-json-and-latex STATUS 64 OUTPUT "^$"
   COMMAND ${constants} ${surface} --json --latex ERROR "--json excludes --latex")
 delcert_cli_test(constants-unknown-option STATUS 64 OUTPUT "^$" COMMAND ${constants} ${surface} --separtion 1
   ERROR "--separtion")
+
+# Sweeps.
+delcert_cli_test(constants-sweep STATUS 0 ERROR "^$" COMMAND ${constants} --dim 2..6 --separation 1/4,1/2,1
+  OUTPUT "^ρ̃₀  perturbation tilde  .hyps:param.bnds.\n.*2  1/2  1/8 +2.[(]-989[)].*6  1/4  1/16 .*Hypotheses 2 .* hold for all")
+delcert_cli_test(constants-sweep-json STATUS 0 ERROR "^$"
+  COMMAND ${constants} --dim 2,3 --separation 1/4,1 --perturbation 1/16,1/4 --json --only flake_parameter
+  OUTPUT "^{\n  \"ledgers\": .*\"exact\": \"2.[(]-197[)]\".*\"left_out\": .*perturbation is 1/4")
+delcert_cli_test(constants-sweep-latex STATUS 0 ERROR "^$" COMMAND ${constants} --dim 2,3 --separation 1 --latex
+  OUTPUT "^.begin{longtable}.*.toprule.*.end{longtable}\n")
+delcert_cli_test(constants-default-perturbation STATUS 0 ERROR "^$" COMMAND ${constants} --dim 2 --separation 1/2
+  OUTPUT "ρ₀ +perturbation +1/8 ")
+delcert_cli_test(constants-only STATUS 0 ERROR "^$" COMMAND ${constants} ${surface} --only tolerance
+  OUTPUT "^ +constant [^\n]*\n2α̃₀ +tolerance +2.[(]-32[)] [^\n]*\n\nHypotheses")
+delcert_cli_test(constants-sweep-value-that-fits-nothing STATUS 3 OUTPUT "^$"
+  COMMAND ${constants} --dim 2..17 --separation 1 ERROR "^delcert: error: dimension is 17; allowed: 1 to 16\n$")
+delcert_cli_test(constants-sweep-perturbation-too-large STATUS 3 OUTPUT "^$"
+  COMMAND ${constants} --dim 2 --separation 1/4,1/2 --perturbation 1/16,1/4 ERROR "perturbation is 1/4; allowed")
+foreach(malformed "--dim;6..2" "--dim;2.." "--dim;two" "--dim;2,2" "--separation;1/2,,1" "--separation;0.5,1"
+    "--separation;1/2,2/4" "--perturbation;," "--only;flake-parameter" "--only;nothing")
+  list(GET malformed 0 option)
+  list(POP_FRONT malformed)
+  list(JOIN malformed "-" name)
+  string(MAKE_C_IDENTIFIER "${option}-${name}" name)
+  set(arguments --dim 2 --separation 1 --perturbation 1/4)
+  list(FIND arguments ${option} at)
+  if(NOT at EQUAL -1)
+    math(EXPR next "${at} + 1")
+    list(REMOVE_AT arguments ${at} ${next})
+  endif()
+  delcert_cli_test(constants-malformed-${name} STATUS 64 OUTPUT "^$"
+    COMMAND ${constants} ${arguments} ${option} ${malformed} ERROR "^delcert: error: [^\n]+\ndelcert: see delcert --help\n$")
+endforeach()

@@ -1,0 +1,122 @@
+#include "proofs/errata/errata_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace delcert {
+
+namespace {
+
+constexpr const char* introduction = R"(# Errata
+
+What is wrong in *Delaunay triangulation of manifolds* (Boissonnat, Dyer, Ghosh) as printed. Lines are those of its LaTeX
+source, places its labels. This page is what `delcert errata` prints, out of the files of `proofs/errata/`; a test compares
+them. Where a command stands, it reproduces the finding, from the root of the sources and with exit status 1, and a test runs
+it; what has none was read, and rests on the argument given.
+)";
+
+constexpr std::array wrong_judgements{Judgement::falsehood, Judgement::needs_hypothesis, Judgement::gap,
+                                      Judgement::wording};
+
+/// The text without line breaks: paragraphs and cells are one line each.
+std::string on_one_line(const std::string& text) {
+  std::istringstream words(text);
+  std::string result;
+  for (std::string word; words >> word;) result += (result.empty() ? "" : " ") + word;
+  return result;
+}
+
+/// The text in a cell of a table, where a bar would end it.
+std::string in_cell(const std::string& text) {
+  std::string result;
+  for (const char c : on_one_line(text)) result += c == '|' ? std::string("\\|") : std::string(1, c);
+  return result;
+}
+
+std::string place(const Erratum& erratum) {
+  const bool one = erratum.lines.size() == 1 && erratum.lines[0].first == erratum.lines[0].last;
+  return (one ? "line " : "lines ") + lines_text(erratum.lines) + ", " + erratum.label;
+}
+
+std::string section(const Erratum& erratum) {
+  std::string text = fmt::format("\n## {}: {}\n", place(erratum), name_of(erratum.judgement));
+  const auto paragraph = [&](const char* heading, const std::string& content) {
+    if (!content.empty()) text += fmt::format("\n**{}.** {}\n", heading, on_one_line(content));
+  };
+  paragraph("Printed", erratum.printed);
+  paragraph("Wrong", erratum.wrong);
+  paragraph("Witness", erratum.witness);
+  paragraph("Mended", erratum.mended);
+  paragraph("Effect", erratum.effect);
+  if (erratum.decidable) text += "\n```\n" + on_one_line(erratum.command) + "\n```\n";
+  return text;
+}
+
+std::string counts(const std::vector<Erratum>& errata) {
+  std::string text = "\n| kind | findings | of these with a command |\n|---|--:|--:|\n";
+  const auto row = [&](Judgement judgement) {
+    std::size_t all = 0;
+    std::size_t decidable = 0;
+    for (const Erratum& erratum : errata) {
+      if (erratum.judgement != judgement) continue;
+      ++all;
+      if (erratum.decidable) ++decidable;
+    }
+    text += fmt::format("| {} | {} | {} |\n", name_of(judgement), all, decidable);
+  };
+  for (const Judgement judgement : wrong_judgements) row(judgement);
+  row(Judgement::holds);
+  return text;
+}
+
+}  // namespace
+
+std::string errata_markdown(const std::vector<Erratum>& errata) {
+  std::string text = introduction + counts(errata);
+  std::string read;
+  for (const Erratum& erratum : errata) {
+    if (erratum.judgement == Judgement::holds) {
+      read += fmt::format("| {} | {} | {} | {} |\n", lines_text(erratum.lines), erratum.label, in_cell(erratum.printed),
+                          in_cell(erratum.wrong));
+    } else {
+      text += section(erratum);
+    }
+  }
+  if (!read.empty())
+    text += "\n## Read, and found to hold\n\n| lines | place | what is printed | why it holds |\n|---|---|---|---|\n" +
+            read;
+  return text;
+}
+
+std::string errata_json(const std::vector<Erratum>& errata) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Erratum& erratum : errata) {
+    list.push_back({{"file", erratum.file},
+                    {"label", erratum.label},
+                    {"lines", lines_text(erratum.lines)},
+                    {"kind", name_of(erratum.judgement)},
+                    {"printed", erratum.printed},
+                    {"wrong", erratum.wrong},
+                    {"witness", erratum.witness},
+                    {"mended", erratum.mended},
+                    {"effect", erratum.effect},
+                    {"decidable", erratum.decidable},
+                    {"command", erratum.command}});
+  }
+  return nlohmann::ordered_json{{"errata", std::move(list)}}.dump(2) + "\n";
+}
+
+std::string lines_text(const std::vector<LineRange>& lines) {
+  std::string text;
+  for (const LineRange& range : lines) {
+    text += (text.empty() ? "" : ", ") + std::to_string(range.first);
+    if (range.last != range.first) text += "-" + std::to_string(range.last);
+  }
+  return text;
+}
+
+}  // namespace delcert

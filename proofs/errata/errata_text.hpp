@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "proofs/errata/erratum.hpp"
+
+namespace delcert {
+
+/// The findings as the page docs/errata.md, in their order: how many there are of each kind, a section for each that is
+/// wrong, a table of what was read and holds.
+[[nodiscard]] std::string errata_markdown(const std::vector<Erratum>& errata);
+
+/// The same as a JSON document {"errata": […]}, with the keys of the files, `lines` as text, and all keys always there.
+[[nodiscard]] std::string errata_json(const std::vector<Erratum>& errata);
+
+/// "17-23, 40".
+[[nodiscard]] std::string lines_text(const std::vector<LineRange>& lines);
+
+}  // namespace delcert

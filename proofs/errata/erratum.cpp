@@ -1,0 +1,181 @@
+#include "proofs/errata/erratum.hpp"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <fstream>
+#include <tuple>
+
+#include "kernel/error.hpp"
+#include "proofs/errata/builtin_errata.hpp"
+#include "proofs/formula/formula_error.hpp"
+
+namespace delcert {
+
+namespace {
+
+constexpr std::size_t largest_file = std::size_t{1} << 20U;
+constexpr std::array judgements{Judgement::falsehood, Judgement::needs_hypothesis, Judgement::gap, Judgement::wording,
+                                Judgement::holds};
+const std::vector<std::string> keys{"label",   "lines",  "kind",   "printed",   "wrong",
+                                    "witness", "mended", "effect", "decidable", "command"};
+
+/// The ranges of "17-23, 40"; empty if that is not what it is.
+std::vector<LineRange> ranges_of(std::string_view text) {
+  std::vector<LineRange> ranges;
+  const char* at = text.data();
+  const char* const end = text.data() + text.size();
+  const auto number = [&](int& value) {
+    const auto [after, error] = std::from_chars(at, end, value);
+    const bool read = error == std::errc{} && value > 0 && at != end && *at != '0';
+    at = after;
+    return read;
+  };
+  while (true) {
+    LineRange range;
+    if (!number(range.first)) return {};
+    range.last = range.first;
+    if (at != end && *at == '-' && (++at, !number(range.last))) return {};
+    if (range.last < range.first || (!ranges.empty() && range.first <= ranges.back().last)) return {};
+    ranges.push_back(range);
+    if (at == end) return ranges;
+    if (*at++ != ',') return {};
+    if (at != end && *at == ' ') ++at;
+  }
+}
+
+class Reader {
+ public:
+  Reader(const std::string& text, std::string file) : file_(std::move(file)), table_(parse(text)) {}
+
+  Erratum read() const {
+    for (const auto& [key, node] : table_) {
+      const std::string word(key.str());
+      if (std::find(keys.begin(), keys.end(), word) == keys.end())
+        fail(key.source(), "unknown key " + shortened(word) + suggestion(word, keys));
+    }
+    Erratum result;
+    result.file = file_;
+    result.label = string("label", true);
+    result.lines = ranges_of(string("lines", true));
+    if (result.lines.empty())
+      fail(table_.get("lines")->source(), "lines are \"17\", \"17-23\" or several of these in order, \"17-23, 40\"");
+    result.judgement = judgement();
+    result.printed = string("printed", true);
+    result.wrong = string("wrong", true);
+    result.witness = string("witness", false);
+    result.mended = string("mended", false);
+    result.effect = string("effect", false);
+    result.decidable = boolean("decidable");
+    result.command = string("command", result.decidable);
+    if (!result.decidable && !result.command.empty())
+      fail(table_.get("command")->source(), "a command, but decidable is false");
+    if (result.decidable && result.judgement == Judgement::holds)
+      fail(table_.get("decidable")->source(), "what a computation decides is a claim or a step, not \"read: holds\"");
+    return result;
+  }
+
+ private:
+  [[noreturn]] void fail(const toml::source_region& where, const std::string& message) const {
+    throw InputError(file_ + ":" + std::to_string(where.begin.line) + ":" + std::to_string(where.begin.column) + ": " +
+                     message);
+  }
+
+  toml::table parse(const std::string& text) const {
+    try {
+      return toml::parse(text);
+    } catch (const toml::parse_error& error) {
+      std::string description(error.description());
+      std::replace_if(
+          description.begin(), description.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+      fail(error.source(), description);
+    }
+  }
+
+  const toml::node* find(const std::string& key, bool required) const {
+    const toml::node* node = table_.get(key);
+    if (node == nullptr && required) fail(table_.source(), "the key " + key + " is missing");
+    return node;
+  }
+
+  std::string string(const std::string& key, bool required) const {
+    const toml::node* node = find(key, required);
+    if (node == nullptr) return "";
+    const auto value = node->value_exact<std::string>();
+    if (!value) fail(node->source(), "the key " + key + " wants a string");
+    if (required && value->find_first_not_of(" \t\r\n") == std::string::npos)
+      fail(node->source(), "the key " + key + " wants a string that is not empty");
+    return *value;
+  }
+
+  bool boolean(const std::string& key) const {
+    const toml::node* node = find(key, true);
+    const auto value = node->value_exact<bool>();
+    if (!value) fail(node->source(), "the key " + key + " wants true or false");
+    return *value;
+  }
+
+  Judgement judgement() const {
+    const std::string text = string("kind", true);
+    for (const Judgement each : judgements)
+      if (text == name_of(each)) return each;
+    std::string known;
+    for (const Judgement each : judgements)
+      known += (known.empty() ? "\"" : ", \"") + std::string(name_of(each)) + "\"";
+    fail(table_.get("kind")->source(), "a kind is one of " + known + ", not \"" + shortened(text) + "\"");
+  }
+
+  std::string file_;
+  toml::table table_;
+};
+
+}  // namespace
+
+Erratum parse_erratum(const std::string& text, const std::string& file) { return Reader(text, file).read(); }
+
+Erratum read_erratum(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw InputError(file + ": cannot be read");
+  std::string text;
+  for (char c = 0; text.size() <= largest_file && stream.get(c);) text += c;
+  if (stream.bad()) throw InputError(file + ": cannot be read");
+  if (text.size() > largest_file) throw InputError(file + ": larger than 1 MiB");
+  return parse_erratum(text, file);
+}
+
+const std::vector<Erratum>& builtin_errata_list() {
+  static const std::vector<Erratum> list = [] {
+    std::vector<Erratum> errata;
+    for (const BuiltinErratum& each : builtin_errata())
+      errata.push_back(parse_erratum(each.text, "proofs/errata/" + each.name + ".toml"));
+    sort_by_line(errata);
+    return errata;
+  }();
+  return list;
+}
+
+void sort_by_line(std::vector<Erratum>& errata) {
+  std::sort(errata.begin(), errata.end(), [](const Erratum& a, const Erratum& b) {
+    return std::tie(a.lines.front().first, a.lines.front().last, a.file) <
+           std::tie(b.lines.front().first, b.lines.front().last, b.file);
+  });
+}
+
+std::string_view name_of(Judgement judgement) {
+  switch (judgement) {
+    case Judgement::falsehood:
+      return "false";
+    case Judgement::needs_hypothesis:
+      return "needs a hypothesis";
+    case Judgement::gap:
+      return "a step does not follow";
+    case Judgement::wording:
+      return "wording";
+    default:
+      return "read: holds";
+  }
+}
+
+}  // namespace delcert

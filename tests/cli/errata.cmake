@@ -1,0 +1,20 @@
+# The errata: the page, the findings of a user, and the commands that reproduce them.
+set(errata $<TARGET_FILE:delcert> errata)
+set(finding ${CMAKE_CURRENT_BINARY_DIR}/finding.toml)
+file(WRITE ${finding} "label = 'lem:x'\nlines = '7'\nkind = 'wording'\nprinted = 'p'\nwrong = 'w'\ndecidable = false\n")
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/malformed-finding.toml "label = 'lem:x'\nlines = '7-3'\n")
+
+delcert_cli_test(errata-help COMMAND ${errata} --help STATUS 0 OUTPUT "--json.*Examples:" ERROR "^$")
+delcert_cli_test(errata-json COMMAND ${errata} --json STATUS 0 OUTPUT "^{\n  \"errata\": \\[.*lem:bound.cc.*\\]\n}\n$" ERROR "^$")
+delcert_cli_test(errata-file COMMAND ${errata} ${finding} STATUS 0 OUTPUT "^# Errata\n.*\n## line 7, lem:x: wording\n" ERROR "^$")
+delcert_cli_test(errata-malformed COMMAND ${errata} malformed-finding.toml STATUS 3 OUTPUT "^$"
+  ERROR "^delcert: error: malformed-finding.toml:2:9: lines are [^\n]*\n$")
+delcert_cli_test(errata-missing COMMAND ${errata} nowhere.toml STATUS 3 OUTPUT "^$" ERROR "nowhere.toml: cannot be read")
+delcert_cli_test(errata-unknown-option COMMAND ${errata} --jsn STATUS 64 OUTPUT "^$" ERROR "--jsn")
+
+add_executable(test_errata errata_test.cpp)
+target_link_libraries(test_errata PRIVATE delcert_proofs delcert_warnings GTest::gtest_main)
+target_compile_definitions(test_errata PRIVATE
+  DELCERT_PROGRAM="$<TARGET_FILE:delcert>" DELCERT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+add_dependencies(test_errata delcert)
+gtest_discover_tests(test_errata DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)

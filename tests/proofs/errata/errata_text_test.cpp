@@ -1,0 +1,65 @@
+#include "proofs/errata/errata_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace delcert {
+namespace {
+
+Erratum sample(Judgement judgement) {
+  Erratum erratum;
+  erratum.file = "sample.toml";
+  erratum.label = "lem:sample";
+  erratum.lines = {{10, 12}, {20, 20}};
+  erratum.judgement = judgement;
+  erratum.printed = "|x| ≤ 1\nalways";
+  erratum.wrong = "x = 2";
+  return erratum;
+}
+
+bool mentions(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(ErrataText, has_a_section_for_what_is_wrong) {
+  Erratum erratum = sample(Judgement::gap);
+  erratum.decidable = true;
+  erratum.command = "delcert attack --replay x.json";
+  const std::string text = errata_markdown({erratum});
+  EXPECT_TRUE(mentions(text,
+                       "\n## lines 10-12, 20, lem:sample: a step does not follow\n\n**Printed.** |x| ≤ 1 always\n"
+                       "\n**Wrong.** x = 2\n\n```\ndelcert attack --replay x.json\n```\n"))
+      << text;
+  EXPECT_FALSE(mentions(text, "**Mended.**"));
+  EXPECT_FALSE(mentions(text, "found to hold"));
+  EXPECT_TRUE(mentions(text, "| a step does not follow | 1 | 1 |\n"));
+  EXPECT_TRUE(mentions(text, "| false | 0 | 0 |\n"));
+}
+
+TEST(ErrataText, has_a_table_of_what_holds) {
+  const std::string text = errata_markdown({sample(Judgement::holds)});
+  EXPECT_TRUE(mentions(text, "| 10-12, 20 | lem:sample | \\|x\\| ≤ 1 always | x = 2 |\n")) << text;
+  EXPECT_FALSE(mentions(text, "\n## line"));
+  EXPECT_TRUE(mentions(text, "| read: holds | 1 | 0 |\n"));
+}
+
+TEST(ErrataText, says_line_where_there_is_one) {
+  Erratum erratum = sample(Judgement::wording);
+  erratum.lines = {{7, 7}};
+  EXPECT_TRUE(mentions(errata_markdown({erratum}), "\n## line 7, lem:sample: wording\n"));
+}
+
+TEST(ErrataText, is_json_with_all_keys) {
+  const auto document = nlohmann::json::parse(errata_json({sample(Judgement::falsehood), sample(Judgement::holds)}));
+  ASSERT_EQ(document["errata"].size(), 2U);
+  const auto& first = document["errata"][0];
+  EXPECT_EQ(first["lines"], "10-12, 20");
+  EXPECT_EQ(first["kind"], "false");
+  EXPECT_EQ(first["printed"], "|x| ≤ 1\nalways");
+  EXPECT_EQ(first["decidable"], false);
+  EXPECT_EQ(first["mended"], "");
+  EXPECT_EQ(first.size(), 11U);
+  EXPECT_TRUE(nlohmann::json::parse(errata_json({}))["errata"].empty());
+}
+
+}  // namespace
+}  // namespace delcert
