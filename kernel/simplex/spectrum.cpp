@@ -10,6 +10,7 @@
 #include <cmath>
 #include <optional>
 
+#include "kernel/number/nearest_rounding.hpp"
 #include "kernel/simplex/inertia.hpp"
 
 namespace delcert {
@@ -20,6 +21,15 @@ namespace {
 constexpr int largest_quick_order = 8;
 using Approximation =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, largest_quick_order, largest_quick_order>;
+
+/// Without error bounds; nothing if Eigen's iteration does not end. Never inlined, so that no operation of it is moved
+/// out of the rounding mode that it expects, and none of ours into it.
+[[gnu::noinline]] std::optional<Approximation> approximate_eigenvalues(const Approximation& matrix) {
+  const NearestRounding nearest_rounding;
+  const Eigen::SelfAdjointEigenSolver<Approximation> solver(matrix, Eigen::EigenvaluesOnly);
+  if (solver.info() != Eigen::Success) return std::nullopt;
+  return Approximation(solver.eigenvalues());
+}
 
 /// Eigenvalues of one matrix proved on intervals, around approximations in doubles.
 class IntervalSpectrum {
@@ -35,12 +45,12 @@ class IntervalSpectrum {
         approximate(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) = entry;
       }
     }
-    const Eigen::SelfAdjointEigenSolver<Approximation> solver(approximate, Eigen::EigenvaluesOnly);
-    if (solver.info() != Eigen::Success) return;
+    const auto values = approximate_eigenvalues(approximate);
+    if (!values) return;
     for (std::size_t index = order; index-- > 0;) {
-      approximate_.push_back(solver.eigenvalues()(static_cast<Eigen::Index>(index)));
+      approximate_.push_back((*values)(static_cast<Eigen::Index>(index)));
     }
-    size_ = order == 0 ? 0 : solver.eigenvalues().cwiseAbs().maxCoeff();
+    size_ = order == 0 ? 0 : values->cwiseAbs().maxCoeff();
   }
 
   /// An enclosure of the eigenvalue of this index, the largest first, if one was proved.

@@ -39,25 +39,4 @@ template <>
 [[nodiscard]] Partial<Alignment<Algebraic>> alignment(Evaluation<Algebraic>& evaluation, const SimplexObject& simplex,
                                                       const SimplexObject& image);
 
-/// The eigenvalues of a matrix, found for a multiple of it with entries of about 1: the search for the roots of a
-/// polynomial begins there, and would take seconds to come to 2⁻³⁰⁰.
-template <class S>
-[[nodiscard]] Partial<std::vector<S>> eigenvalues_by_scaling(SymmetricMatrix<Rational> matrix) {
-  Rational greatest(0);
-  for (std::size_t i = 0; i < matrix.order(); ++i) {
-    for (std::size_t j = 0; j <= i; ++j) greatest = maximum(greatest, absolute(matrix(i, j)));
-  }
-  if (greatest == Rational(0)) return std::vector<S>(matrix.order(), S(0));
-  const long exponent = binary_exponent(greatest);
-  const Rational unit = Rational::power_of_two(-exponent);
-  for (std::size_t i = 0; i < matrix.order(); ++i) {
-    for (std::size_t j = 0; j <= i; ++j) matrix(i, j) *= unit;
-  }
-  auto result = eigenvalues<S>(matrix);
-  if (!result) return result;
-  const S back = scalar_from<S>(Rational::power_of_two(exponent));
-  for (S& value : *result) value = value * back;
-  return result;
-}
-
 }  // namespace delcert

@@ -1,6 +1,7 @@
 #include "proofs/formula/pair_vocabulary.hpp"
 
 #include "kernel/error.hpp"
+#include "kernel/simplex/spectrum.hpp"
 #include "proofs/formula/pair_alignment.hpp"
 
 namespace delcert {

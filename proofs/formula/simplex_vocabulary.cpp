@@ -13,7 +13,6 @@
 #include "kernel/simplex/realisability.hpp"
 #include "kernel/simplex/spectrum.hpp"
 #include "kernel/simplex/thickness.hpp"
-#include "proofs/formula/pair_alignment.hpp"
 #include "proofs/formula/simplex_object.hpp"
 
 namespace delcert {

@@ -26,7 +26,8 @@ void put_high_vertex_first(SimplexObject::Points& points);
 [[nodiscard]] std::vector<SimplexObject::Points> simpler_points(const SimplexObject::Points& points,
                                                                 std::size_t least_points, std::size_t least_dimension);
 
-/// Simpler numbers than this one, of the same sign: powers of two, few digits.
+/// Other numbers than this one, simpler, of the same sign, none of them closer to 0 than the power of two just below it
+/// in size: 1, 1/2, 1/4 … as far as that power, and numbers of few digits. None for 0.
 [[nodiscard]] std::vector<Rational> simpler_numbers(const Rational& number);
 
 /// k = 1 … 6, m = k … k + 3.

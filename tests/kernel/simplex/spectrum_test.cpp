@@ -134,6 +134,29 @@ TEST(Spectrum, random_matrices_are_enclosed_on_every_rung_and_agree_with_the_ine
   }
 }
 
+TEST(Spectrum, scaled_matrices_have_their_eigenvalues_at_any_size) {
+  for (const long exponent : {-300L, 0L, 301L}) {
+    const Rational unit = Rational::power_of_two(exponent);
+    SymmetricMatrix<Rational> matrix(2);
+    matrix(0, 0) = matrix(1, 1) = unit;
+    matrix(0, 1) = Rational(2) * unit;
+    // 3 and −1.
+    const auto enclosed = eigenvalues_by_scaling<BigInterval>(matrix);
+    ASSERT_TRUE(enclosed.has_value());
+    EXPECT_LE((*enclosed)[0].lower(), Rational(3) * unit);
+    EXPECT_GE((*enclosed)[0].upper(), Rational(3) * unit);
+    EXPECT_LE((*enclosed)[1].lower(), -unit);
+    EXPECT_GE((*enclosed)[1].upper(), -unit);
+    EXPECT_LT((*enclosed)[0].upper() - (*enclosed)[0].lower(), Rational::power_of_two(exponent - 100));
+    const auto exact = eigenvalues_by_scaling<Algebraic>(matrix);
+    EXPECT_EQ((*exact)[0].rational(), Rational(3) * unit);
+    EXPECT_EQ((*exact)[1].rational(), -unit);
+  }
+  const auto none = eigenvalues_by_scaling<BigInterval>(SymmetricMatrix<Rational>(3));
+  EXPECT_EQ(none->size(), 3U);
+  EXPECT_EQ((*none)[2].upper(), Rational(0));
+}
+
 TEST(Spectrum, surds_know_matrices_of_order_one_at_most) {
   EXPECT_TRUE(eigenvalues<Surd>(Matrix(0))->empty());
   EXPECT_TRUE(eigenvalues<Surd>(matrix_of({{5}}))->front().rational() == Rational(5));

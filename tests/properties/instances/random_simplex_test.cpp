@@ -73,5 +73,29 @@ TEST(RandomSimplex, SimplerNumbersHaveTheSameSign) {
   for (const Rational& each : simpler_numbers(Rational(-22) / Rational(7))) EXPECT_LT(each, Rational(0));
 }
 
+TEST(RandomSimplex, SimplerNumbersArePowersOfOneHalfAndFewDigits) {
+  const auto offered = [](const Rational& number, const Rational& simpler) {
+    const auto numbers = simpler_numbers(number);
+    return std::count(numbers.begin(), numbers.end(), simpler);
+  };
+  const Rational tenth = Rational(1) / Rational(10);
+  for (const Rational& sign : {Rational(1), Rational(-1)}) {
+    for (const long halvings : {0L, 1L, 2L, 3L, 4L}) {
+      EXPECT_EQ(offered(sign * tenth, sign * Rational::power_of_two(-halvings)), 1) << halvings;
+    }
+    // No power that is further from 1 than the number.
+    EXPECT_EQ(offered(sign * tenth, sign * Rational::power_of_two(-5)), 0);
+    EXPECT_EQ(offered(sign * Rational(5), sign * Rational::power_of_two(-1)), 0);
+    EXPECT_EQ(offered(sign * Rational(5), sign * Rational(4)), 1);
+  }
+  EXPECT_EQ(offered(tenth, Rational(3) / Rational(32)), 1);
+  EXPECT_EQ(offered(Rational::power_of_two(-200), Rational::power_of_two(-128)), 1);
+  // Nothing is simpler than itself.
+  for (const Rational& number : {Rational(1), Rational(-1), Rational(1) / Rational(4), Rational(4), tenth}) {
+    EXPECT_EQ(offered(number, number), 0);
+  }
+  EXPECT_TRUE(simpler_numbers(Rational(1)).empty());
+}
+
 }  // namespace
 }  // namespace delcert::test
