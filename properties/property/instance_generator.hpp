@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "properties/attack/attempt.hpp"
+#include "properties/attack/shrink.hpp"
 #include "properties/attack/witness.hpp"
 
 namespace delcert {
@@ -19,6 +20,16 @@ struct GeneratedInstance {
 
 inline void showValue(const GeneratedInstance& instance, std::ostream& out) {
   out << bindings_json(instance.bindings, instance.its_class->signature()).dump(1);
+}
+
+/// Simpler instances that take less to write, so that shrinking comes to an end.
+[[nodiscard]] inline std::vector<GeneratedInstance> simpler_instances(const GeneratedInstance& instance) {
+  const std::size_t size = written_size(*instance.its_class, instance.bindings);
+  std::vector<GeneratedInstance> result;
+  for (Bindings& bindings : instance.its_class->simpler(instance.bindings)) {
+    if (written_size(*instance.its_class, bindings) < size) result.push_back({instance.its_class, std::move(bindings)});
+  }
+  return result;
 }
 
 /// Instances for a claim, of all shapes of its class, costly ones seldom; simpler ones by the class.
@@ -41,14 +52,9 @@ inline void showValue(const GeneratedInstance& instance, std::ostream& out) {
       while (at + 1 < shapes.size() && left >= weights[at]) left -= weights[at++];
       auto instance = draw_instance(claim, limits, shapes[at], choices);
       if (!instance) continue;
-      return rc::shrinkable::shrinkRecur(GeneratedInstance{its_class, std::move(instance->bindings)},
-                                         [](const GeneratedInstance& from) {
-                                           std::vector<GeneratedInstance> simpler;
-                                           for (Bindings& bindings : from.its_class->simpler(from.bindings)) {
-                                             simpler.push_back({from.its_class, std::move(bindings)});
-                                           }
-                                           return rc::seq::fromContainer(std::move(simpler));
-                                         });
+      return rc::shrinkable::shrinkRecur(
+          GeneratedInstance{its_class, std::move(instance->bindings)},
+          [](const GeneratedInstance& from) { return rc::seq::fromContainer(simpler_instances(from)); });
     }
     throw rc::GenerationFailure("no instance in 100 tries");
   };
