@@ -22,15 +22,19 @@ using Matrix = std::vector<std::vector<Rational>>;
 
 constexpr std::string_view number_expected = "an exact number: an integer, or a string such as \"3/4\" or \"0x3p-2\"";
 
-// Texts come from files: what is quoted stays short, on one line.
-std::string in_quotes(std::string_view text) {
-  constexpr std::size_t longest = 80;
-  std::string result = "\"";
-  for (const char c : text.substr(0, longest)) {
+std::string on_one_line(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
     const auto code = static_cast<unsigned char>(c);
     result += code < 0x20 || code == 0x7f ? '?' : c;
   }
-  return result + (text.size() > longest ? "…\"" : "\"");
+  return result;
+}
+
+// Texts come from files: what is quoted stays short, on one line.
+std::string in_quotes(std::string_view text) {
+  constexpr std::size_t longest = 80;
+  return "\"" + on_one_line(text.substr(0, longest)) + (text.size() > longest ? "…\"" : "\"");
 }
 
 /// What a value is, for "found …".
@@ -281,7 +285,7 @@ ManifoldDescription parse_manifold(std::string_view text, const std::string& sou
   } catch (const toml::parse_error& error) {
     const auto& where = error.source().begin;
     throw InputError(source + ":" + std::to_string(where.line) + ":" + std::to_string(where.column) +
-                     ": not TOML: " + std::string(error.description()));
+                     ": not TOML: " + on_one_line(error.description()));
   }
 }
 
