@@ -33,8 +33,9 @@ class Report {
 
   void run() {
     const auto begin = std::chrono::steady_clock::now();
+    const std::vector<Claim> claims = claims_of(options_.claims);
     if (!options_.json) std::cout << step_table_head();
-    for (const Claim& claim : claims_of(options_.claims)) {
+    for (const Claim& claim : claims) {
       std::string log;
       for (const Step& step : claim.steps) {
         if (is_asked_for(step)) prove_one(claim, step, log);

@@ -9,6 +9,7 @@ set(DELCERT_TWIN_EXEMPTIONS
   "kernel/manifold/atlas" "an interface, tested through flat_atlas"
   "proofs/formula/builtin_claims" "a declaration of what is generated, read in tests/proofs/formula/claim_test.cpp"
   "proofs/errata/builtin_errata" "a declaration of what is generated, read in tests/proofs/errata/erratum_test.cpp"
+  "proofs/replay/main" "the program itself, run in tests/cli/prove.cmake"
   "properties/instances/instance_classes" "the list of all classes, gone through in properties/instances/instance_class_test"
   "kernel/perturb/parameters" "plain data, derived and tested in proofs/certificate/run_parameters")
 
@@ -30,7 +31,7 @@ function(delcert_twin_complaints root exemptions result)
     set(on_change)
   endif()
   set(stems)
-  foreach(folder kernel proofs/constants proofs/certificate proofs/formula proofs/prover proofs/errata proofs/tables
+  foreach(folder kernel proofs/constants proofs/certificate proofs/formula proofs/prover proofs/replay proofs/errata proofs/tables
       properties/instances properties/attack)
     file(GLOB_RECURSE sources ${on_change} RELATIVE ${root} ${root}/${folder}/*.hpp ${root}/${folder}/*.cpp)
     file(GLOB_RECURSE tests ${on_change} RELATIVE ${root}/tests ${root}/tests/${folder}/*_test.cpp)

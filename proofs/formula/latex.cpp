@@ -251,15 +251,23 @@ std::string displayed(const Statements& statements) {
   return result + "\\end{gather*}\n";
 }
 
+std::string number_latex(const Rational& x) {
+  const std::string sign = x < Rational(0) ? "-" : "";
+  const Rational size = absolute(x);
+  if (size.denominator() == 1) return sign + size.numerator().str();
+  return sign + "\\frac{" + size.numerator().str() + "}{" + size.denominator().str() + "}";
+}
+
 std::string range_latex(const std::string& name, const ParameterRange& range) {
-  const auto number = [](const Rational& x) {
-    const std::string sign = x < Rational(0) ? "-" : "";
-    const Rational size = absolute(x);
-    if (size.denominator() == 1) return sign + size.numerator().str();
-    return sign + "\\frac{" + size.numerator().str() + "}{" + size.denominator().str() + "}";
-  };
-  return latex_name(name) + " \\in \\left" + (range.has_lower ? "[" : "(") + number(range.lower) + ", " +
-         number(range.upper) + "\\right" + (range.has_upper ? "]" : ")");
+  return latex_name(name) + " \\in \\left" + (range.has_lower ? "[" : "(") + number_latex(range.lower) + ", " +
+         number_latex(range.upper) + "\\right" + (range.has_upper ? "]" : ")");
+}
+
+std::string range_latex(const std::string& name, const StepRange& range) {
+  const std::string lower = range.lower ? number_latex(*range.lower) : "-\\infty";
+  const std::string upper = range.upper ? number_latex(*range.upper) : "\\infty";
+  return latex_name(name) + " \\in " + (range.is_integer ? "\\mathbb{Z} \\cap " : "") + "\\left" +
+         (range.has_lower ? "[" : "(") + lower + ", " + upper + "\\right" + (range.has_upper ? "]" : ")");
 }
 
 }  // namespace
@@ -296,14 +304,45 @@ std::string latex_name(const std::string& name) {
 
 std::string latex_of(const Expression& expression) { return piece_of(expression).text; }
 
+std::string latex_of(const Step& step) {
+  std::string result = "\\subparagraph{" + escaped(step.name) + "}";
+  if (!step.lines.empty()) result += " (lines " + escaped(step.lines) + ")";
+  result += "\n";
+  std::string separator = "For all ";
+  for (const auto& [name, range] : step.parameters) {
+    result += separator + "$" + range_latex(name, range) + "$";
+    separator = ", ";
+  }
+  if (!step.parameters.empty()) result += "\n";
+  separator = "with ";
+  for (const Statement& abbreviation : step.abbreviations) {
+    result += separator + "$" + latex_name(abbreviation.name) + " = " + latex_of(*abbreviation.formula) + "$";
+    separator = ", ";
+  }
+  for (const auto& [name, value] : step.constants) {
+    result += separator + "$" + latex_name(name) + " = " + number_latex(value) + "$";
+    separator = ", ";
+  }
+  if (separator == ", ") result += "\n";
+  if (!step.hypotheses.empty()) result += "such that\n" + displayed(step.hypotheses);
+  return result + "there holds\n" + displayed(std::vector<Statement>{step.claim});
+}
+
 std::string latex_of(const Claim& claim) {
   std::string result = "\\paragraph{" + escaped(claim.title.empty() ? claim.name : claim.title) + "}";
   if (!claim.source.empty()) result += " (\\texttt{" + escaped(claim.source) + "})";
-  result += "\nFor every instance of the class \\texttt{" + escaped(claim.instance) + "}";
+  result += "\n";
+  if (claim.instance.empty()) {
+    for (const Step& step : claim.steps) result += latex_of(step);
+    return result;
+  }
+  result += "For every instance of the class \\texttt{" + escaped(claim.instance) + "}";
   for (const auto& [name, range] : claim.parameters) result += ", all $" + range_latex(name, range) + "$";
   if (!claim.hypotheses.empty()) result += " with\n" + displayed(claim.hypotheses) + "there holds\n";
   if (claim.hypotheses.empty()) result += " there holds\n";
-  return result + displayed(claim.conclusions);
+  result += displayed(claim.conclusions);
+  for (const Step& step : claim.steps) result += latex_of(step);
+  return result;
 }
 
 }  // namespace delcert

@@ -11,7 +11,10 @@ namespace delcert {
 /// exponent 1/2 is a root, a < b and b <= c with the same b is a chain. Precondition: type-checked.
 [[nodiscard]] std::string latex_of(const Expression& expression);
 
-/// A claim as a paragraph of LaTeX text (amsmath): what is given, what follows.
+/// A step of a proof as LaTeX text (amsmath): for which parameters, with which abbreviations, what holds.
+[[nodiscard]] std::string latex_of(const Step& step);
+
+/// A claim as a paragraph of LaTeX text (amsmath): what is given, what follows, the steps of its proof.
 [[nodiscard]] std::string latex_of(const Claim& claim);
 
 /// A name of a formula as a symbol: mu0 is \mu_0, xi_tilde is \tilde{\xi}, k is k, and \mathrm{label} is a word.

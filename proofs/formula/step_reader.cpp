@@ -113,8 +113,13 @@ class StepReader {
       const std::string name(key.str());
       require_free(key.source(), name);
       step_.constants[name] =
-          reader_.in_string(value, "a constant wants a string such as \"4/5\"",
-                            [](const std::string& text) { return parse_range("[" + text + ", " + text + "]").lower; });
+          reader_.in_string(value, "a constant wants a string such as \"4/5\"", [](const std::string& text) {
+            try {
+              return parse_range("[" + text + ", " + text + "]").lower;
+            } catch (const FormulaError& error) {
+              throw FormulaError(error.offset() - 1, error.what());
+            }
+          });
       signature_[name] = types::number;
     }
   }

@@ -151,5 +151,22 @@ TEST(Latex, a_claim_is_a_paragraph) {
             "\\begin{gather*}\n  \\Delta(s) > \\eta\n\\end{gather*}\n");
 }
 
+TEST(Latex, of_steps_names_parameters_abbreviations_and_constants) {
+  const Claim claim = parse_claim(
+      "name = \"n\"\n[[step]]\nname = \"s_1\"\nlines = \"6-7\"\n"
+      "forall = { k = \"integer [1, infinity)\", xi = \"(-infinity, 1/4]\" }\nlet = { a = \"1 + xi\" }\n"
+      "constants = { c = \"-4/5\" }\ngiven = [\"xi > 0\"]\nclaim = \"1/a >= c*k\"\n"
+      "[[step]]\nname = \"t\"\nclaim = \"1 < 2\"\n",
+      "a.toml", full_vocabulary(), {});
+  EXPECT_EQ(latex_of(claim),
+            "\\paragraph{n}\n\\subparagraph{s\\_1} (lines 6-7)\n"
+            "For all $k \\in \\mathbb{Z} \\cap \\left[1, \\infty\\right)$, $\\xi \\in \\left(-\\infty, "
+            "\\frac{1}{4}\\right]$\n"
+            "with $a = 1 + \\xi$, $c = -\\frac{4}{5}$\n"
+            "such that\n\\begin{gather*}\n  \\xi > 0\n\\end{gather*}\n"
+            "there holds\n\\begin{gather*}\n  \\frac{1}{a} \\geq c k\n\\end{gather*}\n"
+            "\\subparagraph{t}\nthere holds\n\\begin{gather*}\n  1 < 2\n\\end{gather*}\n");
+}
+
 }  // namespace
 }  // namespace delcert

@@ -1,0 +1,180 @@
+// Logs that the prover writes are accepted, and with one thing changed rejected.
+
+#include "proofs/replay/replay.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "proofs/prover/proof_log.hpp"
+#include "proofs/replay/number.hpp"
+#include "tests/proofs/prover/prove_text.hpp"
+
+namespace delcert {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json logged(const std::string& lines) {
+  const Step of = test::step(lines);
+  const StepOutcome outcome = prove(of);
+  EXPECT_EQ(outcome.verdict, Verdict::proved);
+  return Json::parse(proof_log_line("c", of, of.constants, outcome));
+}
+
+/// "accepted", or why not.
+std::string replayed(const Json& step) {
+  std::istringstream log(proof_log_head() + step.dump() + "\n");
+  try {
+    const replay::Totals totals = replay::replay(log);
+    EXPECT_EQ(totals.steps, 1U);
+    return "accepted";
+  } catch (const replay::Rejected& rejected) {
+    return rejected.what();
+  } catch (const replay::Malformed& malformed) {
+    return std::string("malformed: ") + malformed.what();
+  }
+}
+
+std::string changed(Json step, const std::function<void(Json&)>& change) {
+  EXPECT_EQ(replayed(step), "accepted");
+  change(step);
+  return replayed(step);
+}
+
+const char* const polynomial = "forall = { xi = '(0, 1/4]' }\nclaim = '1/(1 + xi) >= 4/5 and xi^2 < xi'";
+const char* const cut = "forall = { x = '[0, 1]', y = '[0, 1]' }\nclaim = '(x - y)^2 + x*y/10 + 1/100 > 0'";
+const char* const integers = "forall = { k = 'integer [1, infinity)' }\nclaim = '(k - 1)*(k - 2)*(k + log2(k)) >= 0'";
+const char* const squared = "forall = { m = 'integer [1, infinity)' }\nclaim = 'm^(3/2) >= m'";
+const char* const enclosed = "forall = { x = '[3, 4]' }\nclaim = 'log2(x) > 158/100'";
+
+TEST(Replay, accepts_what_the_prover_writes) {
+  for (const char* lines :
+       {polynomial, cut, integers, squared, enclosed,
+        "forall = { m = 'integer [1, infinity)', mu0 = '(0, 1]' }\nclaim = 'constant_c(m, mu0) >= 2^30'",
+        "forall = { x = '(-infinity, infinity)' }\nclaim = 'x^2 - x + 1 > 0'",
+        "forall = { x = '[-1, 1]' }\nclaim = 'abs(x) <= 1 and max(x, -x) >= 0'",
+        "forall = { k = 'integer [1, infinity)' }\nclaim = '2^k >= k + 1'",
+        "forall = { m = 'integer [2, infinity)' }\nclaim = 'log2(m)/m <= 11/20'",
+        "forall = { x = '[0, 1]', y = '[0, 1]' }\ngiven = ['x <= 1 - 2*y/3']\nclaim = 'x + y <= 3/2'",
+        "forall = { x = '[0, 1]' }\nclaim = 'sqrt(1 + x) <= 3/2 and abs(x - 2) + x = 2'"}) {
+    EXPECT_EQ(replayed(logged(lines)), "accepted") << lines;
+  }
+}
+
+TEST(Replay, rejects_another_statement) {
+  EXPECT_EQ(changed(logged(polynomial), [](Json& step) { step["statement"] = "(>= (/ 1 (+ 1 xi)) (/ 5 6))"; }),
+            "c / a: as many goals as the statement has not");
+  EXPECT_EQ(changed(logged(enclosed), [](Json& step) { step["statement"] = "(> (log2 x) 2)"; }),
+            "c / a: goal 1: another statement");
+  EXPECT_EQ(changed(logged(enclosed),
+                    [](Json& step) { step["statement"] = step["goals"][0]["statement"] = "(> (log2 x) (/ 159 100))"; })
+                .substr(0, 36),
+            "c / a: goal 1: a leaf that is not pr");
+  EXPECT_EQ(changed(logged(polynomial), [](Json& step) { step["hypotheses"].push_back("(> 0 1)"); }),
+            "c / a: goal 1: another statement");
+}
+
+TEST(Replay, rejects_a_changed_coefficient) {
+  const auto change = [](const char* factor) {
+    return [factor](Json& step) {
+      for (Json& known : step["goals"][0]["factors"]) {
+        if (known != "xi + 1") known = factor;
+      }
+    };
+  };
+  EXPECT_EQ(changed(logged(polynomial), change("4*xi - 2")).substr(0, 48),
+            "c / a: goal 1: a product that is not the differe");
+  EXPECT_EQ(
+      changed(logged(polynomial), [](Json& step) { step["goals"][0]["atoms"][0]["constant"] = "1/5"; }).substr(0, 48),
+      "c / a: goal 1: a product that is not the differe");
+  EXPECT_EQ(
+      changed(logged(polynomial), [](Json& step) { step["goals"][0]["atoms"][0]["powers"][0][1] = 3; }).substr(0, 48),
+      "c / a: goal 1: a product that is not the differe");
+}
+
+TEST(Replay, rejects_a_divisor_that_is_left_out) {
+  EXPECT_EQ(changed(logged(polynomial), [](Json& step) { step["goals"][0]["atoms"][0]["divisors"] = Json::array(); }),
+            "c / a: goal 1: a divisor that is not listed");
+}
+
+TEST(Replay, rejects_a_missing_leaf_goal_and_comparison) {
+  EXPECT_EQ(changed(logged(cut), [](Json& step) { step["goals"][0]["trees"][0][4] = nullptr; }).substr(0, 17),
+            "malformed: c / a:");
+  EXPECT_EQ(changed(logged(cut), [](Json& step) { step["goals"][0]["trees"] = Json::array(); }),
+            "c / a: goal 1: as many trees as the ranges have parts not");
+  EXPECT_EQ(changed(logged(cut), [](Json& step) { step["goals"][0]["trees"][0] = "leaf"; }).substr(0, 42),
+            "c / a: goal 1: a leaf that is not proved: ");
+  EXPECT_EQ(changed(logged(polynomial), [](Json& step) { step["goals"].erase(1); }),
+            "c / a: as many goals as the statement has not");
+  EXPECT_EQ(changed(logged(polynomial), [](Json& step) { step["goals"][0]["atoms"].erase(0); }),
+            "c / a: goal 1: as many comparisons as the statement has not");
+}
+
+TEST(Replay, rejects_boxes_that_do_not_cover) {
+  EXPECT_EQ(changed(logged(integers), [](Json& step) { step["goals"][0]["trees"][0][2] = "4"; }),
+            "c / a: goal 1: a cut that leaves out k between 2 and 4");
+  EXPECT_EQ(changed(logged(cut), [](Json& step) { step["goals"][0]["trees"][0][1] = "1/3"; }).substr(0, 34),
+            "c / a: goal 1: a cut that leaves o");
+  EXPECT_EQ(
+      changed(logged(cut), [](Json& step) { step["goals"][0]["trees"][0][1] = step["goals"][0]["trees"][0][2] = "2"; }),
+      "c / a: goal 1: a cut outside of the box");
+}
+
+TEST(Replay, rejects_a_widened_box) {
+  EXPECT_EQ(changed(logged(polynomial), [](Json& step) { step["parameters"][0]["upper"] = "1/2"; }).substr(0, 42),
+            "c / a: goal 1: a leaf that is not proved: ");
+  EXPECT_EQ(changed(logged(polynomial), [](Json& step) { step["parameters"][0]["has_lower"] = true; }).substr(0, 42),
+            "c / a: goal 2: a leaf that is not proved: ");
+  EXPECT_EQ(changed(logged(enclosed), [](Json& step) { step["parameters"][0]["lower"] = "2"; }).substr(0, 42),
+            "c / a: goal 1: a leaf that is not proved: ");
+  EXPECT_EQ(changed(logged(integers), [](Json& step) { step["parameters"][0]["integer"] = false; }).substr(0, 35),
+            "c / a: goal 1: a cut that leaves ou");
+}
+
+TEST(Replay, rejects_a_wrong_substitution) {
+  EXPECT_EQ(changed(logged(squared), [](Json& step) { step["goals"][0]["squared"] = Json::array(); }),
+            "c / a: goal 1: a root of what is no square");
+  EXPECT_EQ(changed(logged(polynomial), [](Json& step) { step["goals"][0]["squared"] = {"xi"}; }).substr(0, 48),
+            "c / a: goal 1: a product that is not the differe");
+  EXPECT_EQ(changed(logged(cut),
+                    [](Json& step) {
+                      step["parameters"][0]["lower"] = "-1";
+                      step["goals"][0]["squared"] = {"x"};
+                    }),
+            "c / a: goal 1: a squared parameter that may be negative");
+}
+
+TEST(Replay, rejects_a_precision_that_does_not_suffice) {
+  EXPECT_EQ(changed(logged(enclosed), [](Json& step) { step["goals"][0]["precision"] = 4; }).substr(0, 42),
+            "c / a: goal 1: a leaf that is not proved: ");
+  EXPECT_EQ(changed(logged(enclosed), [](Json& step) { step["goals"][0]["precision"] = 0; }),
+            "c / a: goal 1: a precision that is none");
+}
+
+TEST(Replay, rejects_exact_leaves_that_are_no_points) {
+  EXPECT_EQ(changed(logged(cut), [](Json& step) { step["goals"][0]["trees"][0] = "exact"; }),
+            "c / a: goal 1: an exact leaf that is no point");
+}
+
+TEST(Replay, rejects_exponents_without_a_meaning) {
+  EXPECT_EQ(changed(logged("forall = { k = 'integer [1, 5]' }\nclaim = '2^(k/2) > 1'"),
+                    [](Json& step) { step["statement"] = step["goals"][0]["statement"] = "(> (^ 2 (/ k 3)) 1)"; }),
+            "c / a: an exponent that need not be half an integer");
+  EXPECT_EQ(changed(logged("forall = { k = 'integer [1, 5]' }\nclaim = '2^k > 1'"),
+                    [](Json& step) { step["parameters"][0]["integer"] = false; }),
+            "c / a: an exponent that is not made of integers");
+}
+
+TEST(Replay, refuses_what_is_no_log) {
+  for (const char* text : {"", "{}\n", "{\"format\":\"delcert-proof-log\",\"version\":2}\n", "[1\n",
+                           "{\"format\":\"delcert-proof-log\",\"version\":1}\n{}\n"}) {
+    std::istringstream log(text);
+    EXPECT_THROW((void)replay::replay(log), replay::Malformed) << text;
+  }
+}
+
+}  // namespace
+}  // namespace delcert
