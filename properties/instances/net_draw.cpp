@@ -81,7 +81,7 @@ class Draw {
   void bind_perturbation() {
     const auto limit = limits_.most("rho0", bindings(), true);
     const Rational generous =
-        choices_.happens(0.5) ? separation_ / Rational(4) : minimum(Rational(3), Rational(4) * separation_);
+        choices_.happens(0.5) ? separation_ / Rational(4) : minimum(Rational(5), Rational(8) * separation_);
     const Rational most = limit ? maximum(Rational(0), *limit) : generous;
     perturbation_ = choices_.happens(0.4) ? most : most * choices_.fraction(8);
     if (limit && perturbation_ == most) result_.instance.traits.insert(Trait::boundary);

@@ -1,5 +1,7 @@
 #include "properties/instances/transported_configuration_class.hpp"
 
+#include <Eigen/Dense>
+
 #include "kernel/error.hpp"
 #include "properties/instances/configuration_draw.hpp"
 #include "properties/instances/configuration_map.hpp"
@@ -63,6 +65,50 @@ std::vector<std::vector<Rational>> unit_stretching(std::size_t m, Choices& choic
   return result;
 }
 
+/// About the direction in which the thinnest facet is thin; without error bounds.
+std::vector<double> thin_direction(const SimplexObject::Points& points) {
+  const auto m = static_cast<Eigen::Index>(points.front().size());
+  const auto k = static_cast<Eigen::Index>(points.size()) - 2;
+  std::vector<double> result(points.front().size(), 0);
+  double least = 2;
+  for (std::size_t left_out = 0; left_out < points.size(); ++left_out) {
+    const std::size_t base = left_out == 0 ? 1 : 0;
+    Eigen::MatrixXd edges(m, k);
+    Eigen::Index column = 0;
+    for (std::size_t i = base + 1; i < points.size(); ++i) {
+      if (i == left_out) continue;
+      for (Eigen::Index axis = 0; axis < m; ++axis) {
+        const auto at = static_cast<std::size_t>(axis);
+        edges(axis, column) = approximate_double(points[i][at] - points[base][at]);
+      }
+      ++column;
+    }
+    const Eigen::JacobiSVD<Eigen::MatrixXd> values(edges, Eigen::ComputeThinU);
+    const double thinness = values.singularValues()(k - 1) / values.singularValues()(0);
+    if (!(thinness < least)) continue;
+    least = thinness;
+    for (Eigen::Index axis = 0; axis < m; ++axis)
+      result[static_cast<std::size_t>(axis)] = values.matrixU()(axis, k - 1);
+  }
+  return result;
+}
+
+/// A symmetric matrix of norm 1: −1 along the direction in which a facet is thin, one number of [−1, 1] across it.
+std::vector<std::vector<Rational>> unit_squashing(const SimplexObject::Points& points, Choices& choices) {
+  constexpr unsigned bits = 8;
+  const std::vector<Rational> thin = rational_direction(thin_direction(points), bits);
+  const Rational across = choices.happens(0.5) ? Rational(1) : choices.symmetric(3);
+  std::vector<std::vector<Rational>> result;
+  for (std::size_t row = 0; row < thin.size(); ++row) {
+    result.emplace_back();
+    for (std::size_t column = 0; column <= row; ++column) {
+      result[row].push_back(Rational(row == column ? 1 : 0) * across -
+                            (Rational(1) + across) * thin[row] * thin[column]);
+    }
+  }
+  return result;
+}
+
 ConfigurationMap random_map(std::size_t m, const Rational& distortion, const SimplexObject::Points& points,
                             Choices& choices) {
   ConfigurationMap::Data data;
@@ -70,7 +116,7 @@ ConfigurationMap random_map(std::size_t m, const Rational& distortion, const Sim
   const Rational share = has_fold ? choices.fraction(3) : Rational(1);
   data.stretch = distortion * share;
   data.fold = distortion - data.stretch;
-  data.stretching = unit_stretching(m, choices);
+  data.stretching = choices.happens(0.2) ? unit_squashing(points, choices) : unit_stretching(m, choices);
   for (auto& row : data.stretching) {
     for (Rational& entry : row) entry *= data.stretch;
   }
