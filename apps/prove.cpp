@@ -75,6 +75,10 @@ class Report {
     const StepOutcome outcome = prove(step);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
     ++(is_proved(outcome.verdict) ? proved_ : is_refuted(outcome.verdict) ? refuted_ : undecided_);
+    if (!is_proved(outcome.verdict)) {
+      not_proved_ +=
+          fmt::format("  {}: {} / {} ({})\n", name_of(outcome.verdict), claim.name, step.name, name_of(step.status));
+    }
     if (is_proved(outcome.verdict) && !options_.log.empty())
       log += proof_log_line(claim.name, step, step.constants, outcome);
     nlohmann::ordered_json json = step_json(claim, step, outcome);
@@ -104,6 +108,7 @@ class Report {
     if (options_.slack) std::cout << "\n" << slack_table_head() << slack_rows_;
     std::cout << fmt::format("\n{} steps: {} proved, {} refuted, {} undecided, {:.1f} s\n",
                              proved_ + refuted_ + undecided_, proved_, refuted_, undecided_, seconds);
+    std::cout << not_proved_;
     if (!options_.mutate) return;
     const double share =
         constants_ == 0 ? 100 : 100.0 * static_cast<double>(moved_refuted_) / static_cast<double>(constants_);
@@ -116,6 +121,7 @@ class Report {
   const ProveOptions& options_;
   std::vector<std::string> found_;
   nlohmann::ordered_json all_ = nlohmann::ordered_json::array();
+  std::string not_proved_;
   std::string slack_rows_;
   std::string any_;
   std::string never_;
