@@ -22,6 +22,7 @@ void add_attack(CLI::App& program, Action& chosen);
 void add_tighten(CLI::App& program, Action& chosen);
 void add_prove(CLI::App& program, Action& chosen);
 void add_errata(CLI::App& program, Action& chosen);
+void add_tables(CLI::App& program, Action& chosen);
 
 /// Replaces this process by delcert-check with these arguments. Returns only by throwing: std::runtime_error if the
 /// checker is not found or cannot be run.

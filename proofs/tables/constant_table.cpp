@@ -1,0 +1,190 @@
+#include "proofs/tables/constant_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "kernel/error.hpp"
+#include "kernel/number/exact_text.hpp"
+#include "proofs/constants/decimal_bounds.hpp"
+#include "proofs/tables/hole.hpp"
+
+namespace delcert {
+
+namespace {
+
+constexpr int digits = 5;
+
+[[noreturn]] void fail(const ConstantRow& row, const std::string& message) {
+  throw InputError("constant of " + row.label + ", " + row.statement + ": " + message);
+}
+
+template <class Parts>
+const auto& part_named(const ConstantRow& row, const Parts& parts, const std::string& name) {
+  const auto found = std::find_if(parts.begin(), parts.end(), [&](const auto& part) { return part.name == name; });
+  if (found == parts.end()) fail(row, "there is no " + name);
+  return *found;
+}
+
+Rational in_steps(const ConstantRow& row, const Rational& constant) {
+  return row.is_inverse_in_steps ? Rational(1) / constant : constant;
+}
+
+/// The constants of the row's steps as the files state them.
+std::vector<Rational> stated_in_steps(const ConstantRow& row, const std::vector<Claim>& claims) {
+  std::vector<Rational> result;
+  for (const std::string& name : row.steps) {
+    const auto first = name.find('/');
+    const auto second = name.find('/', first + 1);
+    const Claim& claim = part_named(row, claims, name.substr(0, first));
+    const Step& step = part_named(row, claim.steps, name.substr(first + 1, second - first - 1));
+    const auto constant = step.constants.find(name.substr(second + 1));
+    if (constant == step.constants.end()) fail(row, "there is no " + name);
+    result.push_back(in_steps(row, constant->second));
+  }
+  return result;
+}
+
+/// What stands in the place of C in a formula.
+std::optional<Rational> constant_of(const ConstantRow& row, const Statement& statement) {
+  return constant_in(*parse_formula(statement.text), *parse_formula(row.pattern));
+}
+
+std::optional<Rational> provable_by(const ConstantRow& row, const StepSlacks& slacks) {
+  std::optional<Rational> result;
+  for (const std::string& name : row.steps) {
+    const auto slack = slacks.find(name);
+    if (slack == slacks.end() || !slack->second.proved) return std::nullopt;
+    const Rational proved = in_steps(row, *slack->second.proved);
+    const bool is_weaker = result && (row.direction == Direction::smaller ? proved > *result : proved < *result);
+    if (!result || is_weaker) result = proved;
+  }
+  return result;
+}
+
+ConstantEntry entry_of(const ConstantRow& row, const std::vector<Claim>& claims, const StepSlacks& slacks) {
+  ConstantEntry entry;
+  entry.row = row;
+  std::optional<Rational> stated;
+  if (!row.claim.empty()) {
+    const Claim& claim = part_named(row, claims, row.claim);
+    const auto is_named = [&](const auto& part) { return part.name == row.conclusion; };
+    const auto hypothesis = std::find_if(claim.hypotheses.begin(), claim.hypotheses.end(), is_named);
+    if (hypothesis != claim.hypotheses.end()) {
+      stated = constant_of(row, *hypothesis);
+    } else {
+      const Conclusion& conclusion = part_named(row, claim.conclusions, row.conclusion);
+      stated = constant_of(row, conclusion);
+      if (conclusion.twin) entry.refuted = constant_of(row, *conclusion.twin);
+      if (entry.refuted) entry.witness = row.claim + "." + row.conclusion + "-twin.json";
+    }
+    if (!stated) fail(row, "the pattern does not fit " + row.claim + " / " + row.conclusion);
+  }
+  for (const Rational& constant : stated_in_steps(row, claims)) {
+    if (stated && *stated != constant)
+      fail(row, "a step states " + exact_text(constant) + ", not " + exact_text(*stated));
+    stated = constant;
+  }
+  entry.paper = row.paper.value_or(*stated);
+  entry.provable = provable_by(row, slacks);
+  return entry;
+}
+
+/// A fraction where it is short, else a decimal number rounded downwards or upwards.
+std::string number_text(const Rational& x, bool upwards) {
+  if (x.denominator() == 1 || exact_text(x).size() <= 7) return exact_text(x);
+  return upwards ? decimal_upper(x, digits) : decimal_lower(x, digits);
+}
+
+std::string paper_text(const ConstantEntry& entry) { return exact_text(entry.paper); }
+
+/// Rounded to the safe side: a weaker constant is provable as well.
+std::string provable_text(const ConstantEntry& entry) {
+  return entry.provable ? number_text(*entry.provable, entry.row.direction == Direction::smaller) : "";
+}
+
+/// The best constant is beyond this one; rounded so that it remains true.
+std::string refuted_text(const ConstantEntry& entry, const char* greater, const char* less) {
+  if (!entry.refuted) return "";
+  const bool smaller = entry.row.direction == Direction::smaller;
+  return (smaller ? greater : less) + number_text(*entry.refuted, !smaller);
+}
+
+/// In a cell of a table, where a bar would end it.
+std::string in_cell(const std::string& text) {
+  std::string result;
+  for (const char c : text) result += c == '|' ? std::string("\\|") : std::string(1, c);
+  return result;
+}
+
+std::string or_dash(const std::string& text) { return text.empty() ? "–" : text; }
+
+}  // namespace
+
+StepSlacks parse_step_slacks(const std::string& json, const std::string& file) {
+  StepSlacks slacks;
+  try {
+    const auto document = nlohmann::json::parse(json);
+    const auto& steps = document.is_object() ? document.at("steps") : document;
+    if (!steps.is_array()) throw InputError(file + ": not what delcert prove --slack --json prints: no list of steps");
+    for (const auto& step : steps) {
+      if (!step.contains("slack")) continue;
+      const std::string place = step.at("claim").get<std::string>() + "/" + step.at("step").get<std::string>() + "/";
+      for (const auto& constant : step.at("slack")) {
+        StepSlack slack{parse_exact(constant.at("stated").get<std::string>()), std::nullopt};
+        if (!constant.at("proved").is_null()) slack.proved = parse_exact(constant.at("proved").get<std::string>());
+        slacks[place + constant.at("constant").get<std::string>()] = slack;
+      }
+    }
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(file + ": not what delcert prove --slack --json prints: " + error.what());
+  }
+  return slacks;
+}
+
+std::vector<ConstantEntry> constant_entries(const ConstantRows& rows, const std::vector<Claim>& claims,
+                                            const StepSlacks& slacks) {
+  std::vector<ConstantEntry> entries;
+  for (const ConstantRow& row : rows.rows) entries.push_back(entry_of(row, claims, slacks));
+  return entries;
+}
+
+std::string constant_table_markdown(const std::vector<ConstantEntry>& entries,
+                                    const std::vector<LemmaWithoutConstant>& without) {
+  std::string text = R"(# The constants of the lemmas
+
+For each constant of a lemma, c in the statement: what the paper has; the best value for which the same proof goes through,
+as `delcert prove --slack` finds it, to 1/1000 (a dash where the constant stands in no step, or in one that is not proved);
+and a value with which the statement is false, as an exact witness in `proofs/claims/witnesses` shows. The best constant
+lies between the last two columns. Where equality occurs, the last column is a value next to the paper's. This page is what
+`delcert tables --slack docs/tables/slack.json` prints; a test compares them.
+
+| lemma | statement | paper | provable by the same proof | shown necessary by a witness | witness |
+|---|---|--:|--:|--:|---|
+)";
+  std::string notes;
+  for (const ConstantEntry& entry : entries) {
+    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", entry.row.label, in_cell(entry.row.statement),
+                        paper_text(entry), or_dash(provable_text(entry)), or_dash(refuted_text(entry, "> ", "< ")),
+                        or_dash(entry.witness));
+    if (!entry.row.note.empty())
+      notes += fmt::format("* {}, {}: {}\n", entry.row.label, entry.row.statement, entry.row.note);
+  }
+  if (!notes.empty()) text += "\n## Notes\n\n" + notes;
+  text += "\n## Lemmas without a constant of their own\n\n| lemma | why |\n|---|---|\n";
+  for (const LemmaWithoutConstant& each : without) text += fmt::format("| {} | {} |\n", each.label, each.reason);
+  return text;
+}
+
+std::string constant_table_latex(const std::vector<ConstantEntry>& entries) {
+  const auto math = [](const std::string& number) { return number.empty() ? "--" : "$" + number + "$"; };
+  std::string text =
+      "\\begin{tabular}{llrrr}\n\\toprule\nlemma & statement & paper & provable & necessary \\\\\n\\midrule\n";
+  for (const ConstantEntry& entry : entries)
+    text += fmt::format("{} & ${}$ & {} & {} & {} \\\\\n", entry.row.label, entry.row.latex, math(paper_text(entry)),
+                        math(provable_text(entry)), math(refuted_text(entry, "> ", "< ")));
+  return text + "\\bottomrule\n\\end{tabular}\n";
+}
+
+}  // namespace delcert
