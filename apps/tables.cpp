@@ -27,7 +27,7 @@ StepSlacks slacks_of(const TablesOptions& options) {
 
 ExitStatus print_table(const TablesOptions& options) {
   const ConstantRows& rows = builtin_constant_rows();
-  const auto entries = constant_entries(rows, builtin_claim_list(), slacks_of(options));
+  const auto entries = constant_entries(rows, builtin_files(), slacks_of(options));
   std::cout << (options.latex ? constant_table_latex(entries) : constant_table_markdown(entries, rows.without));
   return ExitStatus::verified;
 }

@@ -31,19 +31,15 @@ Rational in_steps(const ConstantRow& row, const Rational& constant) {
   return row.is_inverse_in_steps ? Rational(1) / constant : constant;
 }
 
-/// The constants of the row's steps as the files state them.
-std::vector<Rational> stated_in_steps(const ConstantRow& row, const std::vector<Claim>& claims) {
-  std::vector<Rational> result;
-  for (const std::string& name : row.steps) {
-    const auto first = name.find('/');
-    const auto second = name.find('/', first + 1);
-    const Claim& claim = part_named(row, claims, name.substr(0, first));
-    const Step& step = part_named(row, claim.steps, name.substr(first + 1, second - first - 1));
-    const auto constant = step.constants.find(name.substr(second + 1));
-    if (constant == step.constants.end()) fail(row, "there is no " + name);
-    result.push_back(in_steps(row, constant->second));
-  }
-  return result;
+/// A constant of a step as its file states it. The name is "claim/step/constant".
+Rational stated_constant(const ConstantRow& row, const std::string& name, const std::vector<Claim>& claims) {
+  const auto first = name.find('/');
+  const auto second = name.find('/', first + 1);
+  const Claim& claim = part_named(row, claims, name.substr(0, first));
+  const Step& step = part_named(row, claim.steps, name.substr(first + 1, second - first - 1));
+  const auto constant = step.constants.find(name.substr(second + 1));
+  if (constant == step.constants.end()) fail(row, "there is no " + name);
+  return constant->second;
 }
 
 /// What stands in the place of C in a formula.
@@ -51,11 +47,16 @@ std::optional<Rational> constant_of(const ConstantRow& row, const Statement& sta
   return constant_in(*parse_formula(statement.text), *parse_formula(row.pattern));
 }
 
-std::optional<Rational> provable_by(const ConstantRow& row, const StepSlacks& slacks) {
+std::optional<Rational> provable_by(const ConstantRow& row, const std::vector<Claim>& claims,
+                                    const StepSlacks& slacks) {
   std::optional<Rational> result;
   for (const std::string& name : row.steps) {
     const auto slack = slacks.find(name);
-    if (slack == slacks.end() || !slack->second.proved) return std::nullopt;
+    if (slack == slacks.end()) return std::nullopt;
+    if (slack->second.stated != stated_constant(row, name, claims))
+      fail(row,
+           "the slack of " + name + " is of another version of the step: it has " + exact_text(slack->second.stated));
+    if (!slack->second.proved) return std::nullopt;
     const Rational proved = in_steps(row, *slack->second.proved);
     const bool is_weaker = result && (row.direction == Direction::smaller ? proved > *result : proved < *result);
     if (!result || is_weaker) result = proved;
@@ -69,25 +70,25 @@ ConstantEntry entry_of(const ConstantRow& row, const std::vector<Claim>& claims,
   std::optional<Rational> stated;
   if (!row.claim.empty()) {
     const Claim& claim = part_named(row, claims, row.claim);
-    const auto is_named = [&](const auto& part) { return part.name == row.conclusion; };
-    const auto hypothesis = std::find_if(claim.hypotheses.begin(), claim.hypotheses.end(), is_named);
-    if (hypothesis != claim.hypotheses.end()) {
-      stated = constant_of(row, *hypothesis);
+    const auto conclusion = std::find_if(claim.conclusions.begin(), claim.conclusions.end(),
+                                         [&](const auto& part) { return part.name == row.conclusion; });
+    if (conclusion == claim.conclusions.end()) {
+      stated = constant_of(row, part_named(row, claim.hypotheses, row.conclusion));
     } else {
-      const Conclusion& conclusion = part_named(row, claim.conclusions, row.conclusion);
-      stated = constant_of(row, conclusion);
-      if (conclusion.twin) entry.refuted = constant_of(row, *conclusion.twin);
+      stated = constant_of(row, *conclusion);
+      if (conclusion->twin) entry.refuted = constant_of(row, *conclusion->twin);
       if (entry.refuted) entry.witness = row.claim + "." + row.conclusion + "-twin.json";
     }
     if (!stated) fail(row, "the pattern does not fit " + row.claim + " / " + row.conclusion);
   }
-  for (const Rational& constant : stated_in_steps(row, claims)) {
-    if (stated && *stated != constant)
+  for (const std::string& name : row.steps) {
+    const Rational constant = in_steps(row, stated_constant(row, name, claims));
+    if (stated && !row.paper && *stated != constant)
       fail(row, "a step states " + exact_text(constant) + ", not " + exact_text(*stated));
     stated = constant;
   }
   entry.paper = row.paper.value_or(*stated);
-  entry.provable = provable_by(row, slacks);
+  entry.provable = provable_by(row, claims, slacks);
   return entry;
 }
 

@@ -33,7 +33,8 @@ struct ConstantEntry {
 };
 
 /// The lines, from the claims, their twins and the slack of their steps. Throws InputError, naming the row, for a
-/// claim, conclusion or step that there is not, a pattern that does not fit, and a step that states another constant.
+/// claim, conclusion or step that there is not, a pattern that does not fit, and, unless the row says what the
+/// paper has, a step that states another constant.
 [[nodiscard]] std::vector<ConstantEntry> constant_entries(const ConstantRows& rows, const std::vector<Claim>& claims,
                                                           const StepSlacks& slacks);
 

@@ -30,7 +30,7 @@ TEST(Tables, have_every_lemma_and_theorem_of_the_paper) {
 }
 
 TEST(Tables, name_witnesses_that_are_there) {
-  const auto entries = constant_entries(builtin_constant_rows(), builtin_claim_list(), {});
+  const auto entries = constant_entries(builtin_constant_rows(), builtin_files(), {});
   std::size_t witnesses = 0;
   for (const ConstantEntry& entry : entries) {
     if (entry.witness.empty()) continue;
@@ -44,7 +44,7 @@ TEST(Tables, name_witnesses_that_are_there) {
 
 /// A refuted constant is on the other side of the paper's.
 TEST(Tables, have_necessary_constants_beyond_those_of_the_paper) {
-  for (const ConstantEntry& entry : constant_entries(builtin_constant_rows(), builtin_claim_list(), {})) {
+  for (const ConstantEntry& entry : constant_entries(builtin_constant_rows(), builtin_files(), {})) {
     if (!entry.refuted) continue;
     if (entry.row.direction == Direction::smaller) {
       EXPECT_LT(*entry.refuted, entry.paper) << entry.row.statement;

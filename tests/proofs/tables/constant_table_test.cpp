@@ -86,6 +86,23 @@ TEST(ConstantTable, takes_the_paper_s_constant_of_steps_alone_or_inverted) {
   EXPECT_FALSE(found.refuted);
 }
 
+TEST(ConstantTable, takes_hypotheses_where_no_conclusion_has_the_name) {
+  Claim both = claim();
+  Hypothesis hypothesis;
+  hypothesis.name = "bound";
+  hypothesis.text = "x <= 7*b";
+  both.hypotheses.push_back(hypothesis);
+  hypothesis.name = "small";
+  hypothesis.text = "x <= (y/4)^2";
+  both.hypotheses.push_back(hypothesis);
+  ConstantRow small = row();
+  small.steps.clear();
+  EXPECT_EQ(constant_entries({{small}, {}}, {both}, {}).at(0).paper, Rational(4));
+  small.conclusion = "small";
+  small.pattern = "x <= (C*y)^2";
+  EXPECT_EQ(constant_entries({{small}, {}}, {both}, {}).at(0).paper, fraction(1, 4));
+}
+
 TEST(ConstantTable, refuses_rows_that_do_not_fit) {
   ConstantRow wrong = row();
   wrong.pattern = "a <= C*b^2";
@@ -99,6 +116,12 @@ TEST(ConstantTable, refuses_rows_that_do_not_fit) {
   wrong = row();
   wrong.is_inverse_in_steps = true;
   EXPECT_TRUE(mentions(message_of(wrong), "a step states 1/4, not 4"));
+}
+
+TEST(ConstantTable, refuses_the_slack_of_another_version_of_a_step) {
+  StepSlacks stale = slacks(Rational(3), Rational(3));
+  stale["lemma/other/c"].stated = Rational(5);
+  EXPECT_THROW((void)entry(row(), stale), InputError);
 }
 
 TEST(ConstantTable, is_printed_with_safe_roundings) {
