@@ -50,7 +50,7 @@ delcert_cli_test(constants-sweep STATUS 0 ERROR "^$" COMMAND ${constants} --dim 
   OUTPUT "^ρ̃₀  perturbation tilde  .hyps:param.bnds.\n.*2  1/2  1/8 +2.[(]-989[)].*6  1/4  1/16 .*Hypotheses 2 .* hold for all")
 delcert_cli_test(constants-sweep-json STATUS 0 ERROR "^$"
   COMMAND ${constants} --dim 2,3 --separation 1/4,1 --perturbation 1/16,1/4 --json --only flake_parameter
-  OUTPUT "^{\n  \"ledgers\": .*\"exact\": \"2.[(]-197[)]\".*\"left_out\": .*perturbation is 1/4")
+  OUTPUT "^{\n  \"ledgers\": .*\"exact\": \"2.[(]-293/2[)]\".*\"left_out\": .*perturbation is 1/4")
 delcert_cli_test(constants-sweep-latex STATUS 0 ERROR "^$" COMMAND ${constants} --dim 2,3 --separation 1 --latex
   OUTPUT "^.begin{longtable}.*.toprule.*.end{longtable}\n")
 delcert_cli_test(constants-default-perturbation STATUS 0 ERROR "^$" COMMAND ${constants} --dim 2 --separation 1/2
