@@ -118,7 +118,13 @@ class Builder {
     // A root that is met may ask for other variables; each round adds one at least.
     while (true) {
       start_reading();
-      for (Atom& atom : goal_.atoms) read(atom);
+      for (Atom& atom : goal_.atoms) {
+        try {
+          read(atom);
+        } catch (const Polynomial::NotFactored&) {
+          atom.polynomial.reset();
+        }
+      }
       bool again = false;
       for (const std::size_t parameter : reader_->wanted_squares()) {
         if (!goal_.is_squared[parameter]) again = true;

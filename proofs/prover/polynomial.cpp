@@ -202,7 +202,7 @@ Polynomial::Factors Polynomial::factors() const {
     }
   }
   fmpq_mpoly_factor_clear(found, ring_->raw());
-  if (done == 0) throw std::runtime_error("a polynomial that FLINT does not factor");
+  if (done == 0) throw NotFactored("a polynomial that FLINT does not factor");
   return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,11 @@ class Polynomial {
   };
   struct Factor;
   struct Factors;
+  /// FLINT has given up.
+  class NotFactored : public std::runtime_error {
+   public:
+    using std::runtime_error::runtime_error;
+  };
 
   explicit Polynomial(RingPointer ring);
   Polynomial(RingPointer ring, const Rational& constant);
@@ -77,7 +83,7 @@ class Polynomial {
   /// a/b. Precondition: b divides a.
   [[nodiscard]] static Polynomial exact_quotient(const Polynomial& a, const Polynomial& b);
   /// A constant times powers of different irreducible polynomials that have integer coefficients without a common
-  /// divisor and a positive leading one. Precondition: not 0. Throws std::runtime_error where FLINT gives up.
+  /// divisor and a positive leading one. Precondition: not 0. Throws NotFactored.
   [[nodiscard]] Factors factors() const;
 
  private:
