@@ -23,7 +23,7 @@ Rational variable_at(const BoxSide& side, const Rational& parameter, bool upper)
 
 /// Precondition: lower < upper, or both closed and equal, 0 <= lower; the simplest fraction by Stern and Brocot.
 Rational simplest(const Rational& lower, bool has_lower, const std::optional<Rational>& upper, bool has_upper) {
-  const Rational floor(floor_of(lower));
+  Rational floor(floor_of(lower));
   const auto fits = [&](const Rational& x) {
     const bool above = lower < x || (has_lower && lower == x);
     return above && (!upper || x < *upper || (has_upper && x == *upper));
@@ -161,7 +161,7 @@ std::string box_text(const Box& box, const std::vector<std::string>& names) {
 Rational simplest_in(const BoxSide& side) {
   const bool has_lower = side.lower && !side.open.lower;
   const bool has_upper = side.upper && !side.open.upper;
-  const Rational zero(0);
+  Rational zero(0);
   const bool above = !side.lower || *side.lower < zero || (has_lower && *side.lower == zero);
   const bool below = !side.upper || *side.upper > zero || (has_upper && *side.upper == zero);
   if (above && below) return zero;

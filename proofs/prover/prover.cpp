@@ -81,7 +81,7 @@ std::string wrong_exponent(const Expression& term, RationalFunctionReader& reade
     }
   }
   for (const auto& child : term.children) {
-    const std::string found = wrong_exponent(*child, reader);
+    std::string found = wrong_exponent(*child, reader);
     if (!found.empty()) return found;
   }
   return "";

@@ -219,7 +219,7 @@ std::optional<RationalFunction> RationalFunctionReader::extreme(const Expression
 
 std::optional<RationalFunction> RationalFunctionReader::call(const Expression& term) {
   if (term.text == "min" || term.text == "max") return extreme(term, term.text == "max");
-  const Result argument = read(*term.children.at(0));
+  Result argument = read(*term.children.at(0));
   if (!argument) return std::nullopt;
   if (term.text == "sqrt") return root(*argument);
   if (term.text == "abs") {

@@ -33,6 +33,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       read_again(conclusion);
       if (conclusion.twin) read_again(*conclusion.twin);
     }
+    for (const Step& step : claim.steps) {
+      read_again(step.claim);
+      for (const Statement& hypothesis : step.hypotheses) read_again(hypothesis);
+      for (const Statement& abbreviation : step.abbreviations) read_again(abbreviation);
+      for (const auto& [name, range] : step.parameters) {
+        fuzz::require(step_range_text(parse_step_range(step_range_text(range))) == step_range_text(range),
+                      "what is printed is read as the same range");
+      }
+    }
     fuzz::require(!latex_of(claim).empty(), "a claim has LaTeX");
   } catch (const InputError& error) {
     fuzz::require_message(error.what(), "a.toml:");
