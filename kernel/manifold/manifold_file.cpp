@@ -1,5 +1,9 @@
 #include "kernel/manifold/manifold_file.hpp"
 
+// toml++ 3.3.0 asserts what a file can break ("[#"), and where assertions are off it lets clang assume it. Neither:
+// what follows reports the error.
+#undef NDEBUG
+#define TOML_ASSERT(condition) static_cast<void>(0)
 #include <toml++/toml.h>
 
 #include <algorithm>
