@@ -100,9 +100,8 @@ Rational largest_perturbation(const Rational& separation, const Rational& radius
                               const Rational& distortion) {
   const Rational zero(0);
   const Rational one(1);
-  const Rational quarter = separation / Rational(4);
-  if (radius_variation < zero || distortion < zero) return quarter;
-  return quarter / ((one + radius_variation) * (one + distortion));
+  if (radius_variation < zero || distortion < zero) return separation / Rational(4);
+  return separation / (Rational(4) * (one + radius_variation) * (one + distortion));
 }
 
 bool satisfies_parameter_constraints(const Ledger& ledger) {
