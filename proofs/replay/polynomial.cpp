@@ -324,7 +324,7 @@ Fraction FractionReader::power(const Fraction& base, const Number& exponent) {
   if (fmpz_bits(fmpq_numref(whole.raw())) > 30) throw Rejected("a power that is too large");
   const slong size = fmpz_get_si(fmpq_numref(whole.raw()));
   const auto count = static_cast<unsigned long>(std::labs(size));
-  const Fraction result{radical.numerator.power(count), radical.denominator.power(count)};
+  Fraction result{radical.numerator.power(count), radical.denominator.power(count)};
   if (size >= 0) return result;
   if (radical.numerator.is_zero()) throw Rejected("a division by 0");
   divisors.push_back(radical.numerator);
@@ -352,7 +352,7 @@ Fraction FractionReader::read(const Node& term) {
   if (term.head == "min" || term.head == "max") return extreme(term);
   const Fraction a = read(*term.parts[0]);
   if (term.parts.size() == 1) {
-    const Fraction opposite{Polynomial(variables_) - a.numerator, a.denominator};
+    Fraction opposite{Polynomial(variables_) - a.numerator, a.denominator};
     if (term.head == "-") return opposite;
     if (term.head == "sqrt") return root(a);
     if (term.head == "abs") return sign(a) < 0 ? opposite : a;
