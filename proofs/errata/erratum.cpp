@@ -1,7 +1,5 @@
 #include "proofs/errata/erratum.hpp"
 
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -10,7 +8,7 @@
 
 #include "kernel/error.hpp"
 #include "proofs/errata/builtin_errata.hpp"
-#include "proofs/formula/formula_error.hpp"
+#include "proofs/formula/toml_reader.hpp"
 
 namespace delcert {
 
@@ -48,20 +46,17 @@ std::vector<LineRange> ranges_of(std::string_view text) {
 
 class Reader {
  public:
-  Reader(const std::string& text, std::string file) : file_(std::move(file)), table_(parse(text)) {}
+  Reader(const std::string& text, const std::string& file) : toml_(text, file), table_(toml_.parse()) {}
 
   Erratum read() const {
-    for (const auto& [key, node] : table_) {
-      const std::string word(key.str());
-      if (std::find(keys.begin(), keys.end(), word) == keys.end())
-        fail(key.source(), "unknown key " + shortened(word) + suggestion(word, keys));
-    }
+    toml_.refuse_unknown(table_, keys);
     Erratum result;
-    result.file = file_;
+    result.file = toml_.file();
     result.label = string("label", true);
     result.lines = ranges_of(string("lines", true));
     if (result.lines.empty())
-      fail(table_.get("lines")->source(), "lines are \"17\", \"17-23\" or several of these in order, \"17-23, 40\"");
+      toml_.fail(table_.get("lines")->source(),
+                 "lines are \"17\", \"17-23\" or several of these in order, \"17-23, 40\"");
     result.judgement = judgement();
     result.printed = string("printed", true);
     result.wrong = string("wrong", true);
@@ -71,49 +66,20 @@ class Reader {
     result.decidable = boolean("decidable");
     result.command = string("command", result.decidable);
     if (!result.decidable && !result.command.empty())
-      fail(table_.get("command")->source(), "a command, but decidable is false");
+      toml_.fail(table_.get("command")->source(), "a command, but decidable is false");
     if (result.decidable && result.judgement == Judgement::holds)
-      fail(table_.get("decidable")->source(), "what a computation decides is a claim or a step, not \"read: holds\"");
+      toml_.fail(table_.get("decidable")->source(),
+                 "what a computation decides is a claim or a step, not \"read: holds\"");
     return result;
   }
 
  private:
-  [[noreturn]] void fail(const toml::source_region& where, const std::string& message) const {
-    throw InputError(file_ + ":" + std::to_string(where.begin.line) + ":" + std::to_string(where.begin.column) + ": " +
-                     message);
-  }
-
-  toml::table parse(const std::string& text) const {
-    try {
-      return toml::parse(text);
-    } catch (const toml::parse_error& error) {
-      std::string description(error.description());
-      std::replace_if(
-          description.begin(), description.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
-      fail(error.source(), description);
-    }
-  }
-
-  const toml::node* find(const std::string& key, bool required) const {
-    const toml::node* node = table_.get(key);
-    if (node == nullptr && required) fail(table_.source(), "the key " + key + " is missing");
-    return node;
-  }
-
-  std::string string(const std::string& key, bool required) const {
-    const toml::node* node = find(key, required);
-    if (node == nullptr) return "";
-    const auto value = node->value_exact<std::string>();
-    if (!value) fail(node->source(), "the key " + key + " wants a string");
-    if (required && value->find_first_not_of(" \t\r\n") == std::string::npos)
-      fail(node->source(), "the key " + key + " wants a string that is not empty");
-    return *value;
-  }
+  std::string string(const std::string& key, bool required) const { return toml_.string(table_, key, required); }
 
   bool boolean(const std::string& key) const {
-    const toml::node* node = find(key, true);
-    const auto value = node->value_exact<bool>();
-    if (!value) fail(node->source(), "the key " + key + " wants true or false");
+    const toml::node& node = toml_.required(table_, key);
+    const auto value = node.value_exact<bool>();
+    if (!value) toml_.fail(node.source(), "the key " + key + " wants true or false");
     return *value;
   }
 
@@ -124,10 +90,10 @@ class Reader {
     std::string known;
     for (const Judgement each : judgements)
       known += (known.empty() ? "\"" : ", \"") + std::string(name_of(each)) + "\"";
-    fail(table_.get("kind")->source(), "a kind is one of " + known + ", not \"" + shortened(text) + "\"");
+    toml_.fail(table_.get("kind")->source(), "a kind is one of " + known + ", not \"" + shortened(text) + "\"");
   }
 
-  std::string file_;
+  TomlReader toml_;
   toml::table table_;
 };
 
