@@ -31,7 +31,7 @@ function(delcert_twin_complaints root exemptions result)
     set(on_change)
   endif()
   set(stems)
-  foreach(folder kernel proofs/constants proofs/certificate proofs/formula proofs/prover proofs/replay proofs/errata proofs/tables
+  foreach(folder kernel proofs/constants proofs/certificate proofs/formal proofs/formula proofs/prover proofs/replay proofs/errata proofs/tables
       properties/instances properties/attack)
     file(GLOB_RECURSE sources ${on_change} RELATIVE ${root} ${root}/${folder}/*.hpp ${root}/${folder}/*.cpp)
     file(GLOB_RECURSE tests ${on_change} RELATIVE ${root}/tests ${root}/tests/${folder}/*_test.cpp)

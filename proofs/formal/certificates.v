@@ -64,25 +64,44 @@ Qed.
 Lemma power_at_least_one x y : 1 <= x -> 0 <= y -> 1 <= Rpower x y.
 Proof. intros Hx Hy; rewrite <- (Rpower_O x) by lra; now apply Rle_Rpower. Qed.
 
-Lemma power_of_product x y z : 0 < x -> 0 < y -> Rpower (x * y) z = Rpower x z * Rpower y z.
-Proof. intros; symmetry; now apply Rpower_mult_distr. Qed.
+Lemma quotient_nonneg a b : 0 <= a -> 0 < b -> 0 <= a / b.
+Proof. intros; apply Rmult_le_pos; [trivial |]; left; now apply Rinv_0_lt_compat. Qed.
 
-Lemma power_of_inverse x z : 0 < x -> Rpower (/ x) z = / Rpower x z.
-Proof. intros; unfold Rpower; rewrite ln_Rinv, <- exp_Ropp by trivial; f_equal; ring. Qed.
+Lemma abs_at_most a b : - b <= a -> a <= b -> Rabs a <= b.
+Proof. intros; now apply Rabs_le. Qed.
 
-Lemma power_to_nat x y n : 0 < x -> Rpower x (INR n * y) = Rpower x y ^ n.
-Proof. intros; rewrite <- Rpower_pow, Rpower_mult by apply exp_pos; f_equal; ring. Qed.
+Lemma abs_below a b : - b < a -> a < b -> Rabs a < b.
+Proof. intros; now apply Rabs_def1. Qed.
+
+(** A power is known by its logarithm. *)
+Lemma power_is x y r : 0 < r -> ln r = y * ln x -> Rpower x y = r.
+Proof. intros H E; unfold Rpower; rewrite <- E; now apply exp_ln. Qed.
+
+Lemma ln_of_power x y : ln (Rpower x y) = y * ln x.
+Proof. apply ln_exp. Qed.
+
+Lemma ln_of_pow x n : 0 < x -> ln (x ^ n) = IZR (Z.of_nat n) * ln x.
+Proof. intros H; rewrite <- Rpower_pow, ln_of_power, INR_IZR_INZ by trivial; reflexivity. Qed.
+
+Lemma ln_of_quotient x y : 0 < x -> 0 < y -> ln (x / y) = ln x - ln y.
+Proof.
+  intros Hx Hy; pose proof (Rinv_0_lt_compat y Hy); unfold Rdiv.
+  rewrite ln_mult, (ln_Rinv y Hy) by trivial; ring.
+Qed.
 
 (** Signs of what is written as sums, products and powers of parts whose signs are known or can be seen. *)
 Ltac nonneg :=
-  lazymatch goal with
-  | |- 0 <= ?a + ?b => apply Rplus_le_le_0_compat; nonneg
-  | |- 0 <= ?a * ?b => apply Rmult_le_pos; nonneg
-  | |- 0 <= (?a ^ 2) ^ ?n => apply even_power_nonneg
-  | |- 0 <= ?a ^ ?n => first [apply pow_le; nonneg | apply square_nonneg]
-  | |- 0 <= ?a - ?b => first [assumption | apply Rlt_le; assumption | lra | apply minus_nonneg; dominated]
-  | |- _ => first [assumption | apply Rlt_le; assumption | lra]
-  end
+  first
+    [ assumption
+    | apply Rlt_le; assumption
+    | lazymatch goal with
+      | |- 0 <= ?a + ?b => apply Rplus_le_le_0_compat; nonneg
+      | |- 0 <= ?a * ?b => apply Rmult_le_pos; nonneg
+      | |- 0 <= (?a ^ 2) ^ ?n => apply even_power_nonneg
+      | |- 0 <= ?a ^ ?n => first [apply pow_le; nonneg | apply square_nonneg]
+      | |- 0 <= ?a - ?b => first [lra | apply minus_nonneg; dominated]
+      | |- _ => lra
+      end ]
 (** x^4 * y^1 <= x^2 * y^3: factor by factor. *)
 with dominated :=
   lazymatch goal with
@@ -94,14 +113,32 @@ with dominated :=
   end.
 
 Ltac positive :=
-  lazymatch goal with
-  | |- 0 < ?a + ?b => first [apply Rplus_lt_le_0_compat; [positive | nonneg] | apply Rplus_le_lt_0_compat; [nonneg | positive]]
-  | |- 0 < ?a * ?b => apply Rmult_lt_0_compat; positive
-  | |- 0 < ?a ^ ?n => apply pow_lt; positive
-  | |- _ => first [assumption | lra]
-  end.
+  first
+    [ assumption
+    | lazymatch goal with
+      | |- 0 < ?a + ?b => first [apply Rplus_lt_le_0_compat; [positive | nonneg]
+                                | apply Rplus_le_lt_0_compat; [nonneg | positive]]
+      | |- 0 < ?a * ?b => apply Rmult_lt_0_compat; positive
+      | |- 0 < ?a ^ ?n => apply pow_lt; positive
+      | |- 0 < ?a / ?b => first [lra | apply Rdiv_lt_0_compat; positive]
+      | |- 0 < / ?a => apply Rinv_0_lt_compat; positive
+      | |- 0 < Rpower _ _ => apply power_positive
+      | |- _ => lra
+      end ].
 
 (** What `field` asks for. *)
 Ltac nonzero :=
   repeat split;
   first [lra | apply Rgt_not_eq; positive | apply Rlt_not_eq; lra | intro; nra].
+
+(** An equation between logarithms of products, quotients and powers of positive numbers. *)
+Ltac logarithms :=
+  repeat first
+    [ rewrite ln_of_power
+    | rewrite ln_of_pow by positive
+    | rewrite ln_mult by positive
+    | rewrite ln_of_quotient by positive
+    | rewrite ln_Rinv by positive
+    | rewrite ln_1 ];
+  cbn [Z.of_nat Pos.of_succ_nat Pos.succ];
+  field.

@@ -12,7 +12,9 @@ FunctionalExtensionality.functional_extensionality_dep
 Classical_Prop.classic'
 
 # In $work, as the tactics leave files where they run.
-coq() { (cd "$work" && coqc -q -Q "$out" $logical -w none "$@"); }
+coq() { coq_within 600 "$@"; }
+# coq_within SECONDS ARGUMENT…
+coq_within() { (cd "$work" && timeout "$1" coqc -q -Q "$out" $logical -w none "${@:2}"); }
 
 # digest FILE…: one for all of them and for the version of Coq.
 digest() {
