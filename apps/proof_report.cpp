@@ -26,7 +26,7 @@ Json point_json(const Point& point) {
 }
 
 /// What is said of a step beside its verdict.
-std::string detail(const StepOutcome& outcome) {
+std::string detail_of(const StepOutcome& outcome) {
   if (is_refuted(outcome.verdict)) {
     return outcome.counterexample.empty() ? "false" : "false at " + point_text(outcome.counterexample);
   }
@@ -50,7 +50,7 @@ std::string slack_table_head() {
 std::string step_row(const Claim& claim, const Step& step, const StepOutcome& outcome, double seconds) {
   return fmt::format("| {} / {} | {} | {} | {} | {} | {} | {:.2f} | {} |\n", claim.name, step.name, step.lines,
                      name_of(step.status), outcome.method, name_of(outcome.verdict), outcome.boxes, seconds,
-                     detail(outcome));
+                     detail_of(outcome));
 }
 
 std::string slack_row(const Claim& claim, const Step& step, const Slack& slack) {
