@@ -156,17 +156,15 @@ std::vector<Rational> simpler_numbers(const Rational& number) {
   const long exponent = binary_exponent(number);
   const Rational sign(number < Rational(0) ? -1 : 1);
   const auto add = [&](const Rational& candidate) {
-    if (candidate != number) result.push_back(candidate);
+    const bool is_new = std::find(result.begin(), result.end(), candidate) == result.end();
+    if (candidate != number && is_new) result.push_back(candidate);
   };
   add(sign);
   for (const long halvings : {1L, 2L, 3L, 4L, 8L, 16L, 32L, 64L, 128L}) {
     if (halvings < -exponent) add(sign * Rational::power_of_two(-halvings));
   }
   if (exponent != 0) add(sign * Rational::power_of_two(exponent));
-  for (const long bits : {0L, 1L, 3L, 7L, 15L, 30L, 60L}) {
-    // For a positive number without further bits this is the power of two just added.
-    if (bits > 0 || number < Rational(0)) add(rounded_down(number, exponent - bits));
-  }
+  for (const long bits : {0L, 1L, 3L, 7L, 15L, 30L, 60L}) add(rounded_down(number, exponent - bits));
   return result;
 }
 

@@ -1,6 +1,6 @@
 # The errata: the page, the findings of a user, and the commands that reproduce them.
 set(errata $<TARGET_FILE:delcert> errata)
-set(finding ${CMAKE_CURRENT_BINARY_DIR}/finding.toml)
+set(finding ${CMAKE_CURRENT_BINARY_DIR}/one-finding.toml)
 file(WRITE ${finding} "label = 'lem:x'\nlines = '7'\nkind = 'wording'\nprinted = 'p'\nwrong = 'w'\ndecidable = false\n")
 file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/malformed-finding.toml "label = 'lem:x'\nlines = '7-3'\n")
 
