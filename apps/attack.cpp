@@ -30,6 +30,7 @@ struct AttackOptions {
   std::string replay;
   bool twins = false;
   bool stored = false;
+  bool is_short = false;
   bool json = false;
 };
 
@@ -194,8 +195,8 @@ void print_json(const std::vector<Target>& targets, const std::vector<Tally>& ta
 }
 
 void print_text(const std::vector<Target>& targets, const std::vector<Tally>& tallies,
-                const std::vector<Refutation>& refutations) {
-  std::cout << attack_table(targets, tallies);
+                const std::vector<Refutation>& refutations, bool is_short) {
+  std::cout << attack_table(targets, tallies, is_short);
   for (const Refutation& one : refutations) {
     std::cout << "\nrefuted: " << one.claim << " / " << one.conclusion << " in " << text_of(one.shape) << ", sample "
               << one.sample << (one.file.empty() ? "" : ", " + one.file) << "\n"
@@ -212,7 +213,7 @@ ExitStatus report(const std::vector<Target>& targets, const std::vector<Tally>& 
   if (options.json) {
     print_json(targets, tallies, refutations, options.seed);
   } else {
-    print_text(targets, tallies, refutations);
+    print_text(targets, tallies, refutations, options.is_short);
   }
   if (!refutations.empty()) return ExitStatus::rejected;
   const bool undecided =
@@ -262,6 +263,7 @@ void add_attack(CLI::App& program, Action& chosen) {
   command->add_flag("--twins", options->twins, "Attack the twins, which all have to be refuted, instead of the claims");
   command->add_flag("--stored", options->stored,
                     "With --twins: only by the witnesses in the folder, nothing is searched");
+  command->add_flag("--short", options->is_short, "A row of the table for all shapes of the same k");
   command->add_flag("--json", options->json, "Print JSON");
   command->footer(
       "Exit status: 0 everything held, 1 something is refuted, 2 something is undecided or was never met.\n"

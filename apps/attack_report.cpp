@@ -34,6 +34,17 @@ std::string rungs_text(const LadderStatistics& rungs) {
   return result;
 }
 
+/// The last of the targets from `first` on that are of the same claim and the same k > 0.
+std::size_t last_of_same_k(const std::vector<Target>& targets, std::size_t first) {
+  std::size_t last = first;
+  const auto is_same = [&](const Target& target) {
+    return target.claim.name == targets[first].claim.name && target.shape.k > 0 &&
+           target.shape.k == targets[first].shape.k;
+  };
+  while (last + 1 < targets.size() && is_same(targets[last + 1])) ++last;
+  return last;
+}
+
 }  // namespace
 
 std::string ratio_text(const std::optional<DoubleBounds>& ratio) {
@@ -46,17 +57,21 @@ std::string ratio_text(const std::optional<DoubleBounds>& ratio) {
   return fmt::format("[{:.3g}, {:.3g}]", ratio->lower, ratio->upper);
 }
 
-std::string attack_table(const std::vector<Target>& targets, const std::vector<Tally>& tallies) {
+std::string attack_table(const std::vector<Target>& targets, const std::vector<Tally>& tallies, bool is_short) {
   std::string result =
       "| claim / conclusion | shape | samples | discarded | boundary | thin | cospherical | worst ratio | "
       "interval / big / rational / algebraic | undecided | verdict |\n"
       "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|---|\n";
-  for (std::size_t at = 0; at < targets.size(); ++at) {
-    const Tally& tally = tallies[at];
+  for (std::size_t first = 0, last = 0; first < targets.size(); first = last + 1) {
+    last = is_short ? last_of_same_k(targets, first) : first;
+    Tally tally = tallies[first];
+    for (std::size_t at = first + 1; at <= last; ++at) tally.add(tallies[at]);
+    const std::string shape =
+        text_of(targets[first].shape) + (first < last ? fmt::format("…{}", targets[last].shape.m) : std::string());
     for (std::size_t one = 0; one < tally.conclusions.size(); ++one) {
       const ConclusionTally& conclusion = tally.conclusions[one];
-      result += fmt::format("| {} / {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", targets[at].claim.name,
-                            targets[at].claim.conclusions[one].name, text_of(targets[at].shape), tally.samples,
+      result += fmt::format("| {} / {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
+                            targets[first].claim.name, targets[first].claim.conclusions[one].name, shape, tally.samples,
                             share(tally.samples - tally.met(), tally.samples), share(tally.traits[0], tally.met()),
                             share(tally.traits[1], tally.met()), share(tally.traits[2], tally.met()),
                             ratio_text(conclusion.worst), rungs_text(tally.rungs),

@@ -18,8 +18,9 @@ struct Refutation {
   std::string file;     ///< where it was written
 };
 
-/// The table claim × shape of a campaign, in Markdown.
-[[nodiscard]] std::string attack_table(const std::vector<Target>& targets, const std::vector<Tally>& tallies);
+/// The table claim × shape of a campaign, in Markdown; if `is_short`, with one row for all shapes of the same k.
+[[nodiscard]] std::string attack_table(const std::vector<Target>& targets, const std::vector<Tally>& tallies,
+                                       bool is_short = false);
 
 /// The same as JSON, one object for each target.
 [[nodiscard]] nlohmann::ordered_json attack_json(const std::vector<Target>& targets, const std::vector<Tally>& tallies);

@@ -93,22 +93,49 @@ void on_one_rung(benchmark::State& state, const Claim& claim, const std::vector<
   finish(state);
 }
 
+/// Rational numbers as a program without a ladder has them: every operation in fractions.
+class Fraction {
+ public:
+  Fraction(int integer) : value_(integer) {}
+  explicit Fraction(Rational value) : value_(std::move(value)) {}
+
+  friend Fraction operator+(const Fraction& a, const Fraction& b) { return Fraction(a.value_ + b.value_); }
+  friend Fraction operator-(const Fraction& a, const Fraction& b) { return Fraction(a.value_ - b.value_); }
+  friend Fraction operator*(const Fraction& a, const Fraction& b) { return Fraction(a.value_ * b.value_); }
+  friend Fraction operator/(const Fraction& a, const Fraction& b) { return Fraction(a.value_ / b.value_); }
+  friend Fraction square(const Fraction& a) { return a * a; }
+  friend Fraction minimum(const Fraction& a, const Fraction& b) { return Fraction(minimum(a.value_, b.value_)); }
+  friend Fraction maximum(const Fraction& a, const Fraction& b) { return Fraction(maximum(a.value_, b.value_)); }
+  friend Verdict less(const Fraction& a, const Fraction& b) { return less(a.value_, b.value_); }
+  friend Verdict less_equal(const Fraction& a, const Fraction& b) { return less_equal(a.value_, b.value_); }
+  friend Verdict is_zero(const Fraction& a) { return is_zero(a.value_); }
+
+ private:
+  Rational value_;
+};
+
+EdgeGram<Fraction> gram_in_fractions(const SimplexObject& simplex) {
+  std::vector<std::vector<Fraction>> points;
+  for (const auto& point : simplex.points()) points.emplace_back(point.begin(), point.end());
+  return edge_gram_from_points(points);
+}
+
 /// What a program of rationals only would do, on squares: s_k(P)² ≥ kΥ²Δ².
 Verdict singular_value_in_rationals(const SimplexObject& simplex) {
-  const EdgeGram<Rational> gram = edge_gram_from_points(simplex.points());
-  const Rational k(static_cast<long>(simplex.dimension()));
-  const Partial<Rational> thickness = squared_thickness(gram);
+  const EdgeGram<Fraction> gram = gram_in_fractions(simplex);
+  const Fraction k(static_cast<int>(simplex.dimension()));
+  const Partial<Fraction> thickness = squared_thickness(gram);
   if (!thickness) return Verdict::undecided;
-  return is_smallest_singular_value_at_least(gram, Rational(k * *thickness * squared_longest_edge(gram)));
+  return is_smallest_singular_value_at_least(gram, Fraction(k * *thickness * squared_longest_edge(gram)));
 }
 
 /// R² ≤ Δ²/(4Υ²).
 Verdict crude_radius_in_rationals(const SimplexObject& simplex) {
-  const EdgeGram<Rational> gram = edge_gram_from_points(simplex.points());
-  const Partial<Rational> thickness = squared_thickness(gram);
-  const Partial<Rational> radius = squared_circumradius(gram);
+  const EdgeGram<Fraction> gram = gram_in_fractions(simplex);
+  const Partial<Fraction> thickness = squared_thickness(gram);
+  const Partial<Fraction> radius = squared_circumradius(gram);
   if (!thickness || !radius) return Verdict::undecided;
-  return less_equal(Rational(Rational(4) * *radius * *thickness), squared_longest_edge(gram));
+  return less_equal(Fraction(Fraction(4) * *radius * *thickness), squared_longest_edge(gram));
 }
 
 template <class Decide>

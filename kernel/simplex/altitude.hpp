@@ -21,9 +21,9 @@ template <Scalar S>
   for (std::size_t i = 0; i < simplex.vertex_count(); ++i) {
     if (i != p && i != base) shadow.push_back(simplex.product(base, i, p));
   }
-  const auto projection = GramElimination<S>(facet.gram()).solve(std::move(shadow));
+  const auto projection = GramElimination<S>(facet.gram()).energy(std::move(shadow));
   if (!projection) return Partial<S>::absent(projection.exists());
-  return S(simplex.squared_edge(p, base) - projection->energy);
+  return S(simplex.squared_edge(p, base) - *projection);
 }
 
 /// D(p, σ), on the rungs that have square roots; absent as `squared_altitude`.
@@ -42,7 +42,7 @@ template <Scalar S>
   if (!is_proved(elimination.definite())) return Partial<std::vector<S>>::absent(elimination.definite());
   const std::size_t k = simplex.dimension();
   std::vector<S> result(k + 1, S(0));
-  const auto energy_of = [&elimination](std::vector<S> b) { return elimination.solve(std::move(b))->energy; };
+  const auto energy_of = [&elimination](std::vector<S> b) { return *elimination.energy(std::move(b)); };
   result[0] = energy_of(std::vector<S>(k, S(1)));
   for (std::size_t i = 0; i < k; ++i) {
     std::vector<S> unit(k, S(0));

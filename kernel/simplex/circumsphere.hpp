@@ -16,6 +16,15 @@ struct Circumsphere {
   S squared_radius;
 };
 
+namespace detail {
+template <Scalar S>
+[[nodiscard]] std::vector<S> half_diagonal(const EdgeGram<S>& simplex) {
+  std::vector<S> result;
+  for (std::size_t i = 1; i < simplex.vertex_count(); ++i) result.push_back(simplex.squared_edge(i, 0) / S(2));
+  return result;
+}
+}  // namespace detail
+
 /// C(σ) and R(σ)²: with G the Gram matrix and b half its diagonal, Gλ = b expresses |C − p_i| = |C − p_0| for
 /// C = p_0 + Σ λ_i(p_i − p_0), and R² = bᵀλ (proof of lem:crude.rad.bnd).
 ///
@@ -24,10 +33,7 @@ struct Circumsphere {
 /// simplex may be degenerate.
 template <Scalar S>
 [[nodiscard]] Partial<Circumsphere<S>> circumsphere(const EdgeGram<S>& simplex) {
-  const std::size_t k = simplex.dimension();
-  std::vector<S> half_diagonal;
-  for (std::size_t i = 1; i <= k; ++i) half_diagonal.push_back(simplex.squared_edge(i, 0) / S(2));
-  const auto solution = GramElimination<S>(simplex.gram()).solve(std::move(half_diagonal));
+  const auto solution = GramElimination<S>(simplex.gram()).solve(detail::half_diagonal(simplex));
   if (!solution) return Partial<Circumsphere<S>>::absent(solution.exists());
   Circumsphere<S> result{{S(1)}, solution->energy};
   for (const S& coefficient : solution->x) {
@@ -40,8 +46,7 @@ template <Scalar S>
 /// R(σ)²; absent as `circumsphere`.
 template <Scalar S>
 [[nodiscard]] Partial<S> squared_circumradius(const EdgeGram<S>& simplex) {
-  const auto sphere = circumsphere(simplex);
-  return sphere ? Partial<S>(sphere->squared_radius) : Partial<S>::absent(sphere.exists());
+  return GramElimination<S>(simplex.gram()).energy(detail::half_diagonal(simplex));
 }
 
 /// R(σ), on the rungs that have square roots; absent as `circumsphere`.

@@ -39,6 +39,8 @@ class EdgeGram {
 
   /// PᵀP for the matrix P whose columns are p_i − p_0, i = 1 … k.
   [[nodiscard]] const SymmetricMatrix<S>& gram() const { return gram_; }
+  /// All |p_i − p_j|².
+  [[nodiscard]] const SymmetricMatrix<S>& squared_edge_matrix() const { return squared_edges_; }
 
   /// The face of the given distinct vertices; its vertices are numbered as they are listed. At least one.
   [[nodiscard]] EdgeGram face(std::span<const std::size_t> vertices) const {
@@ -112,6 +114,10 @@ template <class Points>
     return sum;
   });
 }
+
+/// The same of rational points, in integers over a common denominator where that is not too long: many times faster
+/// than in fractions, each of which is reduced after each operation.
+[[nodiscard]] EdgeGram<Rational> edge_gram_from_points(const std::vector<std::vector<Rational>>& points);
 
 /// The simplex of points given in a frame with the inner product ⟨x, y⟩ = xᵀGy, G the positive definite `metric`.
 template <class Points>

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "kernel/number/surd.hpp"
 #include "kernel/simplex/partial.hpp"
 #include "kernel/simplex/symmetric_matrix.hpp"
 
@@ -50,25 +52,12 @@ class GramElimination {
 
   /// A solution x of (matrix)·x = b. Refuted if there is none, or the matrix is not semidefinite.
   [[nodiscard]] Partial<Solution> solve(std::vector<S> b) const {
-    for (std::size_t position = 0; position < pivots_.size(); ++position) {
-      const std::size_t pivot = pivots_[position];
-      for (std::size_t later = position + 1; later < pivots_.size(); ++later) {
-        const std::size_t i = pivots_[later];
-        b[i] = b[i] - reduced_(i, pivot) * b[pivot];
-      }
-      for (const std::size_t i : rest_) b[i] = b[i] - reduced_(i, pivot) * b[pivot];
-    }
-    Verdict consistent = semidefinite_;
-    if (is_proved(consistent)) {
-      for (const std::size_t i : rest_) consistent = conjunction(consistent, is_zero(b[i]));
-    }
+    const Verdict consistent = eliminate(b);
     if (!is_proved(consistent)) return Partial<Solution>::absent(consistent);
-
-    Solution solution{std::vector<S>(b.size(), S(0)), S(0)};
+    Solution solution{std::vector<S>(b.size(), S(0)), energy_of(b)};
     for (std::size_t position = pivots_.size(); position-- > 0;) {
       const std::size_t pivot = pivots_[position];
       S value = b[pivot] / reduced_(pivot, pivot);
-      solution.energy = solution.energy + square(b[pivot]) / reduced_(pivot, pivot);
       for (std::size_t later = position + 1; later < pivots_.size(); ++later) {
         const std::size_t i = pivots_[later];
         value = value - reduced_(i, pivot) * solution.x[i];
@@ -78,7 +67,37 @@ class GramElimination {
     return solution;
   }
 
+  /// bᵀx for the solutions x of (matrix)·x = b; as `solve`.
+  [[nodiscard]] Partial<S> energy(std::vector<S> b) const {
+    const Verdict consistent = eliminate(b);
+    return is_proved(consistent) ? Partial<S>(energy_of(b)) : Partial<S>::absent(consistent);
+  }
+
  private:
+  /// b as the elimination leaves it; whether there is a solution.
+  [[nodiscard]] Verdict eliminate(std::vector<S>& b) const {
+    for (std::size_t position = 0; position < pivots_.size(); ++position) {
+      const std::size_t pivot = pivots_[position];
+      for (std::size_t later = position + 1; later < pivots_.size(); ++later) {
+        const std::size_t i = pivots_[later];
+        b[i] = b[i] - reduced_(i, pivot) * b[pivot];
+      }
+      for (const std::size_t i : rest_) b[i] = b[i] - reduced_(i, pivot) * b[pivot];
+    }
+    Verdict consistent = semidefinite_;
+    if (!is_proved(consistent)) return consistent;
+    for (const std::size_t i : rest_) consistent = conjunction(consistent, is_zero(b[i]));
+    return consistent;
+  }
+  [[nodiscard]] S energy_of(const std::vector<S>& eliminated) const {
+    S result(0);
+    for (std::size_t position = pivots_.size(); position-- > 0;) {
+      const std::size_t pivot = pivots_[position];
+      result = result + square(eliminated[pivot]) / reduced_(pivot, pivot);
+    }
+    return result;
+  }
+
   // Below a pivot, reduced_ holds the multipliers of L; on its diagonal entry, D.
   bool eliminate_best_pivot() {
     std::size_t best = rest_.size();
@@ -126,6 +145,70 @@ class GramElimination {
   std::vector<std::size_t> pivots_;
   std::vector<std::size_t> rest_;
   Verdict semidefinite_ = Verdict::undecided;
+};
+
+/// The same in integers, without fractions, which would be reduced after each operation (Bareiss' elimination).
+template <>
+class GramElimination<Rational> {
+ public:
+  explicit GramElimination(const SymmetricMatrix<Rational>& matrix);
+
+  [[nodiscard]] Verdict semidefinite() const { return semidefinite_; }
+  [[nodiscard]] Verdict definite() const { return conjunction(semidefinite_, verdict_of(rest_.empty())); }
+  [[nodiscard]] std::size_t pivot_count() const { return pivots_.size(); }
+  [[nodiscard]] Rational determinant() const;
+
+  struct Solution {
+    std::vector<Rational> x;
+    Rational energy;
+  };
+  [[nodiscard]] Partial<Solution> solve(const std::vector<Rational>& b) const;
+  [[nodiscard]] Partial<Rational> energy(const std::vector<Rational>& b) const;
+
+ private:
+  /// b times a common denominator as the elimination leaves it, and the energy times −determinant.
+  struct Eliminated {
+    std::vector<Integer> b;
+    Integer denominator;
+    Integer energy;
+    bool is_consistent = false;
+  };
+  [[nodiscard]] const Integer& at(std::size_t row, std::size_t column) const;
+  [[nodiscard]] Integer& at(std::size_t row, std::size_t column);
+  [[nodiscard]] bool eliminate_best_pivot();
+  [[nodiscard]] Verdict verdict_on_rest() const;
+  [[nodiscard]] Eliminated eliminated(const std::vector<Rational>& b) const;
+  [[nodiscard]] Rational energy_of(const Eliminated& b) const;
+
+  std::size_t order_;
+  Integer denominator_;           ///< of all entries
+  std::vector<Integer> reduced_;  ///< the lower triangle; on and below a pivot, what its step was made with
+  Integer last_pivot_ = 1;        ///< the determinant of the pivots' rows and columns
+  std::vector<std::size_t> pivots_;
+  std::vector<std::size_t> rest_;
+  Verdict semidefinite_ = Verdict::undecided;
+};
+
+/// The same for entries that are rational, in rational numbers; undecided for others.
+template <>
+class GramElimination<Surd> {
+ public:
+  explicit GramElimination(const SymmetricMatrix<Surd>& matrix);
+
+  [[nodiscard]] Verdict semidefinite() const { return exact_ ? exact_->semidefinite() : Verdict::undecided; }
+  [[nodiscard]] Verdict definite() const { return exact_ ? exact_->definite() : Verdict::undecided; }
+  [[nodiscard]] std::size_t pivot_count() const { return exact_ ? exact_->pivot_count() : 0; }
+  [[nodiscard]] Surd determinant() const { return exact_ ? Surd(exact_->determinant()) : Surd::unknown(); }
+
+  struct Solution {
+    std::vector<Surd> x;
+    Surd energy;
+  };
+  [[nodiscard]] Partial<Solution> solve(const std::vector<Surd>& b) const;
+  [[nodiscard]] Partial<Surd> energy(const std::vector<Surd>& b) const;
+
+ private:
+  std::optional<GramElimination<Rational>> exact_;
 };
 
 }  // namespace delcert

@@ -7,10 +7,12 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <boost/multiprecision/mpfr.hpp>
 #include <cmath>
 #include <optional>
 
 #include "kernel/number/nearest_rounding.hpp"
+#include "kernel/simplex/bisection.hpp"
 #include "kernel/simplex/inertia.hpp"
 
 namespace delcert {
@@ -78,6 +80,204 @@ class IntervalSpectrum {
   std::vector<double> approximate_;
   double size_ = 0;
 };
+
+using Real =
+    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<110, boost::multiprecision::allocate_stack>,
+                                  boost::multiprecision::et_off>;
+
+/// The sign at numerator·2^exponent of the polynomial with these coefficients, that of x⁰ first.
+int sign_at(const std::vector<Integer>& coefficients, const Integer& numerator, long exponent) {
+  // Times 2^(−exponent·degree), or not, so that everything is an integer.
+  const auto down = static_cast<mp_bitcnt_t>(std::max(0L, -exponent));
+  Integer x;
+  mpz_mul_2exp(x.backend().data(), numerator.backend().data(), static_cast<mp_bitcnt_t>(std::max(0L, exponent)));
+  const std::size_t degree = coefficients.size() - 1;
+  Integer value;
+  Integer term;
+  for (std::size_t power = degree + 1; power-- > 0;) {
+    mpz_mul_2exp(term.backend().data(), coefficients[power].backend().data(), down * (degree - power));
+    value = value * x + term;
+  }
+  return mpz_sgn(value.backend().data());
+}
+
+/// A multiple with integral coefficients of the polynomial with these rational ones.
+class IntegralPolynomial {
+ public:
+  explicit IntegralPolynomial(const std::vector<Rational>& coefficients) {
+    fmpq_poly_t rational;
+    fmpq_poly_init(rational);
+    fmpq_t fraction;
+    fmpq_init(fraction);
+    for (std::size_t power = 0; power < coefficients.size(); ++power) {
+      fmpq_set_mpq(fraction, coefficients[power].gmp());
+      fmpq_poly_set_coeff_fmpq(rational, static_cast<slong>(power), fraction);
+    }
+    fmpq_clear(fraction);
+    fmpz_poly_init(value_);
+    fmpq_poly_get_numerator(value_, rational);
+    fmpq_poly_clear(rational);
+  }
+  IntegralPolynomial(const IntegralPolynomial&) = delete;
+  IntegralPolynomial& operator=(const IntegralPolynomial&) = delete;
+  ~IntegralPolynomial() { fmpz_poly_clear(value_); }
+  [[nodiscard]] const fmpz_poly_struct* get() const { return value_; }
+
+ private:
+  fmpz_poly_t value_;
+};
+
+/// The matrix with entries rounded to the working precision of the largest; `margin` is how far eigenvalues may move.
+SymmetricMatrix<Rational> rounded_matrix(const SymmetricMatrix<Rational>& matrix, Rational& margin) {
+  Rational greatest(0);
+  for (std::size_t i = 0; i < matrix.order(); ++i) {
+    for (std::size_t j = 0; j <= i; ++j) greatest = maximum(greatest, absolute(matrix(i, j)));
+  }
+  SymmetricMatrix<Rational> result = matrix;
+  if (greatest == Rational(0)) return result;
+  constexpr long spare_bits = 16;
+  const long exponent =
+      binary_exponent(greatest) - static_cast<long>(BigInterval::working_precision().value) - spare_bits;
+  Rational farthest(0);
+  for (std::size_t i = 0; i < matrix.order(); ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      result(i, j) = rounded_down(matrix(i, j), exponent);
+      farthest = maximum(farthest, matrix(i, j) - result(i, j));
+    }
+  }
+  // The norm of a matrix is at most its order times its largest entry.
+  margin = farthest * Rational(static_cast<long>(matrix.order()));
+  return result;
+}
+
+/// The least root in size by Laguerre's method from 0, which converges where all roots are real; `known` are left out.
+/// Without error bounds; nothing where it does not converge.
+std::optional<Real> approximate_root(const std::vector<Real>& coefficients, const std::vector<Real>& known) {
+  constexpr int most_steps = 100;
+  const Real close = ldexp(Real(1), -290);
+  const auto remaining = static_cast<int>(coefficients.size() - 1 - known.size());
+  Real x(0);
+  for (int step = 0; step < most_steps; ++step) {
+    Real value(0);
+    Real slope(0);
+    Real half_bend(0);
+    for (std::size_t at = coefficients.size(); at-- > 0;) {
+      half_bend = half_bend * x + slope;
+      slope = slope * x + value;
+      value = value * x + coefficients[at];
+    }
+    if (value == 0) return x;
+    Real first = slope / value;
+    Real second = first * first - 2 * half_bend / value;
+    for (const Real& root : known) {
+      const Real inverse = 1 / (x - root);
+      first -= inverse;
+      second -= inverse * inverse;
+    }
+    const Real under_root = (remaining - 1) * (remaining * second - first * first);
+    const Real root = under_root > 0 ? Real(sqrt(under_root)) : Real(0);
+    const Real divisor = first > 0 ? Real(first + root) : Real(first - root);
+    const Real change = remaining / divisor;
+    if (!(boost::multiprecision::isfinite)(change)) return std::nullopt;
+    x -= change;
+    if (abs(change) <= abs(x) * close) return x;
+  }
+  return std::nullopt;
+}
+
+/// numerator·2^exponent
+struct Dyadic {
+  Integer numerator;
+  long exponent = 0;
+};
+
+/// A number of any precision, for Newton's method.
+class LongReal {
+ public:
+  explicit LongReal(long bits) { mpfr_init2(value_, bits); }
+  LongReal(const LongReal&) = delete;
+  LongReal& operator=(const LongReal&) = delete;
+  ~LongReal() { mpfr_clear(value_); }
+  [[nodiscard]] mpfr_ptr get() { return value_; }
+
+ private:
+  mpfr_t value_;
+};
+
+/// The approximation of a simple root to so many bits, by Newton's method. Without error bounds.
+Dyadic refined(const std::vector<Integer>& coefficients, const Real& root, long bits) {
+  constexpr long known_bits = 200;
+  const long working_bits = std::max(2 * known_bits, bits + 64);
+  LongReal x(working_bits);
+  LongReal value(working_bits);
+  LongReal slope(working_bits);
+  mpfr_set(x.get(), root.backend().data(), MPFR_RNDN);
+  for (long correct = known_bits; correct < bits + 16; correct *= 2) {
+    mpfr_set_zero(value.get(), 1);
+    mpfr_set_zero(slope.get(), 1);
+    for (std::size_t at = coefficients.size(); at-- > 0;) {
+      mpfr_mul(slope.get(), slope.get(), x.get(), MPFR_RNDN);
+      mpfr_add(slope.get(), slope.get(), value.get(), MPFR_RNDN);
+      mpfr_mul(value.get(), value.get(), x.get(), MPFR_RNDN);
+      mpfr_add_z(value.get(), value.get(), coefficients[at].backend().data(), MPFR_RNDN);
+    }
+    if (mpfr_zero_p(slope.get()) != 0) break;
+    mpfr_div(value.get(), value.get(), slope.get(), MPFR_RNDN);
+    mpfr_sub(x.get(), x.get(), value.get(), MPFR_RNDN);
+  }
+  mpfr_prec_round(x.get(), bits, MPFR_RNDN);
+  if (mpfr_regular_p(x.get()) == 0) return {};
+  Dyadic result;
+  result.exponent = mpfr_get_z_2exp(result.numerator.backend().data(), x.get());
+  return result;
+}
+
+/// Enclosures of the roots, by approximations and changes of sign: as many disjoint intervals as the degree, each with
+/// a change of sign in it, hold one root each. Nothing where roots are too close to each other.
+std::optional<std::vector<BigInterval>> separated_roots(const fmpz_poly_struct* polynomial) {
+  const auto bits = static_cast<long>(BigInterval::working_precision().value);
+  std::vector<Integer> exact;
+  std::vector<Real> coefficients;
+  for (slong power = 0; power <= fmpz_poly_degree(polynomial); ++power) {
+    exact.emplace_back();
+    fmpz_poly_get_coeff_mpz(exact.back().backend().data(), polynomial, power);
+    coefficients.emplace_back(exact.back());
+  }
+  // Roots 0 are known.
+  std::vector<BigInterval> result;
+  while (exact.front() == 0) {
+    exact.erase(exact.begin());
+    coefficients.erase(coefficients.begin());
+    result.emplace_back(0);
+  }
+  std::vector<Real> approximate;
+  std::vector<RationalBounds> enclosures;
+  while (approximate.size() + 1 < coefficients.size()) {
+    const auto root = approximate_root(coefficients, approximate);
+    if (!root || *root == 0) return std::nullopt;
+    approximate.push_back(*root);
+    const Dyadic near = refined(exact, *root, bits);
+    if (near.numerator == 0) return std::nullopt;
+    bool is_proved = false;
+    for (long width = 2; width < bits / 2 && !is_proved; width += bits / 8) {
+      const Integer margin = Integer(1) << static_cast<unsigned>(width);
+      const Integer lower = near.numerator - margin;
+      const Integer upper = near.numerator + margin;
+      is_proved = sign_at(exact, lower, near.exponent) * sign_at(exact, upper, near.exponent) < 0;
+      if (!is_proved) continue;
+      const Rational unit = Rational::power_of_two(near.exponent);
+      enclosures.push_back({Rational(lower) * unit, Rational(upper) * unit});
+    }
+    if (!is_proved) return std::nullopt;
+  }
+  std::sort(enclosures.begin(), enclosures.end(),
+            [](const RationalBounds& a, const RationalBounds& b) { return a.lower < b.lower; });
+  for (std::size_t at = 0; at < enclosures.size(); ++at) {
+    if (at > 0 && enclosures[at].lower <= enclosures[at - 1].upper) return std::nullopt;
+    result.push_back(BigInterval::between(enclosures[at].lower, enclosures[at].upper));
+  }
+  return result;
+}
 
 /// Enclosures of the roots of a polynomial all of whose roots are real and simple, appended as often as asked.
 void append_roots(std::vector<BigInterval>& result, const fmpz_poly_t polynomial, slong multiplicity) {
@@ -153,34 +353,28 @@ Partial<Interval> eigenvalue<Interval>(const SymmetricMatrix<Rational>& matrix, 
 
 template <>
 Partial<std::vector<BigInterval>> eigenvalues<BigInterval>(const SymmetricMatrix<Rational>& matrix) {
-  fmpq_poly_t rational;
-  fmpq_poly_init(rational);
-  const std::vector<Rational> coefficients = characteristic_polynomial(matrix);
-  fmpq_t fraction;
-  fmpq_init(fraction);
-  for (std::size_t power = 0; power < coefficients.size(); ++power) {
-    fmpq_set_mpq(fraction, coefficients[power].gmp());
-    fmpq_poly_set_coeff_fmpq(rational, static_cast<slong>(power), fraction);
-  }
-  fmpq_clear(fraction);
-  fmpz_poly_t integral;
-  fmpz_poly_init(integral);
-  fmpq_poly_get_numerator(integral, rational);
-  fmpq_poly_clear(rational);
-  fmpz_poly_factor_t factors;
-  fmpz_poly_factor_init(factors);
-  fmpz_poly_factor_squarefree(factors, integral);
+  Rational margin(0);
   std::vector<BigInterval> result;
-  for (slong at = 0; at < factors->num; ++at) append_roots(result, factors->p + at, factors->exp[at]);
-  fmpz_poly_factor_clear(factors);
-  fmpz_poly_clear(integral);
+  if (auto separated = separated_roots(IntegralPolynomial(characteristic_polynomial(matrix)).get())) {
+    result = *std::move(separated);
+  } else {
+    // Eigenvalues that nearly coincide would take thousands of digits to tell apart; those of the rounded matrix mostly
+    // coincide.
+    const SymmetricMatrix<Rational> near = rounded_matrix(matrix, margin);
+    const IntegralPolynomial polynomial(characteristic_polynomial(near));
+    fmpz_poly_factor_t factors;
+    fmpz_poly_factor_init(factors);
+    fmpz_poly_factor_squarefree(factors, polynomial.get());
+    for (slong at = 0; at < factors->num; ++at) append_roots(result, factors->p + at, factors->exp[at]);
+    fmpz_poly_factor_clear(factors);
+  }
   // Enclosures of different roots may overlap at a low precision: then the order of their lower ends and that of their
   // upper ends each enclose the sorted roots.
   std::vector<Rational> lower;
   std::vector<Rational> upper;
   for (const BigInterval& root : result) {
-    lower.push_back(root.lower());
-    upper.push_back(root.upper());
+    lower.push_back(root.lower() - margin);
+    upper.push_back(root.upper() + margin);
   }
   std::sort(lower.begin(), lower.end());
   std::sort(upper.begin(), upper.end());

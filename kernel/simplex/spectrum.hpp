@@ -22,7 +22,8 @@ template <class S>
 /// it does not. Intervals are at most 2⁻³⁰ of the largest size of an eigenvalue wide. Needs a `RoundingGuard`.
 template <>
 [[nodiscard]] Partial<std::vector<Interval>> eigenvalues<Interval>(const SymmetricMatrix<Rational>& matrix);
-/// Isolated roots of the characteristic polynomial, to the working precision. Always there.
+/// Roots of the characteristic polynomial to the working precision, where they nearly coincide to that of the largest.
+/// Always there.
 template <>
 [[nodiscard]] Partial<std::vector<BigInterval>> eigenvalues<BigInterval>(const SymmetricMatrix<Rational>& matrix);
 /// For a matrix of order 1 at most; otherwise absent (undecided).

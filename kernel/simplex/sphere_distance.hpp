@@ -39,12 +39,12 @@ template <Scalar S>
     apart.push_back(shadow.back() - centre.back());
   }
   const GramElimination<S> elimination(simplex.opposite_facet(p).gram());
-  const auto to_centre = elimination.solve(std::move(centre));
-  const auto to_shadow = elimination.solve(std::move(shadow));
-  const auto between = elimination.solve(std::move(apart));
+  const auto to_centre = elimination.energy(std::move(centre));
+  const auto to_shadow = elimination.energy(std::move(shadow));
+  const auto between = elimination.energy(std::move(apart));
   const Verdict exists = conjunction(to_centre.exists(), conjunction(to_shadow.exists(), between.exists()));
   if (!is_proved(exists)) return Partial<SphereOffset<S>>::absent(exists);
-  return SphereOffset<S>{simplex.squared_edge(p, base) - to_shadow->energy, between->energy, to_centre->energy};
+  return SphereOffset<S>{simplex.squared_edge(p, base) - *to_shadow, *between, *to_centre};
 }
 
 /// d(p, S(σ)) ≤ bound, with S(σ) = S^{m−1}(σ) ∩ aff σ the circumsphere: h² + ρ² + R² − bound² ≤ 2ρR.

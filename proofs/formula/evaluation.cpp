@@ -293,12 +293,8 @@ Partial<S> Evaluation<S>::call(const Expression& term) {
   const auto& function = std::get<NumberFunction>(term.function->value).template on<S>();
   if (items.size() != arguments.size()) return function(*this, arguments);
   auto& numbers = scene_.cache<S>().numbers;
-  for (const auto& known : numbers) {
-    if (known.function == term.function && known.arguments == items) return known.value;
-  }
-  Partial<S> value = function(*this, arguments);
-  numbers.push_back({term.function, std::move(items), value});
-  return value;
+  if (const auto* known = numbers.find(*term.function, items)) return *known;
+  return numbers.add(*term.function, items, function(*this, arguments));
 }
 
 template <class S>

@@ -228,8 +228,26 @@ std::vector<S> squared_column_lengths(const Matrix<S>& matrix) {
   return result;
 }
 
+/// Whether λI − A is semidefinite.
+template <class S>
+bool is_norm_bound(const SymmetricMatrix<S>& matrix, const S& bound) {
+  return is_proved(GramElimination<S>(matrix.negated().shifted(bound)).semidefinite());
+}
+
+/// A little more than the largest eigenvalue of a matrix near the given one. Without error bounds.
+BigInterval approximate_norm_bound(const SymmetricMatrix<BigInterval>& matrix) {
+  SymmetricMatrix<Rational> near(matrix.order());
+  for (std::size_t i = 0; i < matrix.order(); ++i) {
+    for (std::size_t j = 0; j <= i; ++j) near(i, j) = matrix(i, j).lower();
+  }
+  const auto values = eigenvalues_by_scaling<BigInterval>(near);
+  const Rational more = Rational(1) + Rational::power_of_two(-precision_bits<BigInterval>() / 2);
+  return BigInterval((*values)[0].upper() * more);
+}
+
 /// An upper bound of ‖D‖, at most 1 % above it where the rung is sharp enough, far less on the higher ones: between the
-/// longest column and the Frobenius norm, by bisection with the test whether λI − DᵀD is semidefinite.
+/// longest column and the Frobenius norm, by bisection with the test whether λI − DᵀD is semidefinite; there first for
+/// a λ of which it is likely.
 template <class S>
 S norm_from_above(const Matrix<S>& matrix) {
   const std::size_t order = matrix.size();
@@ -249,10 +267,17 @@ S norm_from_above(const Matrix<S>& matrix) {
   }
   if (order == 1) return square_root(greatest);
   // Where 1 % does not decide, the precision rises.
-  const long steps = precision_bits<S>() <= 256 ? 10 : precision_bits<S>() / 2;
-  for (long step = 0; step < steps; ++step) {
+  constexpr long quick_precision = 256;
+  constexpr int steps = 10;
+  if constexpr (std::same_as<S, BigInterval>) {
+    if (precision_bits<S>() > quick_precision && is_bounded(greatest)) {
+      const BigInterval likely = approximate_norm_bound(gram);
+      if (is_norm_bound(gram, likely)) return square_root(likely);
+    }
+  }
+  for (int step = 0; step < steps; ++step) {
     const S between = middle(S((least + greatest) / S(2)));
-    (is_proved(GramElimination<S>(gram.negated().shifted(between)).semidefinite()) ? greatest : least) = between;
+    (is_norm_bound(gram, between) ? greatest : least) = between;
   }
   return square_root(greatest);
 }

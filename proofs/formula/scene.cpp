@@ -8,19 +8,13 @@ const Binding* Scene::find(const std::string& name) const {
 }
 
 Item Scene::item(const Function& function, const std::vector<Item>& arguments) {
-  for (const auto& known : items_) {
-    if (known.function == &function && known.arguments == arguments) return known.value;
-  }
-  items_.push_back({&function, arguments, std::get<ItemFunction>(function.value)(arguments)});
-  return items_.back().value;
+  if (const Item* known = items_.find(function, arguments)) return *known;
+  return items_.add(function, arguments, std::get<ItemFunction>(function.value)(arguments));
 }
 
 std::vector<Item> Scene::set(const Function& function, const std::vector<Item>& arguments) {
-  for (const auto& known : sets_) {
-    if (known.function == &function && known.arguments == arguments) return known.value;
-  }
-  sets_.push_back({&function, arguments, std::get<SetFunction>(function.value)(arguments)});
-  return sets_.back().value;
+  if (const auto* known = sets_.find(function, arguments)) return *known;
+  return sets_.add(function, arguments, std::get<SetFunction>(function.value)(arguments));
 }
 
 }  // namespace delcert

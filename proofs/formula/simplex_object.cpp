@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "kernel/number/exact_text.hpp"
-#include "kernel/simplex/cayley_menger.hpp"
 #include "kernel/simplex/realisability.hpp"
 
 namespace delcert {
@@ -60,28 +59,21 @@ std::vector<Rational> rationals_from(const Json& json, const std::string& where)
 }
 
 SimplexObject::SimplexObject(Points points)
-    : points_(checked(std::move(points))),
-      gram_(edge_gram_from_points(points_)),
-      squared_edges_(squared_distance_matrix(gram_)) {}
+    : points_(checked(std::move(points))), gram_(edge_gram_from_points(points_)) {}
 
-SimplexObject::SimplexObject(const SymmetricMatrix<Rational>& squared_edges)
-    : gram_(checked_gram(squared_edges)), squared_edges_(squared_edges) {}
+SimplexObject::SimplexObject(const SymmetricMatrix<Rational>& squared_edges) : gram_(checked_gram(squared_edges)) {}
 
 std::size_t SimplexObject::ambient_dimension() const {
   return has_coordinates() ? points_.front().size() : dimension();
 }
 
 SimplexObject SimplexObject::face(std::span<const std::size_t> vertices) const {
-  if (has_coordinates()) {
-    Points points;
-    for (const std::size_t vertex : vertices) points.push_back(points_.at(vertex));
-    return SimplexObject(std::move(points));
+  Points points;
+  for (const std::size_t vertex : vertices) {
+    if (vertex >= vertex_count()) throw std::out_of_range("a face of a vertex that is not there");
+    if (has_coordinates()) points.push_back(points_[vertex]);
   }
-  SymmetricMatrix<Rational> squared_edges(vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) squared_edges(i, j) = gram_.squared_edge(vertices[i], vertices[j]);
-  }
-  return SimplexObject(squared_edges);
+  return {std::move(points), gram_.face(vertices)};
 }
 
 Json SimplexObject::json() const {

@@ -40,16 +40,16 @@ class SimplexObject : public Object {
   [[nodiscard]] const EdgeGram<S>& gram(Evaluation<S>& evaluation) const {
     // From the exact matrix, so that every entry is as tight as the rung allows.
     return evaluation.template attached<EdgeGram<S>>(
-        *this, [&] { return EdgeGram<S>(matrix_from<S>(gram_.gram()), matrix_from<S>(squared_edges_)); });
+        *this, [&] { return EdgeGram<S>(matrix_from<S>(gram_.gram()), matrix_from<S>(gram_.squared_edge_matrix())); });
   }
 
   [[nodiscard]] nlohmann::ordered_json json() const override;
   [[nodiscard]] static ObjectPointer read(const nlohmann::ordered_json& json);
 
  private:
+  SimplexObject(Points points, EdgeGram<Rational> gram) : points_(std::move(points)), gram_(std::move(gram)) {}
   Points points_;
   EdgeGram<Rational> gram_;
-  SymmetricMatrix<Rational> squared_edges_;
 };
 
 /// A point of an instance, by rational coordinates.

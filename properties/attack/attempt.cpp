@@ -1,5 +1,7 @@
 #include "properties/attack/attempt.hpp"
 
+#include <mpfr.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -28,6 +30,33 @@ Rational draw_parameter(const ParameterRange& range, Choices& choices) {
   return range.lower + width * inside * Rational::power_of_two(-choices.between(1, 40));
 }
 
+DoubleBounds double_bounds(const BigInterval& x) {
+  return {mpfr_get_d(&x.mpfi()->left, MPFR_RNDD), mpfr_get_d(&x.mpfi()->right, MPFR_RNDU)};
+}
+
+/// Not where the bounds are infinite.
+bool is_sharp(const DoubleBounds& ratio) {
+  constexpr double sharp_enough = 0x1p-20;
+  return ratio.upper - ratio.lower <= sharp_enough * ratio.upper;
+}
+
+/// The ratio from the filter; from 128 bits, which mostly are there already where the filter does not tell; or from
+/// more: until it is sharp, or certainly not above a known one.
+std::optional<DoubleBounds> ratio_as_sharp_as_needed(const Expression& statement, Scene& scene, const double* known) {
+  std::optional<DoubleBounds> ratio = ratio_bounds(statement, scene, false);
+  const auto is_enough = [&] { return ratio && (is_sharp(*ratio) || (known != nullptr && ratio->upper <= *known)); };
+  if (is_enough()) return ratio;
+  {
+    constexpr unsigned bits = 128;
+    const BigInterval::Precision precision(PrecisionBits{bits});
+    const auto sharper = Evaluation<BigInterval>(scene).ratio(statement);
+    if (sharper) ratio = double_bounds(*sharper);
+  }
+  if (is_enough()) return ratio;
+  const auto sharpest = ratio_bounds(statement, scene, true);
+  return sharpest ? sharpest : ratio;
+}
+
 /// A lower bound of the term, within 2⁻³⁰ of it.
 std::optional<Rational> quick_lower_bound(const Expression& term, Scene& scene) {
   {
@@ -42,7 +71,7 @@ std::optional<Rational> quick_lower_bound(const Expression& term, Scene& scene) 
 
 }  // namespace
 
-Attempt attempt(const Claim& claim, const Bindings& bindings) {
+Attempt attempt(const Claim& claim, const Bindings& bindings, std::span<const double> known) {
   Scene scene(bindings);
   Attempt result;
   for (const Hypothesis& hypothesis : claim.hypotheses) {
@@ -50,15 +79,11 @@ Attempt attempt(const Claim& claim, const Bindings& bindings) {
     if (is_refuted(result.hypotheses)) return result;
   }
   if (!is_proved(result.hypotheses)) return result;
-  for (const Conclusion& conclusion : claim.conclusions) {
+  for (std::size_t at = 0; at < claim.conclusions.size(); ++at) {
+    const Expression& statement = *claim.conclusions[at].formula;
     ConclusionOutcome outcome;
-    outcome.verdict = decide_statement(*conclusion.formula, scene);
-    outcome.ratio = ratio_bounds(*conclusion.formula, scene, false);
-    constexpr double sharp_enough = 0x1p-20;
-    // Also where the bounds are infinite.
-    if (outcome.ratio && !(outcome.ratio->upper - outcome.ratio->lower <= sharp_enough * outcome.ratio->upper)) {
-      outcome.ratio = ratio_bounds(*conclusion.formula, scene, true);
-    }
+    outcome.verdict = decide_statement(statement, scene);
+    outcome.ratio = ratio_as_sharp_as_needed(statement, scene, known.empty() ? nullptr : &known[at]);
     result.conclusions.push_back(outcome);
   }
   return result;

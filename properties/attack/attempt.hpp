@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "proofs/formula/claim.hpp"
@@ -23,9 +24,10 @@ struct Attempt {
   std::vector<ConclusionOutcome> conclusions;
 };
 
-/// Decides all hypotheses, and if they hold, all conclusions. Throws InputError where a quantity is asked for what it
-/// cannot be asked (vertex 7 of a triangle).
-[[nodiscard]] Attempt attempt(const Claim& claim, const Bindings& bindings);
+/// Decides all hypotheses, and if they hold, all conclusions. Ratios are sharp, up to 2⁻²⁰, where that is possible; or,
+/// if `known` is not empty and has a number for each conclusion, where they may be above it. Throws InputError where a
+/// quantity is asked for what it cannot be asked (vertex 7 of a triangle).
+[[nodiscard]] Attempt attempt(const Claim& claim, const Bindings& bindings, std::span<const double> known = {});
 
 /// The limits that the hypotheses of a claim set: every part `name <= term`, `name < term` of them, or the same turned
 /// round.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "kernel/error.hpp"
@@ -52,7 +53,14 @@ void record(Tally& tally, const Claim& claim, const std::optional<Instance>& ins
     ++tally.not_drawn;
     return;
   }
-  const Attempt result = attempt(claim, instance->bindings);
+  // A ratio that is not above the worst so far need not be known sharply.
+  std::vector<double> known;
+  for (const ConclusionTally& conclusion : tally.conclusions) {
+    known.push_back(conclusion.worst ? conclusion.worst->lower : -std::numeric_limits<double>::infinity());
+  }
+  const LadderStatistics before = ladder_statistics();
+  const Attempt result = attempt(claim, instance->bindings, known);
+  tally.rungs += ladder_statistics() - before;
   if (is_refuted(result.hypotheses)) {
     ++tally.hypotheses_not_met;
     return;
@@ -164,12 +172,10 @@ Tally attack_block(const Claim& claim, const Shape& shape, std::uint64_t seed, s
   const HypothesisLimits limits(claim);
   Tally tally;
   tally.conclusions.resize(claim.conclusions.size());
-  const LadderStatistics before = ladder_statistics();
   for (std::uint64_t number = first; number < first + count; ++number) {
     RandomChoices choices(seed, stream(claim, shape), number);
     record(tally, claim, draw_instance(claim, limits, shape, choices), number);
   }
-  tally.rungs = ladder_statistics() - before;
   return tally;
 }
 

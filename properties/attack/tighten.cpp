@@ -37,11 +37,16 @@ struct Scored {
   std::vector<double> choices;
 };
 
+Claim of_one_conclusion(Claim claim, std::size_t conclusion) {
+  claim.conclusions = {claim.conclusions.at(conclusion)};
+  return claim;
+}
+
 class Search {
  public:
   Search(const Claim& claim, std::size_t conclusion, const Shape& shape, std::uint64_t evaluations,
          const Progress& progress)
-      : claim_(claim),
+      : claim_(of_one_conclusion(claim, conclusion)),
         conclusion_(conclusion),
         limits_(claim),
         shape_(shape),
@@ -81,7 +86,7 @@ class Search {
     if (!instance) return worthless;
     const Attempt result = attempt(claim_, instance->bindings);
     if (!is_proved(result.hypotheses)) return worthless;
-    const auto& ratio = result.conclusions[conclusion_].ratio;
+    const auto& ratio = result.conclusions.front().ratio;
     if (!ratio || !std::isfinite(ratio->lower) || !std::isfinite(ratio->upper)) return worthless;
     return (ratio->lower + ratio->upper) / 2;
   }
@@ -133,7 +138,7 @@ class Search {
     }
   }
 
-  const Claim& claim_;
+  Claim claim_;
   std::size_t conclusion_;
   HypothesisLimits limits_;
   Shape shape_;

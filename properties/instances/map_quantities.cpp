@@ -68,10 +68,9 @@ Partial<Place<S>> place(Evaluation<S>& evaluation, Arguments<S> a) {
     relative.push_back(from.products[i - 1] - halves.back());
   }
   const std::size_t normal_dimension = simplex.ambient_dimension() - simplex.dimension();
-  const S squared_radius = elimination.solve(std::move(halves))->energy;
-  const S squared_distance = elimination.solve(std::move(relative))->energy;
-  const S squared_height =
-      normal_dimension == 0 ? S(0) : S(from.squared_length - elimination.solve(from.products)->energy);
+  const S squared_radius = *elimination.energy(std::move(halves));
+  const S squared_distance = *elimination.energy(std::move(relative));
+  const S squared_height = normal_dimension == 0 ? S(0) : S(from.squared_length - *elimination.energy(from.products));
   return Place<S>{squared_radius, squared_distance, squared_height, normal_dimension};
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "kernel/number/ladder.hpp"
-#include "kernel/simplex/realisability.hpp"
+#include "kernel/simplex/independence.hpp"
 #include "kernel/simplex/thickness.hpp"
 
 namespace delcert {
@@ -101,8 +101,7 @@ std::optional<Points> random_simplex(const Shape& shape, Choices& choices) {
   if (family == Family::cluster) gather(points, choices);
   if (family == Family::squashed) squash(points, choices);
   place(points, choices);
-  const auto gram = edge_gram_from_points(points);
-  if (!is_proved(is_non_degenerate(gram))) return std::nullopt;
+  if (!are_affinely_independent(points)) return std::nullopt;
   return points;
 }
 
@@ -134,19 +133,13 @@ void put_high_vertex_first(Points& points) {
 }
 
 std::set<Trait> traits_of(const SimplexObject& simplex) {
-  const Rational bound = Rational::power_of_two(-40);
   const EdgeGram<Rational>& gram = simplex.exact_gram();
+  const Verdict thick = decide([&]<class S>() {
+    return is_thickness_at_least(EdgeGram<S>(matrix_from<S>(gram.gram()), matrix_from<S>(gram.squared_edge_matrix())),
+                                 scalar_from<S>(Rational::power_of_two(-40)));
+  });
   std::set<Trait> traits;
-  const RoundingGuard guard;
-  SymmetricMatrix<Interval> edges(gram.vertex_count());
-  for (std::size_t i = 0; i < gram.vertex_count(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) edges(i, j) = scalar_from<Interval>(gram.squared_edge(i, j));
-  }
-  const Verdict thick =
-      is_thickness_at_least(edge_gram_from_squared_edges(std::move(edges)), scalar_from<Interval>(bound));
-  if (is_refuted(thick) || (is_undecided(thick) && is_refuted(is_thickness_at_least(gram, bound)))) {
-    traits.insert(Trait::nearly_degenerate);
-  }
+  if (is_refuted(thick)) traits.insert(Trait::nearly_degenerate);
   return traits;
 }
 

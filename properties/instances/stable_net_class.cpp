@@ -70,7 +70,7 @@ class StableNetClass : public InstanceClass {
   }
   void extend(Vocabulary& vocabulary) const override { add_chart_quantities(vocabulary); }
   std::vector<Shape> shapes() const override { return {{0, 2}, {0, 3}}; }
-  std::uint64_t cost(const Shape& shape) const override { return shape.m == 2 ? 10 : 400; }
+  std::uint64_t cost(const Shape& shape) const override { return shape.m == 2 ? 10 : 200; }
 
   std::optional<Instance> draw(const Shape& shape, const Bindings& given, const Limits& limits,
                                Choices& choices) const override {

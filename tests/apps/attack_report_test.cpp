@@ -52,6 +52,21 @@ TEST(AttackReport, the_table_has_a_row_for_each_conclusion_and_shape) {
       << table;
 }
 
+TEST(AttackReport, the_short_table_adds_up_the_shapes_of_the_same_k) {
+  std::vector<Target> many{{test::wrong_claim(), {2, 2}, 40}, {test::wrong_claim(), {2, 3}, 40}};
+  many.push_back({test::wrong_claim(), {3, 3}, 40});
+  many.push_back({test::right_claim(), {0, 2}, 10});
+  many.push_back({test::right_claim(), {0, 3}, 10});
+  const auto one = tallies();
+  const std::string table = attack_table(many, {one[0], one[0], one[0], one[1], one[1]}, true);
+  EXPECT_NE(table.find("| wrong / radius | k=2 m=2…3 | 80 | 25.0 % |"), std::string::npos) << table;
+  EXPECT_NE(table.find("| REFUTED (4) |"), std::string::npos) << table;
+  EXPECT_NE(table.find("| wrong / radius | k=3 m=3 | 40 |"), std::string::npos) << table;
+  // Nets have no k: each dimension for itself.
+  EXPECT_NE(table.find("| right / radius | m=2 | 10 |"), std::string::npos) << table;
+  EXPECT_NE(table.find("| right / radius | m=3 | 10 |"), std::string::npos) << table;
+}
+
 TEST(AttackReport, verdicts_are_held_refuted_undecided_or_nothing) {
   auto some = tallies();
   some[0].conclusions[0].violated = 0;

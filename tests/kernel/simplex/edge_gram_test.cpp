@@ -43,6 +43,22 @@ RC_GTEST_PROP(EdgeGram, ProductsAreThoseOfTheCoordinates, ()) {
   }
 }
 
+RC_GTEST_PROP(EdgeGram, InIntegersAndInFractionsItIsTheSame, ()) {
+  Points points = *any_simplex(0, 5);
+  // Dyadic or with a common denominator; and with denominators that have nothing in common.
+  if (*rc::gen::arbitrary<bool>()) {
+    for (auto& point : points) {
+      for (Rational& x : point) x = x / (Rational::power_of_two(*rc::gen::inRange(100, 130)) - Rational(1));
+    }
+  }
+  const auto inner = [](const std::vector<Rational>& x, const std::vector<Rational>& y) {
+    Rational sum(0);
+    for (std::size_t axis = 0; axis < x.size(); ++axis) sum += x[axis] * y[axis];
+    return sum;
+  };
+  expect_same(edge_gram_from_points(points), edge_gram_from_points(points, inner));
+}
+
 RC_GTEST_PROP(EdgeGram, AMetricIsTheImageUnderALinearMap, ()) {
   const std::size_t m = 3;
   const Points points = *any_points(4, m);

@@ -122,6 +122,63 @@ RC_GTEST_PROP(GramElimination, SolutionsSolve, ()) {
   RC_ASSERT(energy == solution->energy);
 }
 
+RC_GTEST_PROP(GramElimination, TheEnergyAloneIsThatOfTheSolutionOnEveryRung, ()) {
+  const auto gram = gram_of_columns<Rational>(*any_simplex(1, 5));
+  std::vector<Rational> b;
+  for (std::size_t i = 0; i < gram.order(); ++i) b.push_back(gram(i, 0) / Rational(3));
+  const GramElimination<Rational> exact(gram);
+  const Rational energy = exact.solve(b)->energy;
+  RC_ASSERT(energy == gram(0, 0) / Rational(9));
+  RC_ASSERT(*exact.energy(b) == energy);
+
+  const auto on = [&]<class S>() {
+    std::vector<S> right;
+    for (const Rational& entry : b) right.push_back(scalar_from<S>(entry));
+    return GramElimination<S>(matrix_from<S>(gram)).energy(std::move(right));
+  };
+  const auto in_surds = on.operator()<Surd>();
+  RC_ASSERT(in_surds.has_value());
+  RC_ASSERT(in_surds->rational() == energy);
+  const auto enclosed = on.operator()<BigInterval>();
+  RC_ASSERT((!enclosed || contains(*enclosed, energy)));
+  bool contained = true;
+  {
+    const RoundingGuard guard;
+    const auto filtered = on.operator()<Interval>();
+    contained = !filtered || contains(*filtered, energy);
+  }
+  RC_ASSERT(contained);
+}
+
+TEST(GramElimination, ThereIsNoEnergyWithoutASolution) {
+  const GramElimination<Rational> elimination(two_by_two(Rational(1), Rational(2), Rational(4)));
+  EXPECT_EQ(*elimination.energy({ratio(1, 3), ratio(2, 3)}), ratio(1, 9));
+  EXPECT_EQ(elimination.energy({Rational(3), Rational(5)}).exists(), Verdict::refuted);
+  const GramElimination<Rational> indefinite(two_by_two(Rational(1), Rational(2), Rational(3)));
+  EXPECT_EQ(indefinite.energy({Rational(1), Rational(1)}).exists(), Verdict::refuted);
+}
+
+TEST(GramElimination, SurdsAreEliminatedWhereTheyAreRational) {
+  SymmetricMatrix<Surd> matrix(2);
+  matrix(0, 0) = Surd(ratio(1, 2));
+  matrix(1, 1) = Surd(3);
+  const GramElimination<Surd> rational(matrix);
+  EXPECT_EQ(rational.definite(), Verdict::proved);
+  EXPECT_EQ(rational.pivot_count(), 2U);
+  EXPECT_EQ(rational.determinant().rational(), ratio(3, 2));
+  const auto solution = rational.solve({Surd(1), Surd(1)});
+  ASSERT_TRUE(solution);
+  EXPECT_EQ(solution->x[0].rational(), Rational(2));
+  EXPECT_EQ(solution->x[1].rational(), ratio(1, 3));
+  EXPECT_EQ(solution->energy.rational(), ratio(7, 3));
+  EXPECT_EQ(rational.solve({square_root(Surd(2)), Surd(1)}).exists(), Verdict::undecided);
+  matrix(0, 1) = square_root(Surd(2));
+  const GramElimination<Surd> irrational(matrix);
+  EXPECT_EQ(irrational.semidefinite(), Verdict::undecided);
+  EXPECT_EQ(irrational.definite(), Verdict::undecided);
+  EXPECT_EQ(irrational.energy({Surd(1), Surd(1)}).exists(), Verdict::undecided);
+}
+
 RC_GTEST_PROP(GramElimination, OnIntervalsNeverContradictsTheExactVerdict, ()) {
   const auto gram = gram_of_columns<Rational>(*any_simplex(0, 5));
   const Rational shift = *rc::gen::element(-1, 0, 1) * Rational::power_of_two(-*rc::gen::inRange(0, 100));
