@@ -265,7 +265,7 @@ class TransportedConfigurationClass : public InstanceClass {
                                   bool& at_boundary) {
     constexpr long lowest_exponent = 60;
     const Rational own = Rational(15) / Rational(16);
-    const Rational most = minimum(own, limits.most("xi", bound, true).value_or(own));
+    Rational most = minimum(own, limits.most("xi", bound, true).value_or(own));
     const double kind = choices.unit();
     if (kind < 0.4) {
       at_boundary = at_boundary || limits.most("xi", bound, true).has_value();
