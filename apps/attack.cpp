@@ -36,17 +36,6 @@ struct AttackOptions {
 
 constexpr std::uint64_t most_samples = 10000000000;
 
-/// Finished blocks are kept, unlike what other commands had begun.
-class InterruptedCampaign : public Interrupted {
- public:
-  explicit InterruptedCampaign(const std::string& log)
-      : what_("interrupted; the same command goes on from what is finished in " + log) {}
-  [[nodiscard]] const char* what() const noexcept override { return what_.c_str(); }
-
- private:
-  std::string what_;
-};
-
 std::vector<Target> targets_of(const AttackOptions& options) {
   std::vector<Target> result;
   for (const Claim& claim : claims_about_instances(options.claims)) {
@@ -238,7 +227,7 @@ ExitStatus run_attack(const AttackOptions& options) {
     tallies = run_campaign(plan, line.callback());
   } catch (const Interrupted&) {
     if (options.log.empty()) throw;
-    throw InterruptedCampaign(options.log);
+    throw InterruptedWithLog(options.log);
   }
   line.clear();
   return report(plan.targets, tallies, options, line.callback());

@@ -1,5 +1,3 @@
-#include "properties/attack/tighten.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,13 +5,16 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "apps/attack_report.hpp"
 #include "apps/claim_options.hpp"
 #include "apps/commands.hpp"
+#include "apps/interruption.hpp"
 #include "apps/progress_line.hpp"
 #include "kernel/error.hpp"
 #include "proofs/certificate/atomic_file.hpp"
+#include "properties/attack/search_plan.hpp"
 #include "properties/attack/twins.hpp"
 
 namespace delcert {
@@ -24,20 +25,20 @@ struct TightenOptions {
   ClaimOptions claims;
   std::uint64_t evaluations = 4000;
   std::uint64_t seed = 0;
+  unsigned threads = 0;
+  std::string log;
   std::string witnesses;
   bool json = false;
 };
 
-struct Row {
-  std::string claim;
-  std::string conclusion;
-  Shape shape;
-  std::optional<Tightest> found;
-};
+const std::string& conclusion_of(const SearchTarget& target) {
+  return target.claim.conclusions[target.conclusion].name;
+}
 
-void write_witness(const Claim& claim, const Row& row, std::size_t conclusion, const std::string& folder) {
-  const Witness witness = witness_of(claim, conclusion, row.found->bindings);
-  const std::string name = fmt::format("{}.{}.{}-{}.json", claim.name, row.conclusion, row.shape.k, row.shape.m);
+void write_witness(const SearchTarget& target, const Tightest& found, const std::string& folder) {
+  const Witness witness = witness_of(target.claim, target.conclusion, found.bindings);
+  const std::string name =
+      fmt::format("{}.{}.{}-{}.json", target.claim.name, conclusion_of(target), target.shape.k, target.shape.m);
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   if (failure) throw InputError("--witnesses " + folder + ": " + failure.message());
@@ -50,52 +51,70 @@ std::string note_of(const Tightest& found) {
   return is_proved(found.verdict) ? "holds" : "undecided";
 }
 
-void print(const std::vector<Row>& rows, bool json) {
-  if (!json) std::cout << "| claim / conclusion | shape | worst ratio found | evaluations | |\n|---|---|--:|--:|---|\n";
+void print_table(const std::vector<SearchTarget>& targets, const std::vector<std::optional<Tightest>>& results) {
+  std::cout << "| claim / conclusion | shape | worst ratio found | evaluations | |\n|---|---|--:|--:|---|\n";
+  for (std::size_t at = 0; at < targets.size(); ++at) {
+    const auto& found = results[at];
+    std::cout << fmt::format("| {} / {} | {} | {} | {} | {} |\n", targets[at].claim.name, conclusion_of(targets[at]),
+                             text_of(targets[at].shape), found ? ratio_text(found->ratio) : "–",
+                             found ? found->evaluations : 0, found ? note_of(*found) : "no instance with a ratio");
+  }
+}
+
+void print_json(const std::vector<SearchTarget>& targets, const std::vector<std::optional<Tightest>>& results) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const Row& row : rows) {
-    if (json) {
-      nlohmann::ordered_json one{
-          {"claim", row.claim}, {"conclusion", row.conclusion}, {"k", row.shape.k}, {"m", row.shape.m}};
-      if (row.found) {
-        one["lower"] = row.found->ratio.lower;
-        one["upper"] = row.found->ratio.upper;
-        one["evaluations"] = row.found->evaluations;
-        one["note"] = note_of(*row.found);
-      }
-      list.push_back(std::move(one));
-    } else {
-      std::cout << fmt::format("| {} / {} | {} | {} | {} | {} |\n", row.claim, row.conclusion, text_of(row.shape),
-                               row.found ? ratio_text(row.found->ratio) : "–", row.found ? row.found->evaluations : 0,
-                               row.found ? note_of(*row.found) : "no instance with a ratio");
+  for (std::size_t at = 0; at < targets.size(); ++at) {
+    nlohmann::ordered_json one{{"claim", targets[at].claim.name},
+                               {"conclusion", conclusion_of(targets[at])},
+                               {"k", targets[at].shape.k},
+                               {"m", targets[at].shape.m}};
+    if (const auto& found = results[at]) {
+      one["lower"] = found->ratio.lower;
+      one["upper"] = found->ratio.upper;
+      one["evaluations"] = found->evaluations;
+      one["note"] = note_of(*found);
+    }
+    list.push_back(std::move(one));
+  }
+  std::cout << list.dump(1) << "\n";
+}
+
+std::vector<SearchTarget> targets_of(const TightenOptions& options) {
+  std::vector<SearchTarget> result;
+  for (const Claim& claim : claims_about_instances(options.claims)) {
+    for (const Shape& shape : shapes_of(options.claims, claim)) {
+      const std::uint64_t cost = std::max<std::uint64_t>(1, instance_class(claim.instance).cost(shape));
+      const std::uint64_t evaluations = std::max<std::uint64_t>(1, options.evaluations / cost);
+      for (std::size_t at = 0; at < claim.conclusions.size(); ++at) result.push_back({claim, at, shape, evaluations});
     }
   }
-  if (json) std::cout << list.dump(1) << "\n";
+  if (result.empty()) throw InputError("no claim is about a class with this --shape");
+  return result;
 }
 
 ExitStatus run_tighten(const TightenOptions& options) {
   constexpr std::uint64_t most = 1000000000000;
   if (options.evaluations == 0 || options.evaluations > most) throw InputError("--evaluations wants 1 to 10^12");
-  std::vector<Row> rows;
-  bool refuted = false;
-  {
+  SearchPlan plan;
+  plan.targets = targets_of(options);
+  plan.seed = options.seed;
+  plan.threads = options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
+  plan.log = options.log;
+  std::vector<std::optional<Tightest>> results;
+  try {
     ProgressLine line;
-    for (const Claim& claim : claims_about_instances(options.claims)) {
-      for (const Shape& shape : shapes_of(options.claims, claim)) {
-        const std::uint64_t cost = std::max<std::uint64_t>(1, instance_class(claim.instance).cost(shape));
-        const std::uint64_t evaluations = std::max<std::uint64_t>(1, options.evaluations / cost);
-        for (std::size_t at = 0; at < claim.conclusions.size(); ++at) {
-          Row row{claim.name, claim.conclusions[at].name, shape,
-                  tighten(claim, at, shape, evaluations, options.seed, line.callback())};
-          refuted = refuted || (row.found && is_refuted(row.found->verdict));
-          if (row.found && !options.witnesses.empty()) write_witness(claim, row, at, options.witnesses);
-          rows.push_back(std::move(row));
-        }
-      }
-    }
+    results = run_searches(plan, line.callback());
+  } catch (const Interrupted&) {
+    if (options.log.empty()) throw;
+    throw InterruptedWithLog(options.log);
   }
-  if (rows.empty()) throw InputError("no claim is about a class with this --shape");
-  print(rows, options.json);
+  bool refuted = false;
+  for (std::size_t at = 0; at < results.size(); ++at) {
+    if (!results[at]) continue;
+    refuted = refuted || is_refuted(results[at]->verdict);
+    if (!options.witnesses.empty()) write_witness(plan.targets[at], *results[at], options.witnesses);
+  }
+  options.json ? print_json(plan.targets, results) : print_table(plan.targets, results);
   return refuted ? ExitStatus::rejected : ExitStatus::verified;
 }
 
@@ -109,6 +128,9 @@ void add_tighten(CLI::App& program, Action& chosen) {
   command->add_option("--evaluations", options->evaluations,
                       "Instances to try for each conclusion and shape (default 4000; less where one is costly)");
   command->add_option("--seed", options->seed, "Seed of the search (default 0)");
+  command->add_option("--threads", options->threads, "Threads (default: all; the result does not depend on it)");
+  command->add_option("--log", options->log,
+                      "JSON lines, one for each finished search; the same command goes on from there");
   command->add_option("--witnesses", options->witnesses, "Folder for witness files of the worst instances");
   command->add_flag("--json", options->json, "Print JSON");
   command->footer(
@@ -116,7 +138,7 @@ void add_tighten(CLI::App& program, Action& chosen) {
       "conclusion is refuted (exit status 1).\n\n"
       "Examples:\n"
       "  delcert tighten thickness-and-singular-value --shape 2,2\n"
-      "  delcert tighten --all --evaluations 20000 --witnesses worst");
+      "  delcert tighten --all --evaluations 20000 --log search.jsonl --witnesses worst");
   command->callback([options, &chosen] { chosen = [options] { return run_tighten(*options); }; });
 }
 

@@ -1,19 +1,13 @@
 #include "properties/attack/campaign.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <condition_variable>
-#include <delcert_version.hpp>
-#include <exception>
 #include <map>
 #include <mutex>
-#include <system_error>
-#include <thread>
 
 #include "kernel/error.hpp"
-#include "kernel/number/exact_text.hpp"
 #include "properties/attack/campaign_log.hpp"
+#include "properties/attack/identity.hpp"
+#include "properties/attack/job_pool.hpp"
 
 namespace delcert {
 
@@ -22,37 +16,15 @@ namespace {
 using Block = CampaignLog::Block;
 
 constexpr std::uint64_t most_blocks = 20000;
-constexpr std::size_t most_threads = 256;
-
-/// FNV-1a in 64 bits.
-std::uint64_t digest_of(const std::string& text) {
-  std::uint64_t hash = 14695981039346656037U;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
-  return hash;
-}
-
-std::string contents_of(const Target& target) {
-  std::string result = target.claim.name + "\n" + target.claim.instance + "\n" + std::to_string(target.shape.k) + " " +
-                       std::to_string(target.shape.m) + " " + std::to_string(target.samples) + "\n";
-  for (const auto& [name, range] : target.claim.parameters) {
-    result += name + (range.has_lower ? " [" : " (") + exact_text(range.lower) + ", " + exact_text(range.upper) +
-              (range.has_upper ? "]\n" : ")\n");
-  }
-  for (const Hypothesis& hypothesis : target.claim.hypotheses) result += "given " + hypothesis.text + "\n";
-  for (const Conclusion& conclusion : target.claim.conclusions) {
-    result += "show " + conclusion.name + " " + conclusion.text + "\n";
-  }
-  return result;
-}
 
 /// Everything on which the result depends.
-std::string identity_of(const CampaignPlan& plan) {
+std::string plan_identity(const CampaignPlan& plan) {
   std::string contents;
   for (const Target& target : plan.targets) {
-    contents += contents_of(target) + std::to_string(block_size(plan, target)) + "\n";
+    contents += contents_of(target.claim, target.shape) + std::to_string(target.samples) + " " +
+                std::to_string(block_size(plan, target)) + "\n";
   }
-  return std::string("delcert ") + version + ", seed " + std::to_string(plan.seed) + ", " +
-         std::to_string(plan.targets.size()) + " targets, digest " + std::to_string(digest_of(contents));
+  return identity_of(contents, plan.seed);
 }
 
 std::string name_of(const Target& target) {
@@ -65,91 +37,14 @@ std::uint64_t count_of(const CampaignPlan& plan, const Block& block) {
   return std::min(block_size(plan, target), target.samples - block.second);
 }
 
-class Workers {
- public:
-  /// Precondition: all three outlive it.
-  Workers(const CampaignPlan& plan, const std::vector<Block>& blocks, CampaignLog& log)
-      : plan_(plan), blocks_(blocks), log_(log) {
-    const std::size_t wanted = std::clamp<std::size_t>(plan.threads, 1, most_threads);
-    for (std::size_t thread = 0; thread < std::min(wanted, blocks_.size()); ++thread) {
-      try {
-        threads_.emplace_back([this] { work(); });
-      } catch (const std::system_error&) {
-        // The system has no more: fewer do the same.
-        if (threads_.empty()) throw;
-        break;
-      }
-    }
+Tally attack(const CampaignPlan& plan, const Block& block) {
+  const Target& target = plan.targets[block.first];
+  try {
+    return attack_block(target.claim, target.shape, plan.seed, block.second, count_of(plan, block));
+  } catch (const InputError& error) {
+    throw InputError(name_of(target) + ": " + error.what());
   }
-  Workers(const Workers&) = delete;
-  Workers& operator=(const Workers&) = delete;
-  ~Workers() { stop(); }
-
-  /// Waits until all is done, reporting how many samples are; rethrows what a worker threw.
-  std::map<Block, Tally> wait(const std::function<void(std::uint64_t)>& report) {
-    std::unique_lock lock(mutex_);
-    while (finished_.size() < blocks_.size() && failures_.empty()) {
-      changed_.wait_for(lock, std::chrono::milliseconds(100));
-      const std::uint64_t done = samples_done_;
-      lock.unlock();
-      report(done);
-      lock.lock();
-    }
-    if (failures_.empty()) return std::move(finished_);
-    lock.unlock();
-    // Blocks are begun in order: once all threads have ended, the first failure does not depend on their number.
-    stop();
-    std::rethrow_exception(failures_.begin()->second);
-  }
-
- private:
-  void stop() {
-    stop_ = true;
-    for (std::thread& thread : threads_) {
-      if (thread.joinable()) thread.join();
-    }
-  }
-
-  void work() {
-    while (!stop_) {
-      const std::size_t at = next_++;
-      if (at >= blocks_.size()) return;
-      try {
-        Tally tally = attack(blocks_[at]);
-        const std::scoped_lock lock(mutex_);
-        log_.append(blocks_[at], tally);
-        samples_done_ += tally.samples;
-        finished_[blocks_[at]] = std::move(tally);
-      } catch (...) {
-        const std::scoped_lock lock(mutex_);
-        failures_[at] = std::current_exception();
-        stop_ = true;
-      }
-      changed_.notify_one();
-    }
-  }
-
-  [[nodiscard]] Tally attack(const Block& block) const {
-    const Target& target = plan_.targets[block.first];
-    try {
-      return attack_block(target.claim, target.shape, plan_.seed, block.second, count_of(plan_, block));
-    } catch (const InputError& error) {
-      throw InputError(name_of(target) + ": " + error.what());
-    }
-  }
-
-  const CampaignPlan& plan_;
-  const std::vector<Block>& blocks_;
-  CampaignLog& log_;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::map<Block, Tally> finished_;
-  std::uint64_t samples_done_ = 0;
-  std::map<std::size_t, std::exception_ptr> failures_;
-  std::atomic<std::size_t> next_ = 0;
-  std::atomic<bool> stop_ = false;
-  std::vector<std::thread> threads_;
-};
+}
 
 /// A log has the right first line and yet something else in it only if somebody has edited it.
 void require_of_plan(const CampaignPlan& plan, const Block& block, const Tally& tally) {
@@ -171,7 +66,7 @@ std::uint64_t block_size(const CampaignPlan& plan, const Target& target) {
 }
 
 std::vector<Tally> run_campaign(const CampaignPlan& plan, const Progress& progress) {
-  CampaignLog log(plan.log, identity_of(plan));
+  CampaignLog log(plan.log, plan_identity(plan));
   for (const auto& [block, tally] : log.finished()) require_of_plan(plan, block, tally);
   std::vector<Block> missing;
   std::uint64_t total = 0;
@@ -190,10 +85,17 @@ std::vector<Tally> run_campaign(const CampaignPlan& plan, const Progress& progre
   std::map<Block, Tally> blocks = log.finished();
   // The claims' functions live in it: made before the threads ask for it.
   (void)full_vocabulary();
-  {
-    Workers workers(plan, missing, log);
-    blocks.merge(workers.wait([&](std::uint64_t done) { progress("attack", done_before + done, total); }));
-  }
+  std::mutex mutex;
+  std::atomic<std::uint64_t> done = done_before;
+  const Job job = [&](std::size_t number, const std::atomic<bool>&) {
+    const Block& block = missing[number];
+    Tally tally = attack(plan, block);
+    const std::scoped_lock lock(mutex);
+    log.append(block, tally);
+    done += tally.samples;
+    blocks[block] = std::move(tally);
+  };
+  run_jobs(missing.size(), plan.threads, job, [&] { progress("attack", done, total); });
   std::vector<Tally> result(plan.targets.size());
   for (std::size_t target = 0; target < plan.targets.size(); ++target) {
     result[target].conclusions.resize(plan.targets[target].claim.conclusions.size());

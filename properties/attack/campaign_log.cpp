@@ -1,71 +1,17 @@
 #include "properties/attack/campaign_log.hpp"
 
 #include <nlohmann/json.hpp>
-#include <sstream>
-
-#include "kernel/error.hpp"
 
 namespace delcert {
 
-namespace {
-
-using Json = nlohmann::ordered_json;
-
-std::string first_line(const std::string& identity) { return Json{{"delcert_campaign", identity}}.dump(); }
-
-}  // namespace
-
-CampaignLog::CampaignLog(const std::filesystem::path& path, const std::string& identity) {
-  if (path.empty()) return;
-  std::error_code unknown;
-  if (std::filesystem::is_directory(path, unknown)) throw InputError(path.string() + ": a folder, not a log");
-  const bool is_new = !std::filesystem::exists(path, unknown) || read(path, identity) == 0;
-  out_.open(path, std::ios::binary | std::ios::app);
-  if (is_new) out_ << first_line(identity) << std::endl;
-  if (!out_) throw InputError(path.string() + ": the log of the campaign cannot be written");
-}
-
-std::size_t CampaignLog::read(const std::filesystem::path& path, const std::string& identity) {
-  std::ifstream stream(path, std::ios::binary);
-  std::stringstream buffer;
-  buffer << stream.rdbuf();
-  if (!stream) throw InputError(path.string() + ": cannot be read");
-  const std::string text = buffer.str();
-  std::size_t whole = 0;  // the end of the last whole line
-  std::size_t number = 0;
-  for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', whole)) {
-    const std::string line = text.substr(whole, end - whole);
-    whole = end + 1;
-    const std::string where = path.string() + ":" + std::to_string(++number) + ": ";
-    try {
-      const Json json = Json::parse(line);
-      if (number == 1) {
-        if (json.at("delcert_campaign") != identity) {
-          throw InputError("the log of another campaign: other claims, samples, seed or version");
-        }
-        continue;
-      }
-      finished_[{json.at("target").get<std::size_t>(), json.at("first").get<std::uint64_t>()}] =
-          tally_from(json.at("tally"));
-    } catch (const nlohmann::json::exception& error) {
-      throw InputError(where + "not a line of a campaign's log: " + error.what());
-    } catch (const InputError& error) {
-      throw InputError(where + error.what());
-    }
-  }
-  // What a crash cut off; but nothing is cut off from a file that was no log.
-  const std::string rest = text.substr(whole);
-  if (number == 0 && !first_line(identity).starts_with(rest)) {
-    throw InputError(path.string() + ":1: not the first line of this campaign's log");
-  }
-  if (!rest.empty()) std::filesystem::resize_file(path, whole);
-  return whole;
-}
+CampaignLog::CampaignLog(const std::filesystem::path& path, const std::string& identity)
+    : log_(path, "campaign", identity, [this](const nlohmann::ordered_json& line) {
+        finished_[{line.at("target").get<std::size_t>(), line.at("first").get<std::uint64_t>()}] =
+            tally_from(line.at("tally"));
+      }) {}
 
 void CampaignLog::append(const Block& block, const Tally& tally) {
-  if (!out_.is_open()) return;
-  out_ << Json{{"target", block.first}, {"first", block.second}, {"tally", tally_json(tally)}}.dump() << std::endl;
-  if (!out_) throw std::runtime_error("the log of the campaign cannot be written");
+  log_.append({{"target", block.first}, {"first", block.second}, {"tally", tally_json(tally)}});
 }
 
 }  // namespace delcert

@@ -151,15 +151,8 @@ class Search {
 
 }  // namespace
 
-std::optional<Tightest> tighten(const Claim& claim, std::size_t conclusion, const Shape& shape,
-                                std::uint64_t evaluations, std::uint64_t seed, const Progress& progress) {
-  constexpr std::size_t starts = 6;
-  Search search(claim, conclusion, shape, evaluations, progress);
-  search.random_start(std::max<std::uint64_t>(1, evaluations / 4), seed);
-  search.climb(starts);
-  const auto instance = search.best();
-  if (!instance) return std::nullopt;
-  Scene scene(instance->bindings);
+std::optional<Tightest> judged(const Claim& claim, std::size_t conclusion, const Bindings& bindings) {
+  Scene scene(bindings);
   const Expression& statement = *claim.conclusions.at(conclusion).formula;
   const auto ratio = ratio_bounds(statement, scene, true);
   if (!ratio) return std::nullopt;
@@ -168,8 +161,19 @@ std::optional<Tightest> tighten(const Claim& claim, std::size_t conclusion, cons
   result.verdict = decide_statement(statement, scene);
   result.is_equality = is_proved(result.verdict) && ratio->upper >= 1 &&
                        is_refuted(decide_statement(*made_strict(claim.conclusions[conclusion].formula), scene));
-  result.bindings = instance->bindings;
-  result.evaluations = search.used();
+  result.bindings = bindings;
+  return result;
+}
+
+std::optional<Tightest> tighten(const Claim& claim, std::size_t conclusion, const Shape& shape,
+                                std::uint64_t evaluations, std::uint64_t seed, const Progress& progress) {
+  constexpr std::size_t starts = 6;
+  Search search(claim, conclusion, shape, evaluations, progress);
+  search.random_start(std::max<std::uint64_t>(1, evaluations / 4), seed);
+  search.climb(starts);
+  const auto instance = search.best();
+  auto result = instance ? judged(claim, conclusion, instance->bindings) : std::nullopt;
+  if (result) result->evaluations = search.used();
   return result;
 }
 

@@ -17,6 +17,9 @@ struct Tightest {
   std::uint64_t evaluations = 0;
 };
 
+/// What a conclusion says of one instance; `evaluations` is 0. Nothing if the ratio is not defined.
+[[nodiscard]] std::optional<Tightest> judged(const Claim& claim, std::size_t conclusion, const Bindings& bindings);
+
 /// Searches for the instance of this shape with the largest ratio of one conclusion among those on which the hypotheses
 /// hold: random choices first, then a local search without derivatives (Subplex) from the best of them, several times.
 /// Heuristics choose what to try; the ratio of what is returned is certified. The same for the same seed.

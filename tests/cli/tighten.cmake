@@ -15,6 +15,10 @@ delcert_cli_test(tighten-json STATUS 0 ERROR "^$" OUTPUT "\"note\": \"equality, 
 delcert_cli_test(tighten-same-seed STATUS 0 ERROR "^$" OUTPUT "^$"
   COMMAND sh -c "\"$1\" tighten \"$2\" --evaluations 100 --seed 5 --shape 2,3 > tighten-1.txt && \"$1\" tighten \"$2\" --evaluations 100 --seed 5 --shape 2,3 > tighten-2.txt && cmp tighten-1.txt tighten-2.txt"
   sh ${delcert} ${claims}/circumradius-by-thickness.toml)
+# From half of a log the rest is found, from that of another seed nothing.
+delcert_cli_test(tighten-log STATUS 3 OUTPUT "^$" ERROR "half.jsonl:1: the log of another search"
+  COMMAND sh -c "\"$1\" tighten \"$2\" --evaluations 50 --seed 5 --log whole.jsonl > tighten-3.txt && head -n 4 whole.jsonl > half.jsonl && \"$1\" tighten \"$2\" --evaluations 50 --seed 5 --log half.jsonl --threads 3 > tighten-4.txt && cmp tighten-3.txt tighten-4.txt  || exit 1; \"$1\" tighten \"$2\" --evaluations 50 --seed 6 --log half.jsonl"
+  sh ${delcert} ${claims}/circumradius-by-thickness.toml)
 delcert_cli_test(tighten-nothing STATUS 3 OUTPUT "^$" ERROR "no claim: name some" COMMAND ${delcert} tighten)
 delcert_cli_test(tighten-no-evaluations STATUS 3 OUTPUT "^$" ERROR "--evaluations wants 1 to"
   COMMAND ${delcert} tighten ${claims}/circumradius-from-below.toml --evaluations 0)
