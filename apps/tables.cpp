@@ -14,20 +14,24 @@ namespace {
 
 struct TablesOptions {
   std::string slack;
+  std::string ratios;
   bool latex = false;
 };
 
-StepSlacks slacks_of(const TablesOptions& options) {
-  if (options.slack.empty()) return {};
-  std::ifstream stream(options.slack, std::ios::binary);
-  const std::string text((std::istreambuf_iterator<char>(stream)), {});
-  if (!stream) throw InputError(options.slack + ": cannot be read");
-  return parse_step_slacks(text, options.slack);
+std::string content_of(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string text((std::istreambuf_iterator<char>(stream)), {});
+  if (!stream) throw InputError(file + ": cannot be read");
+  return text;
 }
 
 ExitStatus print_table(const TablesOptions& options) {
   const ConstantRows& rows = builtin_constant_rows();
-  const auto entries = constant_entries(rows, builtin_files(), slacks_of(options));
+  const auto slacks =
+      options.slack.empty() ? StepSlacks() : parse_step_slacks(content_of(options.slack), options.slack);
+  const auto ratios =
+      options.ratios.empty() ? WorstRatios() : parse_worst_ratios(content_of(options.ratios), options.ratios);
+  const auto entries = constant_entries(rows, builtin_files(), slacks, ratios);
   std::cout << (options.latex ? constant_table_latex(entries) : constant_table_markdown(entries, rows.without));
   return ExitStatus::verified;
 }
@@ -39,12 +43,14 @@ void add_tables(CLI::App& program, Action& chosen) {
   CLI::App* command = program.add_subcommand(
       "tables", "Print the constants of the lemmas: the paper's, provable by the same proof, shown necessary");
   command->add_option("--slack", options->slack, "What delcert prove --all --slack --json has printed (default: none)");
+  command->add_option("--ratios", options->ratios, "What delcert tighten --all --json has printed (default: none)");
   command->add_flag("--latex", options->latex, "Print a LaTeX table (default: Markdown)");
   command->footer(
       "Examples:\n"
       "  delcert prove --all --slack --json > docs/tables/slack.json\n"
-      "  delcert tables --slack docs/tables/slack.json > docs/tables/constants.md\n"
-      "  delcert tables --slack docs/tables/slack.json --latex > docs/tables/constants.tex");
+      "  delcert tighten --all --json > docs/tables/tightness.json\n"
+      "  delcert tables --slack docs/tables/slack.json --ratios docs/tables/tightness.json > docs/tables/constants.md\n"
+      "  delcert tables --slack docs/tables/slack.json --latex > constants.tex");
   command->callback([options, &chosen] { chosen = [options] { return print_table(*options); }; });
 }
 

@@ -64,7 +64,8 @@ std::optional<Rational> provable_by(const ConstantRow& row, const std::vector<Cl
   return result;
 }
 
-ConstantEntry entry_of(const ConstantRow& row, const std::vector<Claim>& claims, const StepSlacks& slacks) {
+ConstantEntry entry_of(const ConstantRow& row, const std::vector<Claim>& claims, const StepSlacks& slacks,
+                       const WorstRatios& ratios) {
   ConstantEntry entry;
   entry.row = row;
   std::optional<Rational> stated;
@@ -89,6 +90,9 @@ ConstantEntry entry_of(const ConstantRow& row, const std::vector<Claim>& claims,
   }
   entry.paper = row.paper.value_or(*stated);
   entry.provable = provable_by(row, claims, slacks);
+  if (const auto found = ratios.find(row.claim + "/" + row.conclusion); found != ratios.end()) {
+    entry.worst = found->second;
+  }
   return entry;
 }
 
@@ -110,6 +114,11 @@ std::string refuted_text(const ConstantEntry& entry, const char* greater, const 
   if (!entry.refuted) return "";
   const bool smaller = entry.row.direction == Direction::smaller;
   return (smaller ? greater : less) + number_text(*entry.refuted, !smaller);
+}
+
+std::string worst_text(const ConstantEntry& entry) {
+  if (!entry.worst) return "";
+  return entry.worst->is_equality ? "1" : decimal_lower(entry.worst->lower, digits);
 }
 
 /// In a cell of a table, where a bar would end it.
@@ -145,9 +154,9 @@ StepSlacks parse_step_slacks(const std::string& json, const std::string& file) {
 }
 
 std::vector<ConstantEntry> constant_entries(const ConstantRows& rows, const std::vector<Claim>& claims,
-                                            const StepSlacks& slacks) {
+                                            const StepSlacks& slacks, const WorstRatios& ratios) {
   std::vector<ConstantEntry> entries;
-  for (const ConstantRow& row : rows.rows) entries.push_back(entry_of(row, claims, slacks));
+  for (const ConstantRow& row : rows.rows) entries.push_back(entry_of(row, claims, slacks, ratios));
   return entries;
 }
 
@@ -158,17 +167,19 @@ std::string constant_table_markdown(const std::vector<ConstantEntry>& entries,
 For each constant of a lemma, c in the statement: what the paper has; the best value for which the same proof goes through,
 as `delcert prove --slack` finds it, to 1/1000 (a dash where the constant stands in no step, or in one that is not proved);
 and a value with which the statement is false, as an exact witness in `proofs/claims/witnesses` shows. The best constant
-lies between the last two columns. Where equality occurs, the last column is a value next to the paper's. This page is what
-`delcert tables --slack docs/tables/slack.json` prints; a test compares them.
+lies between these two. Where equality occurs, the latter is a value next to the paper's. The worst ratio is what
+[searches](tightness.md) found for the statement with the constant of its claim: the smaller side to the larger one, 1 where
+equality occurs, rounded downwards. This page is what
+`delcert tables --slack docs/tables/slack.json --ratios docs/tables/tightness.json` prints; a test compares them.
 
-| lemma | statement | paper | provable by the same proof | shown necessary by a witness | witness |
-|---|---|--:|--:|--:|---|
+| lemma | statement | paper | provable by the same proof | shown necessary by a witness | worst ratio found | witness |
+|---|---|--:|--:|--:|--:|---|
 )";
   std::string notes;
   for (const ConstantEntry& entry : entries) {
-    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", entry.row.label, in_cell(entry.row.statement),
+    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", entry.row.label, in_cell(entry.row.statement),
                         paper_text(entry), or_dash(provable_text(entry)), or_dash(refuted_text(entry, "> ", "< ")),
-                        or_dash(entry.witness));
+                        or_dash(worst_text(entry)), or_dash(entry.witness));
     if (!entry.row.note.empty())
       notes += fmt::format("* {}, {}: {}\n", entry.row.label, entry.row.statement, entry.row.note);
   }
@@ -181,10 +192,11 @@ lies between the last two columns. Where equality occurs, the last column is a v
 std::string constant_table_latex(const std::vector<ConstantEntry>& entries) {
   const auto math = [](const std::string& number) { return number.empty() ? "--" : "$" + number + "$"; };
   std::string text =
-      "\\begin{tabular}{llrrr}\n\\toprule\nlemma & statement & paper & provable & necessary \\\\\n\\midrule\n";
+      "\\begin{tabular}{llrrrr}\n\\toprule\nlemma & statement & paper & provable & necessary & ratio \\\\\n\\midrule\n";
   for (const ConstantEntry& entry : entries)
-    text += fmt::format("{} & ${}$ & {} & {} & {} \\\\\n", entry.row.label, entry.row.latex, math(paper_text(entry)),
-                        math(provable_text(entry)), math(refuted_text(entry, "> ", "< ")));
+    text +=
+        fmt::format("{} & ${}$ & {} & {} & {} & {} \\\\\n", entry.row.label, entry.row.latex, math(paper_text(entry)),
+                    math(provable_text(entry)), math(refuted_text(entry, "> ", "< ")), math(worst_text(entry)));
   return text + "\\bottomrule\n\\end{tabular}\n";
 }
 

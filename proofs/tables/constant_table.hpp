@@ -7,6 +7,7 @@
 
 #include "proofs/formula/claim.hpp"
 #include "proofs/tables/constant_rows.hpp"
+#include "proofs/tables/worst_ratios.hpp"
 
 namespace delcert {
 
@@ -30,18 +31,20 @@ struct ConstantEntry {
   /// A constant with which the statement is refuted by the witness; empty if there is none.
   std::optional<Rational> refuted;
   std::string witness;  ///< a file of proofs/claims/witnesses, empty unless `refuted`
+  /// What a search found for the statement as its claim has it; empty if it says nothing of it.
+  std::optional<WorstRatio> worst;
 };
 
-/// The lines, from the claims, their twins and the slack of their steps. Throws InputError, naming the row, for a
-/// claim, conclusion or step that there is not, a pattern that does not fit, and, unless the row says what the
-/// paper has, a step that states another constant.
+/// The lines, from the claims, their twins, the slack of their steps and what searches found. Throws InputError, naming
+/// the row, for a claim, conclusion or step that there is not, a pattern that does not fit, and, unless the row says
+/// what the paper has, a step that states another constant.
 [[nodiscard]] std::vector<ConstantEntry> constant_entries(const ConstantRows& rows, const std::vector<Claim>& claims,
-                                                          const StepSlacks& slacks);
+                                                          const StepSlacks& slacks, const WorstRatios& ratios = {});
 
 /// The page docs/tables/constants.md.
 [[nodiscard]] std::string constant_table_markdown(const std::vector<ConstantEntry>& entries,
                                                   const std::vector<LemmaWithoutConstant>& without);
-/// The same three columns as a tabular of LaTeX's booktabs.
+/// The same columns as a tabular of LaTeX's booktabs.
 [[nodiscard]] std::string constant_table_latex(const std::vector<ConstantEntry>& entries);
 
 }  // namespace delcert

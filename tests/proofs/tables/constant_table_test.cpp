@@ -128,11 +128,21 @@ TEST(ConstantTable, is_printed_with_safe_roundings) {
   const std::string text = constant_table_markdown(
       {entry(row(), slacks(Rational(10) / Rational(300007), Rational(100003) / Rational(30000)))},
       {{"lem:y", "no constant"}});
-  EXPECT_TRUE(mentions(text, "| lem:x | \\|a\\| ≤ c·b | 4 | 3.3335 | > 33/10 | lemma.bound-twin.json |\n")) << text;
+  EXPECT_TRUE(mentions(text, "| lem:x | \\|a\\| ≤ c·b | 4 | 3.3335 | > 33/10 | – | lemma.bound-twin.json |\n")) << text;
   EXPECT_TRUE(mentions(text, "| lem:y | no constant |\n"));
   EXPECT_TRUE(mentions(constant_table_markdown({entry(row())}, {}), "| 4 | – | > 33/10 |"));
   const std::string latex = constant_table_latex({entry(row())});
-  EXPECT_TRUE(mentions(latex, "lem:x & $a \\le c\\,b$ & $4$ & -- & $> 33/10$ \\\\\n")) << latex;
+  EXPECT_TRUE(mentions(latex, "lem:x & $a \\le c\\,b$ & $4$ & -- & $> 33/10$ & -- \\\\\n")) << latex;
+}
+
+TEST(ConstantTable, has_the_worst_ratio_of_its_conclusion_rounded_downwards) {
+  const auto with = [](const WorstRatio& ratio) {
+    return constant_table_markdown({constant_entries({{row()}, {}}, {claim()}, {}, {{"lemma/bound", ratio}}).at(0)},
+                                   {});
+  };
+  EXPECT_TRUE(mentions(with({fraction(2, 3), false}), "| > 33/10 | 0.66666 | lemma.bound"));
+  EXPECT_TRUE(mentions(with({fraction(999999, 1000000), true}), "| > 33/10 | 1 | lemma.bound"));
+  EXPECT_FALSE(constant_entries({{row()}, {}}, {claim()}, {}, {{"lemma/other", {Rational(1), true}}}).at(0).worst);
 }
 
 TEST(ConstantTable, reads_what_the_prover_prints) {

@@ -1,0 +1,40 @@
+#include "proofs/tables/worst_ratios.hpp"
+
+#include <gtest/gtest.h>
+
+#include "kernel/error.hpp"
+
+namespace delcert {
+namespace {
+
+TEST(WorstRatios, are_the_greatest_over_all_shapes) {
+  const WorstRatios ratios = parse_worst_ratios(
+      R"([{"claim": "a", "conclusion": "b", "k": 1, "m": 1, "lower": 0.5, "upper": 0.5, "evaluations": 3, "note": "holds"},
+          {"claim": "a", "conclusion": "b", "k": 1, "m": 2, "lower": 0.75, "upper": 1, "evaluations": 3, "note": "holds"},
+          {"claim": "a", "conclusion": "b", "k": 2, "m": 2, "lower": 0.25, "upper": 0.5, "evaluations": 3, "note": "holds"},
+          {"claim": "a", "conclusion": "c", "k": 1, "m": 1, "lower": 1, "upper": 1, "evaluations": 3, "note": "equality, exactly"},
+          {"claim": "a", "conclusion": "c", "k": 1, "m": 2, "lower": 0.5, "upper": 0.5, "evaluations": 3, "note": "holds"},
+          {"claim": "a", "conclusion": "d", "k": 1, "m": 1}])",
+      "x.json");
+  ASSERT_EQ(ratios.size(), 2U);
+  EXPECT_EQ(ratios.at("a/b").lower, Rational(3) / Rational(4));
+  EXPECT_FALSE(ratios.at("a/b").is_equality);
+  EXPECT_EQ(ratios.at("a/c").lower, Rational(1));
+  EXPECT_TRUE(ratios.at("a/c").is_equality);
+}
+
+TEST(WorstRatios, other_json_is_refused_with_the_name_of_the_file) {
+  for (const char* text : {"", "{", "{}", "[3]", "[{}]", R"([{"claim": "a", "conclusion": "b", "lower": "x"}])",
+                           R"([{"claim": "a", "conclusion": "b", "lower": 0.5}])",
+                           R"([{"claim": "a", "conclusion": "b", "lower": 1e999, "note": "holds"}])"}) {
+    try {
+      (void)parse_worst_ratios(text, "x.json");
+      FAIL() << text;
+    } catch (const InputError& error) {
+      EXPECT_TRUE(std::string(error.what()).starts_with("x.json: ")) << error.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace delcert
