@@ -53,9 +53,10 @@ std::vector<Bindings> generic_instances(const Claim& claim, const Shape& shape) 
 }
 
 void finish(benchmark::State& state) {
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(instance_count));
-  state.counters["each"] = benchmark::Counter(static_cast<double>(state.iterations() * instance_count),
-                                              benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  const std::int64_t decisions = state.iterations() * static_cast<std::int64_t>(instance_count);
+  state.SetItemsProcessed(decisions);
+  state.counters["each"] =
+      benchmark::Counter(static_cast<double>(decisions), benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
 void by_ladder(benchmark::State& state, const Claim& claim, const std::vector<Bindings>& instances) {

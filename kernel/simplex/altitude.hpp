@@ -15,13 +15,20 @@ namespace delcert {
 template <Scalar S>
 [[nodiscard]] Partial<S> squared_altitude(const EdgeGram<S>& simplex, std::size_t p) {
   if (simplex.dimension() == 0) throw std::invalid_argument("a vertex has no altitude");
-  const EdgeGram<S> facet = simplex.opposite_facet(p);
   const std::size_t base = p == 0 ? 1 : 0;
-  std::vector<S> shadow;  // ⟨p_i − p_base, p − p_base⟩ over the other vertices i of the facet
+  // Of the facet, from p_base: the Gram matrix, and ⟨p_i − p_base, p − p_base⟩.
+  SymmetricMatrix<S> gram(simplex.dimension() - 1);
+  std::vector<S> shadow;
+  shadow.reserve(gram.order());
   for (std::size_t i = 0; i < simplex.vertex_count(); ++i) {
-    if (i != p && i != base) shadow.push_back(simplex.product(base, i, p));
+    if (i == p || i == base) continue;
+    std::size_t column = 0;
+    for (std::size_t j = 0; j <= i; ++j) {
+      if (j != p && j != base) gram(shadow.size(), column++) = simplex.product(base, i, j);
+    }
+    shadow.push_back(simplex.product(base, i, p));
   }
-  const auto projection = GramElimination<S>(facet.gram()).energy(std::move(shadow));
+  const auto projection = GramElimination<S>(std::move(gram)).energy(std::move(shadow));
   if (!projection) return Partial<S>::absent(projection.exists());
   return S(simplex.squared_edge(p, base) - *projection);
 }

@@ -61,6 +61,7 @@ class EdgeGram {
   /// The facet without vertex p, the other vertices in their order. Precondition: dimension() ≥ 1.
   [[nodiscard]] EdgeGram opposite_facet(std::size_t p) const {
     std::vector<std::size_t> vertices;
+    vertices.reserve(vertex_count() - 1);
     for (std::size_t i = 0; i < vertex_count(); ++i) {
       if (i != p) vertices.push_back(i);
     }

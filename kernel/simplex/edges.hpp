@@ -20,7 +20,9 @@ template <Scalar S>
 template <Scalar S>
 [[nodiscard]] S squared_longest_edge(const EdgeGram<S>& simplex) {
   S result(0);
-  for (const S& edge : squared_edges(simplex)) result = maximum(result, edge);
+  for (std::size_t i = 1; i < simplex.vertex_count(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) result = maximum(result, simplex.squared_edge(i, j));
+  }
   return result;
 }
 

@@ -20,6 +20,8 @@ template <Scalar S>
 class GramElimination {
  public:
   explicit GramElimination(SymmetricMatrix<S> matrix) : reduced_(std::move(matrix)) {
+    pivots_.reserve(reduced_.order());
+    rest_.reserve(reduced_.order());
     for (std::size_t i = 0; i < reduced_.order(); ++i) rest_.push_back(i);
     while (!rest_.empty() && eliminate_best_pivot()) {
     }
@@ -112,6 +114,7 @@ class GramElimination {
     rest_.erase(rest_.begin() + static_cast<std::ptrdiff_t>(best));
     pivots_.push_back(pivot);
     std::vector<S> column;
+    column.reserve(rest_.size());
     for (const std::size_t i : rest_) {
       column.push_back(reduced_(i, pivot));
       reduced_(i, pivot) = reduced_(i, pivot) / reduced_(pivot, pivot);

@@ -24,6 +24,7 @@ template <Scalar S>
 [[nodiscard]] Partial<Inertia> inertia(SymmetricMatrix<S> matrix) {
   Inertia result;
   std::vector<std::size_t> rest;
+  rest.reserve(matrix.order());
   for (std::size_t i = 0; i < matrix.order(); ++i) rest.push_back(i);
   const auto certainly_not_zero = [](const S& x) { return is_refuted(is_zero(x)); };
 

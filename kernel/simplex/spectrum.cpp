@@ -1,7 +1,5 @@
 #include "kernel/simplex/spectrum.hpp"
 
-#include <arb.h>
-#include <arb_fmpz_poly.h>
 #include <flint/fmpq_mat.h>
 #include <flint/fmpz_poly_factor.h>
 
@@ -24,13 +22,26 @@ constexpr int largest_quick_order = 8;
 using Approximation =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, largest_quick_order, largest_quick_order>;
 
-/// Without error bounds; nothing if Eigen's iteration does not end. Never inlined, so that no operation of it is moved
-/// out of the rounding mode that it expects, and none of ours into it.
-[[gnu::noinline]] std::optional<Approximation> approximate_eigenvalues(const Approximation& matrix) {
+/// Never inlined, so that no operation of it is moved out of the rounding mode that it expects, and none of ours into
+/// it.
+template <class Matrix>
+[[gnu::noinline]] std::optional<Approximation> solved(const Approximation& matrix) {
   const NearestRounding nearest_rounding;
-  const Eigen::SelfAdjointEigenSolver<Approximation> solver(matrix, Eigen::EigenvaluesOnly);
+  const Eigen::SelfAdjointEigenSolver<Matrix> solver(Matrix(matrix), Eigen::EigenvaluesOnly);
   if (solver.info() != Eigen::Success) return std::nullopt;
   return Approximation(solver.eigenvalues());
+}
+
+/// Without error bounds; nothing if Eigen's iteration does not end. The most usual orders are known to the compiler.
+std::optional<Approximation> approximate_eigenvalues(const Approximation& matrix) {
+  switch (matrix.rows()) {
+    case 2:
+      return solved<Eigen::Matrix2d>(matrix);
+    case 3:
+      return solved<Eigen::Matrix3d>(matrix);
+    default:
+      return solved<Approximation>(matrix);
+  }
 }
 
 /// Eigenvalues of one matrix proved on intervals, around approximations in doubles.
@@ -127,26 +138,39 @@ class IntegralPolynomial {
   fmpz_poly_t value_;
 };
 
-/// The matrix with entries rounded to the working precision of the largest; `margin` is how far eigenvalues may move.
-SymmetricMatrix<Rational> rounded_matrix(const SymmetricMatrix<Rational>& matrix, Rational& margin) {
+/// A matrix of integers times a unit near a rational one.
+struct IntegralMatrix {
+  SymmetricMatrix<Rational> entries;  ///< integers
+  long unit_exponent = 0;             ///< the unit is 2 to it
+  Rational margin = Rational(0);      ///< how far eigenvalues are from those of the rational matrix, at most
+  Integer greatest_eigenvalue = 0;    ///< an upper bound of their sizes, in units
+};
+
+/// Precondition: the matrix is not 0.
+IntegralMatrix rounded_to_working_precision(const SymmetricMatrix<Rational>& matrix) {
+  constexpr long spare_bits = 16;
   Rational greatest(0);
   for (std::size_t i = 0; i < matrix.order(); ++i) {
     for (std::size_t j = 0; j <= i; ++j) greatest = maximum(greatest, absolute(matrix(i, j)));
   }
-  SymmetricMatrix<Rational> result = matrix;
-  if (greatest == Rational(0)) return result;
-  constexpr long spare_bits = 16;
-  const long exponent =
+  IntegralMatrix result{matrix};
+  result.unit_exponent =
       binary_exponent(greatest) - static_cast<long>(BigInterval::working_precision().value) - spare_bits;
+  const Rational unit = Rational::power_of_two(result.unit_exponent);
   Rational farthest(0);
+  Rational largest(0);
   for (std::size_t i = 0; i < matrix.order(); ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
-      result(i, j) = rounded_down(matrix(i, j), exponent);
-      farthest = maximum(farthest, matrix(i, j) - result(i, j));
+      const Rational rounded = rounded_down(matrix(i, j), result.unit_exponent);
+      farthest = maximum(farthest, matrix(i, j) - rounded);
+      result.entries(i, j) = rounded / unit;
+      largest = maximum(largest, absolute(result.entries(i, j)));
     }
   }
   // The norm of a matrix is at most its order times its largest entry.
-  margin = farthest * Rational(static_cast<long>(matrix.order()));
+  const Rational order(static_cast<long>(matrix.order()));
+  result.margin = farthest * order;
+  result.greatest_eigenvalue = (largest * order).numerator();
   return result;
 }
 
@@ -279,28 +303,74 @@ std::optional<std::vector<BigInterval>> separated_roots(const fmpz_poly_struct* 
   return result;
 }
 
-/// Enclosures of the roots of a polynomial all of whose roots are real and simple, appended as often as asked.
-void append_roots(std::vector<BigInterval>& result, const fmpz_poly_t polynomial, slong multiplicity) {
-  const auto bits = static_cast<slong>(BigInterval::working_precision().value);
-  const slong degree = fmpz_poly_degree(polynomial);
-  acb_ptr roots = _acb_vec_init(degree);
-  arb_fmpz_poly_complex_roots(roots, polynomial, 0, bits);
-  mpfr_t lower;
-  mpfr_t upper;
-  mpfr_init2(lower, bits);
-  mpfr_init2(upper, bits);
-  for (slong at = 0; at < degree; ++at) {
-    arb_get_interval_mpfr(lower, upper, acb_realref(roots + at));
-    Rational::Wrapped least;
-    Rational::Wrapped greatest;
-    mpfr_get_q(least.backend().data(), lower);
-    mpfr_get_q(greatest.backend().data(), upper);
-    const auto root = BigInterval::between(Rational(std::move(least)), Rational(std::move(greatest)));
-    for (slong time = 0; time < multiplicity; ++time) result.push_back(root);
+/// How many roots are greater than x, of a polynomial all of whose roots are real: as many as its Taylor coefficients
+/// at x have changes of sign (Descartes' rule, which is exact then).
+std::size_t count_above(std::vector<Integer> coefficients, const Integer& x) {
+  for (std::size_t lowest = 0; lowest + 1 < coefficients.size(); ++lowest) {
+    for (std::size_t at = coefficients.size() - 1; at-- > lowest;) {
+      mpz_addmul(coefficients[at].backend().data(), x.backend().data(), coefficients[at + 1].backend().data());
+    }
   }
-  mpfr_clear(lower);
-  mpfr_clear(upper);
-  _acb_vec_clear(roots, degree);
+  std::size_t changes = 0;
+  int last = 0;
+  for (const Integer& coefficient : coefficients) {
+    const int sign = mpz_sgn(coefficient.backend().data());
+    if (sign == 0) continue;
+    if (last == -sign) ++changes;
+    last = sign;
+  }
+  return changes;
+}
+
+/// Enclosures, by integers next to each other, of the roots of a polynomial all of whose roots are real and at most
+/// `size` in size; by halving, so that it does not matter how close to each other they are.
+std::vector<BigInterval> located_roots(const fmpz_poly_struct* polynomial, const Integer& size) {
+  std::vector<Integer> coefficients;
+  for (slong power = 0; power <= fmpz_poly_degree(polynomial); ++power) {
+    coefficients.emplace_back();
+    fmpz_poly_get_coeff_mpz(coefficients.back().backend().data(), polynomial, power);
+  }
+  // As many roots as the counts differ by are greater than the lower end, and not greater than the upper one.
+  struct Range {
+    Integer lower;
+    Integer upper;
+    std::size_t above_lower;
+    std::size_t above_upper;
+  };
+  std::vector<BigInterval> result;
+  std::vector<Range> ranges{{-size - 1, size, coefficients.size() - 1, 0}};
+  while (!ranges.empty()) {
+    const Range range = std::move(ranges.back());
+    ranges.pop_back();
+    const std::size_t inside = range.above_lower - range.above_upper;
+    if (inside == 0) continue;
+    if (range.upper - range.lower == 1) {
+      result.insert(result.end(), inside, BigInterval::between(Rational(range.lower), Rational(range.upper)));
+      continue;
+    }
+    Integer middle = range.lower + range.upper;
+    mpz_fdiv_q_2exp(middle.backend().data(), middle.backend().data(), 1);
+    const std::size_t above = count_above(coefficients, middle);
+    ranges.push_back({range.lower, middle, range.above_lower, above});
+    ranges.push_back({middle, range.upper, above, range.above_upper});
+  }
+  return result;
+}
+
+/// The eigenvalues of an integral matrix, in any order.
+std::vector<BigInterval> eigenvalues_of(const IntegralMatrix& matrix) {
+  const IntegralPolynomial polynomial(characteristic_polynomial(matrix.entries));
+  fmpz_poly_factor_t factors;
+  fmpz_poly_factor_init(factors);
+  fmpz_poly_factor_squarefree(factors, polynomial.get());
+  std::vector<BigInterval> result;
+  for (slong at = 0; at < factors->num; ++at) {
+    auto roots = separated_roots(factors->p + at);
+    if (!roots) roots = located_roots(factors->p + at, matrix.greatest_eigenvalue);
+    for (slong time = 0; time < factors->exp[at]; ++time) result.insert(result.end(), roots->begin(), roots->end());
+  }
+  fmpz_poly_factor_clear(factors);
+  return result;
 }
 
 }  // namespace
@@ -353,28 +423,25 @@ Partial<Interval> eigenvalue<Interval>(const SymmetricMatrix<Rational>& matrix, 
 
 template <>
 Partial<std::vector<BigInterval>> eigenvalues<BigInterval>(const SymmetricMatrix<Rational>& matrix) {
+  Rational unit(1);
   Rational margin(0);
   std::vector<BigInterval> result;
   if (auto separated = separated_roots(IntegralPolynomial(characteristic_polynomial(matrix)).get())) {
     result = *std::move(separated);
   } else {
-    // Eigenvalues that nearly coincide would take thousands of digits to tell apart; those of the rounded matrix mostly
-    // coincide.
-    const SymmetricMatrix<Rational> near = rounded_matrix(matrix, margin);
-    const IntegralPolynomial polynomial(characteristic_polynomial(near));
-    fmpz_poly_factor_t factors;
-    fmpz_poly_factor_init(factors);
-    fmpz_poly_factor_squarefree(factors, polynomial.get());
-    for (slong at = 0; at < factors->num; ++at) append_roots(result, factors->p + at, factors->exp[at]);
-    fmpz_poly_factor_clear(factors);
+    // Eigenvalues that nearly coincide would take thousands of digits to tell apart.
+    const IntegralMatrix near = rounded_to_working_precision(matrix);
+    unit = Rational::power_of_two(near.unit_exponent);
+    margin = near.margin;
+    result = eigenvalues_of(near);
   }
   // Enclosures of different roots may overlap at a low precision: then the order of their lower ends and that of their
   // upper ends each enclose the sorted roots.
   std::vector<Rational> lower;
   std::vector<Rational> upper;
   for (const BigInterval& root : result) {
-    lower.push_back(root.lower() - margin);
-    upper.push_back(root.upper() + margin);
+    lower.push_back(root.lower() * unit - margin);
+    upper.push_back(root.upper() * unit + margin);
   }
   std::sort(lower.begin(), lower.end());
   std::sort(upper.begin(), upper.end());
