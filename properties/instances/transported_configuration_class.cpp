@@ -174,7 +174,8 @@ class TransportedConfigurationClass : public InstanceClass {
     bool at_boundary = configuration->at_boundary;
     bound["xi"] = draw_distortion(shape, limits, bound, choices, at_boundary);
     draw_radii(limits, bound, choices, at_boundary);
-    *configuration = scaled(std::move(*configuration), number(bound, "epsilon_j") / configuration->epsilon);
+    const Rational factor = number(bound, "epsilon_j") / configuration->epsilon;
+    *configuration = scaled(*std::move(configuration), factor);
     const auto map = std::make_shared<ConfigurationMap>(
         random_map(static_cast<std::size_t>(shape.m), number(bound, "xi"), configuration->points, choices));
     bound["f"] = ObjectPointer(map);

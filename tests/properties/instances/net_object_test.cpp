@@ -44,8 +44,9 @@ TEST(NetObject, refuses_what_is_no_net) {
   EXPECT_THROW(NetObject(points, Rational(1), Rational(0)), InputError);
   points[1] = {Rational(1)};
   EXPECT_THROW(NetObject(points, Rational(1), Rational(0)), InputError);
-  EXPECT_THROW(NetObject::read(nlohmann::ordered_json::parse(R"({"points": [], "ball_radius": "0"})")), InputError);
-  EXPECT_THROW(NetObject::read(nlohmann::ordered_json::parse(R"({"points": 1})")), InputError);
+  EXPECT_THROW((void)NetObject::read(nlohmann::ordered_json::parse(R"({"points": [], "ball_radius": "0"})")),
+               InputError);
+  EXPECT_THROW((void)NetObject::read(nlohmann::ordered_json::parse(R"({"points": 1})")), InputError);
 }
 
 }  // namespace

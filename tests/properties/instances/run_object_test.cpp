@@ -65,7 +65,7 @@ TEST(RunObject, refuses_what_is_no_recipe) {
   refuses([](RunRecipe& recipe) { recipe.perturbation_share = Rational(2); });
   refuses([](RunRecipe& recipe) { recipe.radius = Rational(1); });
   refuses([](RunRecipe& recipe) { recipe.divisions = 0; });
-  EXPECT_THROW(RunObject::read(nlohmann::ordered_json::parse(R"({"manifold": "torus-2"})")), InputError);
+  EXPECT_THROW((void)RunObject::read(nlohmann::ordered_json::parse(R"({"manifold": "torus-2"})")), InputError);
 }
 
 }  // namespace
