@@ -89,6 +89,15 @@ Attempt attempt(const Claim& claim, const Bindings& bindings, std::span<const do
   return result;
 }
 
+std::optional<DoubleBounds> attempted_ratio(const Claim& claim, std::size_t conclusion, const Bindings& bindings,
+                                            double known) {
+  Scene scene(bindings);
+  for (const Hypothesis& hypothesis : claim.hypotheses) {
+    if (!is_proved(decide_statement(*hypothesis.formula, scene))) return std::nullopt;
+  }
+  return ratio_as_sharp_as_needed(*claim.conclusions.at(conclusion).formula, scene, &known);
+}
+
 HypothesisLimits::HypothesisLimits(const Claim& claim) {
   for (const Hypothesis& hypothesis : claim.hypotheses) collect(hypothesis.formula);
 }

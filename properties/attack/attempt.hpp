@@ -29,6 +29,11 @@ struct Attempt {
 /// quantity is asked for what it cannot be asked (vertex 7 of a triangle).
 [[nodiscard]] Attempt attempt(const Claim& claim, const Bindings& bindings, std::span<const double> known = {});
 
+/// The ratio of one conclusion, sharp unless it certainly is not above `known`; nothing unless all hypotheses are
+/// proved and it is defined. The conclusion is not decided, which next to equality takes longest.
+[[nodiscard]] std::optional<DoubleBounds> attempted_ratio(const Claim& claim, std::size_t conclusion,
+                                                          const Bindings& bindings, double known);
+
 /// The limits that the hypotheses of a claim set: every part `name <= term`, `name < term` of them, or the same turned
 /// round.
 class HypothesisLimits : public Limits {

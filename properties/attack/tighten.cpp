@@ -16,6 +16,8 @@ namespace {
 /// Of an instance that is made of more choices, the first ones are searched and the others stay.
 constexpr std::size_t most_choices = 160;
 constexpr double worthless = -1;
+/// How many instances a local search begins with.
+constexpr std::size_t starts = 6;
 
 /// Random choices that are written down.
 class RecordedChoices : public Choices {
@@ -37,16 +39,11 @@ struct Scored {
   std::vector<double> choices;
 };
 
-Claim of_one_conclusion(Claim claim, std::size_t conclusion) {
-  claim.conclusions = {claim.conclusions.at(conclusion)};
-  return claim;
-}
-
 class Search {
  public:
   Search(const Claim& claim, std::size_t conclusion, const Shape& shape, std::uint64_t evaluations,
          const Progress& progress)
-      : claim_(of_one_conclusion(claim, conclusion)),
+      : claim_(claim),
         conclusion_(conclusion),
         limits_(claim),
         shape_(shape),
@@ -56,16 +53,21 @@ class Search {
   void random_start(std::uint64_t count, std::uint64_t seed) {
     const std::uint32_t stream = stream_of("tighten " + claim_.name + " " + std::to_string(conclusion_) + " " +
                                            std::to_string(shape_.k) + " " + std::to_string(shape_.m));
+    // Only the best of them are gone on from: the others need not be known sharply, nor kept.
+    const auto is_better = [](const Scored& a, const Scored& b) { return a.score > b.score; };
     for (std::uint64_t number = 0; number < count; ++number) {
       RecordedChoices choices(seed, stream, number);
-      const double score = score_of(draw_instance(claim_, limits_, shape_, choices));
-      if (score > worthless) pool_.push_back({score, choices.values()});
+      const double known = pool_.size() < starts ? worthless : pool_.back().score;
+      const double score = score_of(draw_instance(claim_, limits_, shape_, choices), known);
+      if (score <= known) continue;
+      const Scored scored{score, choices.values()};
+      pool_.insert(std::upper_bound(pool_.begin(), pool_.end(), scored, is_better), scored);
+      if (pool_.size() > starts) pool_.pop_back();
     }
-    std::stable_sort(pool_.begin(), pool_.end(), [](const Scored& a, const Scored& b) { return a.score > b.score; });
   }
 
-  void climb(std::size_t starts) {
-    const std::size_t count = std::min(starts, pool_.size());
+  void climb() {
+    const std::size_t count = pool_.size();
     for (std::size_t at = 0; at < count && used_ < budget_; ++at)
       climb_from(pool_[at], (budget_ - used_) / (count - at));
     if (count > 0)
@@ -81,19 +83,18 @@ class Search {
   }
 
  private:
-  double score_of(const std::optional<Instance>& instance) {
+  /// Worthless where the hypotheses do not hold. Sharp where it is above what is known.
+  double score_of(const std::optional<Instance>& instance, double known) {
     progress_("tighten", std::min(++used_, budget_), budget_);
     if (!instance) return worthless;
-    const Attempt result = attempt(claim_, instance->bindings);
-    if (!is_proved(result.hypotheses)) return worthless;
-    const auto& ratio = result.conclusions.front().ratio;
+    const auto ratio = attempted_ratio(claim_, conclusion_, instance->bindings, known);
     if (!ratio || !std::isfinite(ratio->lower) || !std::isfinite(ratio->upper)) return worthless;
     return (ratio->lower + ratio->upper) / 2;
   }
 
-  double score_of(const std::vector<double>& values) {
+  double score_of(const std::vector<double>& values, double known) {
     GivenChoices choices(values);
-    return score_of(draw_instance(claim_, limits_, shape_, choices));
+    return score_of(draw_instance(claim_, limits_, shape_, choices), known);
   }
 
   void climb_from(Scored& start, std::uint64_t budget) {
@@ -129,7 +130,7 @@ class Search {
     auto& context = *static_cast<Context*>(data);
     try {
       std::copy(x.begin(), x.end(), context.choices.begin());
-      const double score = context.search->score_of(context.choices);
+      const double score = context.search->score_of(context.choices, context.best->score);
       if (score > context.best->score) *context.best = {score, context.choices};
       return score;
     } catch (...) {
@@ -138,7 +139,7 @@ class Search {
     }
   }
 
-  Claim claim_;
+  const Claim& claim_;
   std::size_t conclusion_;
   HypothesisLimits limits_;
   Shape shape_;
@@ -167,10 +168,9 @@ std::optional<Tightest> judged(const Claim& claim, std::size_t conclusion, const
 
 std::optional<Tightest> tighten(const Claim& claim, std::size_t conclusion, const Shape& shape,
                                 std::uint64_t evaluations, std::uint64_t seed, const Progress& progress) {
-  constexpr std::size_t starts = 6;
   Search search(claim, conclusion, shape, evaluations, progress);
   search.random_start(std::max<std::uint64_t>(1, evaluations / 4), seed);
-  search.climb(starts);
+  search.climb();
   const auto instance = search.best();
   auto result = instance ? judged(claim, conclusion, instance->bindings) : std::nullopt;
   if (result) result->evaluations = search.used();

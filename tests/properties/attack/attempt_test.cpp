@@ -148,5 +148,25 @@ TEST(Attempt, claims_are_found_by_name_and_by_file_and_others_get_a_suggestion) 
   }
 }
 
+TEST(AttemptedRatio, is_that_of_the_attempt_where_it_is_above_what_is_known) {
+  const Claim claim = test::wrong_claim();
+  const Bindings bindings = test::triangle_bindings(Rational(1) / Rational(2), Rational(1) / Rational(5));
+  const auto sharp = attempt(claim, bindings).conclusions.at(0).ratio.value();
+  for (const double known : {-1.0, 0.5}) {
+    const auto ratio = attempted_ratio(claim, 0, bindings, known);
+    ASSERT_TRUE(ratio.has_value());
+    EXPECT_EQ(ratio->lower, sharp.lower);
+    EXPECT_EQ(ratio->upper, sharp.upper);
+  }
+  EXPECT_LE(attempted_ratio(claim, 0, bindings, 10).value().upper, 10);
+}
+
+TEST(AttemptedRatio, is_nothing_where_a_hypothesis_fails_or_no_ratio_is_defined) {
+  const Claim never = test::claim_about_simplices("a", "given = [\"k = 1\"]\n[[show]]\nclaim = \"k <= 1\"\n");
+  EXPECT_FALSE(attempted_ratio(never, 0, test::triangle_bindings(0, 1), -1).has_value());
+  const Claim no_ratio = test::claim_about_simplices("a", "[[show]]\nclaim = \"is_nondegenerate(s)\"\n");
+  EXPECT_FALSE(attempted_ratio(no_ratio, 0, test::triangle_bindings(0, 1), -1).has_value());
+}
+
 }  // namespace
 }  // namespace delcert
