@@ -1,5 +1,7 @@
 #include "properties/attack/job_pool.hpp"
 
+#include <flint/flint.h>
+
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
@@ -62,6 +64,12 @@ class Workers {
   }
 
   void work() {
+    do_jobs();
+    // What FLINT keeps for each thread would be lost with it.
+    flint_cleanup();
+  }
+
+  void do_jobs() {
     while (!no_more_) {
       const std::size_t number = next_++;
       if (number >= count_) return;

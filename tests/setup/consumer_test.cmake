@@ -29,7 +29,8 @@ foreach(name IN LISTS texts)
 endforeach()
 
 set(configure ${CMAKE_COMMAND} -G Ninja -S ${SOURCE}/examples/consumer -D CMAKE_CXX_COMPILER=${CXX}
-  -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS_RELEASE=${FLAGS})
+  -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS_RELEASE=${FLAGS}
+  -D CMAKE_EXE_LINKER_FLAGS=${LINKER_FLAGS})
 execute_process(COMMAND ${configure} -B ${WORK}/without RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
 if(status EQUAL 0 OR NOT output MATCHES "delcertConfig.cmake")
   message(SEND_ERROR "the consumer configures without an installed delcert:\n${output}")
