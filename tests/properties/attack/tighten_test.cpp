@@ -52,6 +52,17 @@ TEST(Tighten, the_search_is_better_than_its_random_start_and_finds_what_refutes)
   EXPECT_EQ(attempt(claim, found->bindings).conclusions.at(1).verdict, Verdict::refuted);
 }
 
+TEST(Tighten, bounds_that_stay_wide_do_not_attract_the_search) {
+  // The first ratio is 0, which no enclosure tells: its upper bound is some 2³⁵⁰, and grows with the radius.
+  const Claim claim = claim_about_simplices("a",
+                                            "[[show]]\nclaim = \"abs(circumradius(s) - circumradius(s)) <= 1/2^600 and "
+                                            "thickness(s) <= 2/5\"\n");
+  const auto found = tighten(claim, 0, {2, 2}, 1500, 1, no_progress());
+  ASSERT_TRUE(found.has_value());
+  EXPECT_GT(found->ratio.upper, 0x1p200);
+  EXPECT_GT(found->ratio.lower, 1.08);
+}
+
 TEST(Tighten, the_same_seed_gives_the_same) {
   const auto points = [] {
     const auto found = tighten(loose_claim(), 0, {2, 3}, 60, 5, no_progress());
