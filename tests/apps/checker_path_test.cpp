@@ -6,6 +6,8 @@
 #include <fstream>
 #include <string>
 
+#include "tests/support/temporary_folder.hpp"
+
 namespace delcert {
 namespace {
 
@@ -19,17 +21,14 @@ TEST(CheckerPath, is_beside_the_program_then_in_the_build_tree_then_in_the_searc
 }
 
 TEST(CheckerPath, is_the_first_that_can_be_executed) {
-  std::string name = (fs::temp_directory_path() / "delcert-checker-path-XXXXXX").string();
-  ASSERT_NE(mkdtemp(name.data()), nullptr);
-  const fs::path folder = name;
+  const test::TemporaryFolder folder;
   const fs::path plain = folder / "plain";
   const fs::path executable = folder / "executable";
   std::ofstream(plain) << "";
   std::ofstream(executable) << "";
   fs::permissions(executable, fs::perms::owner_all);
-  EXPECT_EQ(first_executable({folder / "missing", folder, plain, executable}), executable);
-  EXPECT_EQ(first_executable({folder / "missing", folder, plain}), fs::path());
-  fs::remove_all(folder);
+  EXPECT_EQ(first_executable({folder / "missing", folder.path(), plain, executable}), executable);
+  EXPECT_EQ(first_executable({folder / "missing", folder.path(), plain}), fs::path());
 }
 
 }  // namespace

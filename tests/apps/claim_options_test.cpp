@@ -1,13 +1,13 @@
 #include "apps/claim_options.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 
 #include "kernel/error.hpp"
 #include "tests/properties/attack/small_claims.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
 namespace {
@@ -32,16 +32,13 @@ TEST(ClaimOptions, claims_are_those_named_each_once_or_all) {
 }
 
 TEST(ClaimOptions, two_claims_of_the_same_name_are_refused) {
-  const auto folder =
-      std::filesystem::temp_directory_path() / ("delcert-claim-options-test-" + std::to_string(getpid()));
-  std::filesystem::create_directories(folder);
+  const test::TemporaryFolder folder;
   for (const char* name : {"a.toml", "b.toml"}) {
     std::ofstream(folder / name) << "name = \"same\"\ninstance = \"simplex\"\n[[show]]\nclaim = \"k >= 1\"\n";
   }
   const std::string a = (folder / "a.toml").string();
   EXPECT_EQ(claims_of(named({a, a})).size(), 1U);
   EXPECT_THROW((void)claims_of(named({a, (folder / "b.toml").string()})), InputError);
-  std::filesystem::remove_all(folder);
 }
 
 TEST(ClaimOptions, shapes_are_those_asked_for_each_once_or_those_of_the_class) {

@@ -63,6 +63,7 @@ delcert_cli_test(attack-log-of-something-else-is-left STATUS 0 OUTPUT "^my diary
 # Killed, interrupted and resumed; more threads.
 add_executable(test_campaign campaign_test.cpp)
 target_link_libraries(test_campaign PRIVATE delcert_warnings GTest::gtest_main)
+target_include_directories(test_campaign PRIVATE ${PROJECT_SOURCE_DIR})
 target_compile_definitions(test_campaign PRIVATE DELCERT_PROGRAM="$<TARGET_FILE:delcert>" DELCERT_CLAIMS="${claims}")
 add_dependencies(test_campaign delcert)
 gtest_discover_tests(test_campaign DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)

@@ -15,6 +15,8 @@
 #include <thread>
 #include <vector>
 
+#include "tests/support/temporary_folder.hpp"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -27,12 +29,6 @@ std::string content_of(const fs::path& path) {
 
 class Campaign : public testing::Test {
  protected:
-  void SetUp() override {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   [[nodiscard]] std::vector<std::string> command(const std::string& threads) const {
     return {DELCERT_PROGRAM,
             "attack",
@@ -92,7 +88,7 @@ class Campaign : public testing::Test {
     return content_of(output());
   }
 
-  fs::path folder_ = fs::temp_directory_path() / ("delcert-campaign-cli-test-" + std::to_string(getpid()));
+  delcert::test::TemporaryFolder folder_;
 };
 
 TEST_F(Campaign, one_thread_and_two_print_the_same) {

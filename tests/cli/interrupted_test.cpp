@@ -1,6 +1,5 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,6 +11,8 @@
 #include <string>
 #include <thread>
 #include <vector>
+
+#include "tests/support/temporary_folder.hpp"
 
 namespace {
 
@@ -95,13 +96,7 @@ constexpr int interrupted = 130;
 /// A folder for the certificate and for nothing else, with an old file in the certificate's place.
 class InterruptedRun : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "delcert-interrupted-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    root = name;
-    begin_anew();
-  }
-  void TearDown() override { fs::remove_all(root); }
+  void SetUp() override { begin_anew(); }
 
   void begin_anew() const {
     fs::remove_all(folder());
@@ -143,7 +138,7 @@ class InterruptedRun : public ::testing::Test {
     process.send(signal);
   }
 
-  fs::path root;
+  delcert::test::TemporaryFolder root;
 };
 
 TEST_F(InterruptedRun, without_a_signal_replaces_the_old_file_by_a_certificate) {

@@ -8,6 +8,7 @@
 
 #include "kernel/error.hpp"
 #include "kernel/manifold/builtin_manifolds.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
 namespace {
@@ -166,10 +167,10 @@ TEST(FindManifold, knows_every_builtin_manifold_by_its_name) {
 }
 
 TEST(FindManifold, reads_a_file_by_its_path) {
-  const auto path = std::filesystem::temp_directory_path() / "delcert-find-manifold.toml";
+  const test::TemporaryFolder folder;
+  const auto path = folder / "ball.toml";
   std::ofstream(path) << ball("radius = 2");
   EXPECT_EQ(find_manifold(path.string()).radius, Rational(2));
-  std::filesystem::remove(path);
 }
 
 TEST(FindManifold, lists_the_names_when_there_is_neither) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "kernel/error.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
 namespace {
@@ -66,10 +67,10 @@ TEST(PointFile, refuses_files_that_cannot_be_read) {
 }
 
 TEST(PointFile, reads_from_a_file) {
-  const auto path = std::filesystem::temp_directory_path() / "delcert-point-file.txt";
+  const test::TemporaryFolder folder;
+  const auto path = folder / "points.txt";
   std::ofstream(path) << points_text(two_points);
   EXPECT_EQ(read_points(path, Dimension{2}), two_points);
-  std::filesystem::remove(path);
 }
 
 RC_GTEST_PROP(PointFile, reads_back_what_it_writes, ()) {

@@ -10,31 +10,24 @@
 #include <system_error>
 
 #include "kernel/error.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own, removed at the end.
 class AtomicFileTest : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "delcert-atomic-file-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder = name;
-  }
-  void TearDown() override { fs::remove_all(folder); }
-
   [[nodiscard]] static std::string content_of(const fs::path& path) {
     std::ifstream stream(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
   }
   [[nodiscard]] std::ptrdiff_t files_in_folder() const {
-    return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
+    return std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator());
   }
 
-  fs::path folder;
+  test::TemporaryFolder folder;
 };
 
 TEST_F(AtomicFileTest, appears_when_committed_and_not_before) {
@@ -85,7 +78,7 @@ TEST_F(AtomicFileTest, has_the_permissions_of_an_ordinary_file) {
 }
 
 TEST_F(AtomicFileTest, names_the_path_that_cannot_be_written) {
-  const fs::path missing = folder / "no-such-folder" / "result";
+  const fs::path missing = folder / "no-such-folder/result";
   try {
     const AtomicFile file(missing);
     FAIL() << "created " << missing;
@@ -93,8 +86,8 @@ TEST_F(AtomicFileTest, names_the_path_that_cannot_be_written) {
     EXPECT_NE(std::string(error.what()).find(missing.string()), std::string::npos) << error.what();
     EXPECT_NE(std::string(error.what()).find("No such file or directory"), std::string::npos) << error.what();
   }
-  EXPECT_THROW(AtomicFile{folder}, InputError);
-  EXPECT_THROW(AtomicFile{fs::path(folder.string() + "/")}, InputError);
+  EXPECT_THROW(AtomicFile{folder.path()}, InputError);
+  EXPECT_THROW(AtomicFile{fs::path(folder.path().string() + "/")}, InputError);
   EXPECT_EQ(files_in_folder(), 0);
 }
 

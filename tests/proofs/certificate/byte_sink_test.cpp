@@ -10,6 +10,7 @@
 
 #include "kernel/error.hpp"
 #include "tests/proofs/certificate/small_run.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 constexpr const char* digest_of_abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
 
 TEST(ByteSink, HashesWhatIsWrittenHoweverItIsCut) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   ByteSink sink(folder / "x");
   sink.write("a");
   EXPECT_NE(sink.digest(), digest_of_abc);
@@ -29,7 +30,7 @@ TEST(ByteSink, HashesWhatIsWrittenHoweverItIsCut) {
 }
 
 TEST(ByteSink, WritesPlainBytes) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   ByteSink sink(folder / "x.json");
   sink.write("one\n");
   sink.write("two\n");
@@ -38,7 +39,7 @@ TEST(ByteSink, WritesPlainBytes) {
 }
 
 TEST(ByteSink, CompressesByTheNameAndHashesThePlainBytes) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const std::string text(1000000, 'q');
   ByteSink plain(folder / "x");
   ByteSink packed(folder / "x.zst");
@@ -69,7 +70,7 @@ std::string decompressed(const std::string& bytes) {
 }
 
 TEST(ByteSink, HasTheDigestOfSha256sum) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const std::string text = long_text();
   ByteSink sink(folder / "text");
   for (std::size_t at = 0; at < text.size(); at += 777) sink.write(std::string_view(text).substr(at, 777));
@@ -85,7 +86,7 @@ TEST(ByteSink, HasTheDigestOfSha256sum) {
 }
 
 TEST(ByteSink, CompressesToOneFrameOfTheSameBytes) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const std::string text = long_text();
   ByteSink sink(folder / "text.zst");
   for (std::size_t at = 0; at < text.size(); at += 300001) sink.write(std::string_view(text).substr(at, 300001));
@@ -100,7 +101,7 @@ TEST(ByteSink, CompressesToOneFrameOfTheSameBytes) {
 }
 
 TEST(ByteSink, LeavesNothingBehindUnlessCommitted) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   for (const char* name : {"x", "x.zst"}) {
     ByteSink sink(folder / name);
     sink.write(long_text());
@@ -109,7 +110,7 @@ TEST(ByteSink, LeavesNothingBehindUnlessCommitted) {
 }
 
 TEST(ByteSink, RefusesAFolderThatDoesNotExist) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   EXPECT_THROW(ByteSink(folder / "none/x"), InputError);
 }
 

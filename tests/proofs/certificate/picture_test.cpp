@@ -4,6 +4,7 @@
 
 #include "kernel/error.hpp"
 #include "tests/proofs/certificate/small_run.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
 namespace {
@@ -15,7 +16,7 @@ std::size_t occurrences(const std::string& text, const std::string& what) {
 }
 
 CertificateSummary small_certificate() {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   small_run().write(folder / "c.json");
   return read_certificate(folder / "c.json");
 }

@@ -4,12 +4,13 @@
 
 #include "kernel/error.hpp"
 #include "tests/proofs/certificate/small_run.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
 namespace {
 
 TEST(Reader, ReadsBackWhatWasWrittenBitForBit) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   for (const char* name : {"c.json", "c.json.zst"}) {
     small_run().write(folder / name);
     const CertificateSummary read = read_certificate(folder / name);
@@ -27,7 +28,7 @@ TEST(Reader, ReadsBackWhatWasWrittenBitForBit) {
 }
 
 TEST(Reader, SaysWhichFileCannotBeRead) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const auto message = [](const std::filesystem::path& path) -> std::string {
     try {
       (void)read_certificate(path);

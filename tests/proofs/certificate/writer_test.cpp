@@ -10,6 +10,7 @@
 #include "kernel/number/exact_text.hpp"
 #include "kernel/number/self_test.hpp"
 #include "tests/proofs/certificate/small_run.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
 namespace {
@@ -31,7 +32,7 @@ std::string hexadecimal_sha256(std::string_view bytes) {
 
 std::string certificate_bytes() {
   static const std::string bytes = [] {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     small_run().write(folder / "c.json");
     return bytes_of(folder / "c.json");
   }();
@@ -138,13 +139,13 @@ TEST(Writer, SealsWhatStandsBeforeTheSeal) {
 
 TEST(Writer, EqualRunsGiveEqualBytes) {
   const SmallRun again;
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   again.write(folder / "again.json");
   EXPECT_EQ(bytes_of(folder / "again.json"), certificate_bytes());
 }
 
 TEST(Writer, CompressesTheSameBytesTheSameWay) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   small_run().write(folder / "a.json.zst");
   small_run().write(folder / "b.json.zst");
   const std::string packed = bytes_of(folder / "a.json.zst");
@@ -159,7 +160,7 @@ TEST(Writer, DescribesABallByItsRadius) {
   disk.family = ManifoldFamily::euclidean_ball;
   disk.name = "a \"disk\"";
   disk.radius = Rational(Integer(7), Integer(3));
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const Claims claims = small_run().claims({"1"});
   write_certificate<2>(folder / "c.json", {disk, small_run().parameters, small_run().atlas,
                                            small_run().density.simplices, small_run().run, claims});
@@ -193,7 +194,7 @@ TEST(Writer, StarsAreSortedAndOfOtherLabels) {
 }
 
 TEST(Writer, LeavesOutTheWitnessOfALevelThatIsNotClaimed) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const Claims claims = small_run().claims({"1", "2"});
   write_certificate<2>(folder / "c.json", {small_run().manifold, small_run().parameters, small_run().atlas,
                                            small_run().density.simplices, small_run().run, claims});

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "kernel/error.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
 namespace {
@@ -96,10 +97,10 @@ TEST(Erratum, is_sorted_by_line_and_then_by_file) {
 
 TEST(Erratum, files_that_cannot_be_read_are_refused) {
   EXPECT_THROW((void)read_erratum("no-such-file.toml"), InputError);
-  const auto large = std::filesystem::temp_directory_path() / "delcert-large-erratum.toml";
+  const test::TemporaryFolder folder;
+  const auto large = folder / "large.toml";
   std::ofstream(large) << std::string((1U << 20U) + 1, '#');
   EXPECT_THROW((void)read_erratum(large), InputError);
-  std::filesystem::remove(large);
 }
 
 /// The files of the library are the files of the folder, and the library has them in the order of the paper.

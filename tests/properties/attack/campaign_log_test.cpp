@@ -1,25 +1,19 @@
 #include "properties/attack/campaign_log.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "kernel/error.hpp"
 #include "tests/properties/attack/small_claims.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
 namespace {
 
 class CampaignLogFile : public testing::Test {
  protected:
-  void SetUp() override {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   std::string text() const {
     std::ifstream stream(path_, std::ios::binary);
     std::stringstream buffer;
@@ -43,8 +37,7 @@ class CampaignLogFile : public testing::Test {
     return "no error";
   }
 
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("delcert-campaign-log-test-" + std::to_string(getpid()));
+  test::TemporaryFolder folder_;
   std::filesystem::path path_ = folder_ / "log.jsonl";
   Tally tally_ = attack_block(test::wrong_claim(), {2, 2}, 1, 0, 20);
 };
@@ -101,8 +94,8 @@ TEST_F(CampaignLogFile, a_line_in_the_midst_that_is_none_is_named) {
 TEST_F(CampaignLogFile, an_empty_path_keeps_nothing_and_one_that_cannot_be_written_is_an_error) {
   CampaignLog log("", "one");
   EXPECT_NO_THROW(log.append({0, 0}, tally_));
-  EXPECT_THROW(CampaignLog(folder_, "one"), InputError);
-  EXPECT_THROW(CampaignLog(folder_ / "none" / "log.jsonl", "one"), InputError);
+  EXPECT_THROW(CampaignLog(folder_.path(), "one"), InputError);
+  EXPECT_THROW(CampaignLog(folder_ / "none/log.jsonl", "one"), InputError);
 }
 
 }  // namespace

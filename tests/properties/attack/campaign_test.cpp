@@ -1,7 +1,6 @@
 #include "properties/attack/campaign.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -9,6 +8,7 @@
 
 #include "kernel/error.hpp"
 #include "tests/properties/attack/small_claims.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
 namespace {
@@ -16,14 +16,11 @@ namespace {
 class Campaign : public testing::Test {
  protected:
   void SetUp() override {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
     plan_.targets = {
         {test::wrong_claim(), {2, 2}, 60}, {test::right_claim(), {1, 2}, 35}, {test::right_claim(), {2, 2}, 1}};
     plan_.seed = 3;
     plan_.block = 10;
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
   static std::string text_of(const std::vector<Tally>& tallies) {
     std::string result;
@@ -40,8 +37,7 @@ class Campaign : public testing::Test {
     return "no error";
   }
 
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("delcert-campaign-test-" + std::to_string(getpid()));
+  test::TemporaryFolder folder_;
   CampaignPlan plan_;
 };
 

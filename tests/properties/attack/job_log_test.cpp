@@ -1,12 +1,12 @@
 #include "properties/attack/job_log.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "kernel/error.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
 namespace {
@@ -16,12 +16,6 @@ using Json = nlohmann::ordered_json;
 // What crashes and strangers do to it is tested with the log of a campaign, campaign_log_test.cpp.
 class JobLogFile : public testing::Test {
  protected:
-  void SetUp() override {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   std::vector<Json> lines(const std::string& what, const std::string& identity) const {
     std::vector<Json> result;
     const JobLog log(path_, what, identity, [&](const Json& line) { result.push_back(line); });
@@ -36,8 +30,7 @@ class JobLogFile : public testing::Test {
     return "no error";
   }
 
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("delcert-job-log-test-" + std::to_string(getpid()));
+  test::TemporaryFolder folder_;
   std::filesystem::path path_ = folder_ / "log.jsonl";
 };
 

@@ -1,7 +1,6 @@
 #include "properties/attack/search_plan.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -10,6 +9,7 @@
 #include "kernel/error.hpp"
 #include "properties/attack/twins.hpp"
 #include "tests/properties/attack/small_claims.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
 namespace {
@@ -17,8 +17,6 @@ namespace {
 class Searches : public testing::Test {
  protected:
   void SetUp() override {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
     const Claim never = test::claim_about_simplices("never", "given = [\"k = 0\"]\n[[show]]\nclaim = \"k <= 1\"\n");
     plan_.targets = {{test::wrong_claim(), 0, {2, 2}, 40},
                      {never, 0, {2, 2}, 10},
@@ -26,7 +24,6 @@ class Searches : public testing::Test {
                      {test::right_claim(), 0, {2, 3}, 30}};
     plan_.seed = 3;
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
   std::string result() const {
     std::string text;
@@ -57,8 +54,7 @@ class Searches : public testing::Test {
     return buffer.str();
   }
 
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("delcert-search-plan-test-" + std::to_string(getpid()));
+  test::TemporaryFolder folder_;
   SearchPlan plan_;
 };
 

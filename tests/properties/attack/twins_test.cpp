@@ -1,13 +1,13 @@
 #include "properties/attack/twins.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
 
 #include "kernel/error.hpp"
 #include "tests/properties/attack/small_claims.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
 namespace {
@@ -20,14 +20,9 @@ using test::wrong_claim;
 
 class Twins : public testing::Test {
  protected:
-  void SetUp() override {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
   static void write(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
-  fs::path folder_ = fs::temp_directory_path() / ("delcert-twins-test-" + std::to_string(getpid()));
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(Twins, a_claim_has_those_that_it_does_not_excuse) {
@@ -76,21 +71,21 @@ TEST_F(Twins, what_random_samples_do_not_refute_directed_search_does) {
 
 TEST_F(Twins, a_stored_witness_refutes_its_twin_and_no_other) {
   const auto twins = twins_of(right_claim());
-  EXPECT_FALSE(is_refuted_by_stored_witness(twins[0], folder_));
+  EXPECT_FALSE(is_refuted_by_stored_witness(twins[0], folder_.path()));
   EXPECT_FALSE(is_refuted_by_stored_witness(twins[0], folder_ / "none"));
   const auto witness = refute(twins[0], {{2, 2}}, {60, 40, 1}, no_progress());
   write(folder_ / "right.radius-twin.json", witness_text(*witness));
-  EXPECT_TRUE(is_refuted_by_stored_witness(twins[0], folder_));
-  EXPECT_FALSE(is_refuted_by_stored_witness(twins[1], folder_));
+  EXPECT_TRUE(is_refuted_by_stored_witness(twins[0], folder_.path()));
+  EXPECT_FALSE(is_refuted_by_stored_witness(twins[1], folder_.path()));
   // Under the name of the other twin, cut off, or not refuting.
   write(folder_ / "right.without-small.json", witness_text(*witness));
-  EXPECT_THROW((void)is_refuted_by_stored_witness(twins[1], folder_), InputError);
+  EXPECT_THROW((void)is_refuted_by_stored_witness(twins[1], folder_.path()), InputError);
   write(folder_ / "right.radius-twin.json", witness_text(*witness).substr(0, 100));
-  EXPECT_THROW((void)is_refuted_by_stored_witness(twins[0], folder_), InputError);
+  EXPECT_THROW((void)is_refuted_by_stored_witness(twins[0], folder_.path()), InputError);
   Witness harmless = *witness;
   harmless.bindings["eta"] = Rational::power_of_two(-100);
   write(folder_ / "right.radius-twin.json", witness_text(harmless));
-  EXPECT_THROW((void)is_refuted_by_stored_witness(twins[0], folder_), InputError);
+  EXPECT_THROW((void)is_refuted_by_stored_witness(twins[0], folder_.path()), InputError);
 }
 
 TEST_F(Twins, a_witness_whose_hypotheses_fail_refutes_nothing) {

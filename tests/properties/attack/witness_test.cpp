@@ -1,7 +1,6 @@
 #include "properties/attack/witness.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -10,6 +9,7 @@
 #include "kernel/error.hpp"
 #include "properties/attack/tally.hpp"
 #include "tests/properties/attack/small_claims.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
 namespace {
@@ -159,14 +159,12 @@ TEST(Witness, an_instance_that_breaks_the_promise_of_its_class_is_an_error) {
 }
 
 TEST(Witness, files_that_cannot_be_read_are_errors_that_name_them) {
-  const auto folder = std::filesystem::temp_directory_path() / ("delcert-witness-test-" + std::to_string(getpid()));
-  std::filesystem::create_directories(folder);
+  const test::TemporaryFolder folder;
   EXPECT_THROW((void)read_witness((folder / "none.json").string()), InputError);
-  EXPECT_THROW((void)read_witness(folder.string()), InputError);
+  EXPECT_THROW((void)read_witness(folder.path().string()), InputError);
   const auto file = folder / "good.json";
   std::ofstream(file) << witness_text(good_witness());
   EXPECT_EQ(witness_text(read_witness(file.string())), witness_text(good_witness()));
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace
