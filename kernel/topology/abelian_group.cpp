@@ -4,7 +4,7 @@
 
 namespace delcert {
 
-std::string text(const AbelianGroup& group) {
+std::string group_text(const AbelianGroup& group) {
   std::string result;
   const auto add = [&result](const std::string& summand) { result += (result.empty() ? "" : " + ") + summand; };
   if (group.free_rank == 1) add("Z");

@@ -17,6 +17,6 @@ struct AbelianGroup {
 };
 
 /// "0", "Z", "Z^4", "Z + Z/2", "(Z/5)^3", "Z^2 + Z/2 + (Z/4)^2": one text for each group, as certificates have it.
-[[nodiscard]] std::string text(const AbelianGroup& group);
+[[nodiscard]] std::string group_text(const AbelianGroup& group);
 
 }  // namespace delcert

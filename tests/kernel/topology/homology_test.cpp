@@ -19,7 +19,7 @@ std::vector<AbelianGroup> homology_of(const LabelComplex& complex) {
 
 std::vector<std::string> texts(const LabelComplex& complex) {
   std::vector<std::string> result;
-  for (const AbelianGroup& group : homology_of(complex)) result.push_back(text(group));
+  for (const AbelianGroup& group : homology_of(complex)) result.push_back(group_text(group));
   return result;
 }
 
