@@ -18,6 +18,12 @@ std::string decimal_upper(const Rational& x) { return fmt::format("{:.3e}", appr
 
 constexpr std::array<const char*, rung_count> rung_names{"interval", "big interval", "rational", "algebraic"};
 
+std::vector<std::string> homology_texts(const ManifoldClaim& manifold) {
+  std::vector<std::string> result;
+  for (const AbelianGroup& group : manifold.homology) result.push_back(group_text(group));
+  return result;
+}
+
 std::string level_line(const RunReport& report, const std::string& level) {
   const Claims& claims = report.claims;
   const Rational& unit = report.sampling_radius;
@@ -30,9 +36,9 @@ std::string level_line(const RunReport& report, const std::string& level) {
                        decimal_upper(claims.stars->circumradius / unit));
   }
   if (level == "2") {
-    return fmt::format("manifold: {} simplices, Euler characteristic {}{}", claims.manifold->simplices,
-                       claims.manifold->euler_characteristic,
-                       claims.manifold->closed ? ", closed" : ", of the stars of interior labels");
+    return fmt::format("manifold: {} simplices, Euler characteristic {}, homology {}{}", claims.manifold->simplices,
+                       claims.manifold->euler_characteristic, fmt::join(homology_texts(*claims.manifold), ", "),
+                       claims.manifold->closed ? "; closed" : "; of the stars of interior labels");
   }
   if (level == "2s") return "stable stars: every star is the same in the chart of each of its vertices";
   if (level == "3") return "no forbidden configuration: " + claims.no_forbidden.value();
@@ -125,7 +131,10 @@ std::string report_json(const RunReport& report) {
                        {"thickness", exact_text(report.claims.stars->thickness)},
                        {"circumradius", exact_text(report.claims.stars->circumradius)}};
   }
-  if (report.claims.manifold) json["euler_characteristic"] = report.claims.manifold->euler_characteristic;
+  if (report.claims.manifold) {
+    json["euler_characteristic"] = report.claims.manifold->euler_characteristic;
+    json["homology"] = homology_texts(*report.claims.manifold);
+  }
   json["not_reached"] = report.reasons;
   for (const StageClock::Stage& stage : report.stages) {
     Json rungs;

@@ -45,7 +45,13 @@ std::string decompressed(const std::string& bytes, const std::filesystem::path& 
   return result;
 }
 
-std::string text_of(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+/// Of a list, the texts of its elements with commas between.
+std::string text_of(const Json& value) {
+  if (!value.is_array()) return value.is_string() ? value.get<std::string>() : value.dump();
+  std::string result;
+  for (const Json& element : value) result += (result.empty() ? "" : ", ") + text_of(element);
+  return result;
+}
 
 std::vector<std::pair<std::string, std::string>> entries(const Json& object) {
   std::vector<std::pair<std::string, std::string>> result;

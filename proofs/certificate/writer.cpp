@@ -106,9 +106,10 @@ std::string levels_object(const Claims& claims) {
                                  number(claims.stars->circumradius)));
   }
   if (claims.manifold) {
-    levels.push_back(fmt::format("\"2\":{{\"simplices\":{},\"euler_characteristic\":{},\"closed\":{}}}",
+    const auto group = [](const AbelianGroup& g) { return quoted(group_text(g)); };
+    levels.push_back(fmt::format("\"2\":{{\"simplices\":{},\"euler_characteristic\":{},\"closed\":{},\"homology\":{}}}",
                                  claims.manifold->simplices, claims.manifold->euler_characteristic,
-                                 claims.manifold->closed));
+                                 claims.manifold->closed, listed(claims.manifold->homology, group)));
   }
   if (claims.stable_stars) levels.emplace_back("\"2s\":{}");
   if (claims.no_forbidden) levels.push_back(fmt::format("\"3\":{{\"tested\":{}}}", quoted(*claims.no_forbidden)));

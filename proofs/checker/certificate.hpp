@@ -34,6 +34,7 @@ struct Certificate {
   std::uint64_t simplices = 0;                   // level 2
   std::int64_t euler_characteristic = 0;
   bool closed = false;
+  std::vector<std::string> homology;                    // m + 1 groups, or none
   std::vector<std::string_view> net_text, points_text;  // m to a point
   std::vector<Label> net_simplices;                     // m + 1 to a simplex
   std::vector<std::uint64_t> star_begin;                // star(i) is simplices star_begin[i] … star_begin[i + 1] - 1

@@ -97,6 +97,7 @@ void Certificate::parse_levels(Cursor& cursor) {
       euler_characteristic = cursor.integer();
       cursor.expect(",\"closed\":");
       closed = cursor.boolean();
+      if (cursor.accept(",\"homology\":")) cursor.row(m + 1, [&] { homology.emplace_back(cursor.string()); });
     } else if (level == level_3) {
       cursor.expect("{\"tested\":");
       cursor.string();
