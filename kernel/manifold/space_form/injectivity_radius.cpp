@@ -57,7 +57,12 @@ InjectivityRadius injectivity_radius(const InvariantForm& form, const DirichletP
   BigInterval shortest = translation_length(form, polyhedron.sides.front().element);
   for (const auto& side : polyhedron.sides) shortest = minimum(shortest, translation_length(form, side.element));
   const auto tiles = tiles_near_polyhedron(form, polyhedron, shortest);
-  for (std::size_t at = 1; at < tiles.size(); ++at) shortest = minimum(shortest, translation_length(form, tiles[at]));
+  // Beside e^ℓ and e^−ℓ the eigenvalues add at most 2 to the trace.
+  const BigInterval greatest_trace = hyperbolic_cosine(shortest) * BigInterval(2) + BigInterval(2);
+  for (std::size_t at = 1; at < tiles.size(); ++at) {
+    if (is_proved(less(greatest_trace, trace(tiles[at]).enclosure()))) continue;
+    shortest = minimum(shortest, translation_length(form, tiles[at]));
+  }
   return half_of(shortest);
 }
 

@@ -9,14 +9,37 @@ namespace delcert {
 
 namespace {
 
-/// Whether d(o, γo) is certainly more than the radius.
-bool is_beyond(const InvariantForm& form, const FieldVector& first_column, const BigInterval& radius) {
-  return is_proved(less(radius, form.distance_from(form.displacement_of_origin(first_column).enclosure())));
-}
+/// A radius about o, in the terms of `displacement_of_origin`, so that no distance is computed for a tile.
+class Reach {
+ public:
+  Reach(const InvariantForm& form, const BigInterval& radius) : form_(form), bound_(displacement(radius)) {}
+
+  /// Whether d(o, γo) is certainly more than the radius.
+  [[nodiscard]] bool is_beyond(const FieldVector& first_column) const {
+    const BigInterval moved = form_.displacement_of_origin(first_column).enclosure();
+    return is_proved(form_.curvature() == Curvature::positive ? less(moved, bound_) : less(bound_, moved));
+  }
+
+ private:
+  [[nodiscard]] BigInterval displacement(const BigInterval& radius) const {
+    switch (form_.curvature()) {
+      case Curvature::negative:
+        return hyperbolic_cosine(radius);
+      case Curvature::zero:
+        return square(radius);
+      default:
+        return cosine(minimum(radius, half_turn()));
+    }
+  }
+
+  const InvariantForm& form_;
+  BigInterval bound_;
+};
 
 /// The connected component of the identity among the tiles with d(o, γo) ≤ radius.
 std::vector<FieldMatrix> component(const InvariantForm& form, const DirichletPolyhedron& polyhedron,
                                    const BigInterval& radius, std::size_t most_tiles) {
+  const Reach reach(form, radius);
   std::vector<FieldMatrix> tiles{FieldMatrix::identity(form.matrix().order())};
   // The group acts freely, so a tile is known by its centre.
   std::set<FieldVector, Precedes> centres{tiles.front().column(0)};
@@ -25,7 +48,7 @@ std::vector<FieldMatrix> component(const InvariantForm& form, const DirichletPol
   for (std::size_t at = 0; at < tiles.size(); ++at) {
     for (std::size_t side = 0; side < steps.size(); ++side) {
       FieldVector centre = tiles[at] * steps[side];
-      if (centres.contains(centre) || is_beyond(form, centre, radius)) continue;
+      if (centres.contains(centre) || reach.is_beyond(centre)) continue;
       if (tiles.size() == most_tiles)
         throw InputError("more than " + std::to_string(most_tiles) + " copies of the polyhedron are within reach");
       centres.insert(std::move(centre));
@@ -39,9 +62,10 @@ std::vector<FieldMatrix> component(const InvariantForm& form, const DirichletPol
 
 std::vector<FieldMatrix> tiles_with_centre_within(const InvariantForm& form, const DirichletPolyhedron& polyhedron,
                                                   const BigInterval& radius, std::size_t most_tiles) {
+  const Reach reach(form, radius);
   std::vector<FieldMatrix> result;
   for (FieldMatrix& tile : component(form, polyhedron, radius + circumradius(form, polyhedron), most_tiles)) {
-    if (!is_beyond(form, tile.column(0), radius)) result.push_back(std::move(tile));
+    if (!reach.is_beyond(tile.column(0))) result.push_back(std::move(tile));
   }
   return result;
 }
