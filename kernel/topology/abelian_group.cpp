@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "kernel/topology/integer_matrix.hpp"
+
 namespace delcert {
 
 std::string group_text(const AbelianGroup& group) {
@@ -16,6 +18,19 @@ std::string group_text(const AbelianGroup& group) {
     first = last;
   }
   return result.empty() ? "0" : result;
+}
+
+AbelianGroup abelian_group(std::size_t generators, const std::vector<std::vector<std::int64_t>>& relations) {
+  IntegerMatrix matrix(relations.size(), generators);
+  for (std::size_t row = 0; row < relations.size(); ++row) {
+    for (std::size_t column = 0; column < generators; ++column)
+      fmpz_set_si(matrix.entry(row, column), relations[row][column]);
+  }
+  AbelianGroup result;
+  result.torsion = matrix.invariant_factors();
+  result.free_rank = generators - result.torsion.size();
+  std::erase(result.torsion, Integer(1));
+  return result;
 }
 
 }  // namespace delcert
