@@ -130,13 +130,13 @@ void CandidateTest<m>::prepare(Label i) {
   const Rational drift = pruned ? parameters_.perturbation * unit : Rational(0);
   const Filter squared_reach = scalar_from<Filter>(square(reach));
   atlas_.sightings(i, approximate_double(reach + drift) * (1 + 0x1p-40), seen_);
-  view_.clear();
+  view_.clear(i);
   const auto& filter_centre = atlas_.net().enclosure(i);
   for (const Sighting<m>& sighting : seen_) {
     if (label_of<m>(sighting) == i) continue;
     if (pruned && !placed_[sighting.index]) continue;
     const PointSet<m>& measured = pruned ? points_ : atlas_.net();
-    const auto position = atlas_.carry(sighting, measured.enclosure(label_of<m>(sighting)));
+    const auto position = atlas_.carry(i, sighting, measured.enclosure(label_of<m>(sighting)));
     if (is_refuted(less(filter_.squared_norm(difference(position, filter_centre)), squared_reach))) continue;
     view_.add(sighting);
   }
