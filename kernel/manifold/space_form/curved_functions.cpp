@@ -2,7 +2,6 @@
 
 #include <array>
 #include <limits>
-#include <span>
 
 #include "kernel/number/scalar.hpp"
 
@@ -12,11 +11,14 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Σ (−K)ᵏ c_k xᵏ widened by the bound of what was left out.
-Interval series(Curvature curvature, std::span<const Interval> coefficients, const Interval& x, double remainder) {
+/// Σ_{k ≤ last} (−K)ᵏ c_k xᵏ widened by the bound of what was left out.
+template <std::size_t last, std::size_t size>
+Interval series(Curvature curvature, const std::array<Interval, size>& coefficients, const Interval& x,
+                double remainder) {
+  static_assert(last < size);
   const Interval step = curvature == Curvature::positive ? -x : x;
-  Interval result = coefficients.back();
-  for (std::size_t k = coefficients.size() - 1; k > 0; --k) result = coefficients[k - 1] + step * result;
+  Interval result = coefficients[last];
+  for (std::size_t k = last; k > 0; --k) result = coefficients[k - 1] + step * result;
   return result + Interval::between(-remainder, remainder);
 }
 
@@ -24,7 +26,7 @@ Interval series(Curvature curvature, std::span<const Interval> coefficients, con
 // up to less than twice the first: 2·(1/16)⁸/16! < 2⁻⁷⁵, 2·4¹⁴/28! < 2⁻⁶⁸.
 constexpr std::size_t trigonometric_terms = 14;
 constexpr double few_terms_reach = 0x1p-4;
-constexpr std::size_t few_terms = 8;
+constexpr std::size_t few_terms_last = 7;
 constexpr double few_terms_remainder = 0x1p-75;
 constexpr double all_terms_reach = 4;
 constexpr double all_terms_remainder = 0x1p-68;
@@ -42,9 +44,10 @@ std::array<Interval, trigonometric_terms> inverse_factorials(long odd) {
 }
 
 /// Precondition: s ≤ all_terms_reach.
-Interval trigonometric_series(Curvature curvature, std::span<const Interval> coefficients, const Interval& s) {
-  if (s.upper() <= few_terms_reach) return series(curvature, coefficients.first(few_terms), s, few_terms_remainder);
-  return series(curvature, coefficients, s, all_terms_remainder);
+Interval trigonometric_series(Curvature curvature, const std::array<Interval, trigonometric_terms>& coefficients,
+                              const Interval& s) {
+  if (s.upper() <= few_terms_reach) return series<few_terms_last>(curvature, coefficients, s, few_terms_remainder);
+  return series<trigonometric_terms - 1>(curvature, coefficients, s, all_terms_remainder);
 }
 
 // Of arctan √q / √q for q ≤ 1/64: what is left out is less than (1/64)¹⁰/21·64/63 < 2⁻⁶⁴.
@@ -109,7 +112,7 @@ Interval arctangent_ratio(Curvature curvature, const Interval& q) {
     factor *= Interval(2) / root;
     rest = rest / square(root);
   }
-  return factor * series(curvature, coefficients, rest, arctangent_remainder);
+  return factor * series<arctangent_terms - 1>(curvature, coefficients, rest, arctangent_remainder);
 }
 
 BigInterval cosine_of_root(Curvature curvature, const BigInterval& s) {
