@@ -86,7 +86,7 @@ void SpaceFormPoints<m>::look_about(std::uint32_t label, std::vector<Vector<doub
     if (lift.index == label && number == 0) continue;
     auto x = domain_.point(points_[lift.index]);
     if (number != 0) x = applied(domain_.matrix(number), x);
-    const auto conformal = conformal_coordinates<PlainDouble, m>(home.inverse_applied(x));
+    const auto conformal = home.conformal_seen(x);
     Vector<double, m> position;
     for (std::size_t axis = 0; axis < m; ++axis) position[axis] = conformal[axis].lower();
     around.push_back(metric_.approximate_cartesian(position));
