@@ -74,7 +74,7 @@ class ModelCheck {
 
   /// The simplices whose smallest interior label is i.
   void look_from(Label i) {
-    const auto mine = own_simplices(i);
+    const auto mine = complex_.first_seen_from(i);
     if (mine.empty()) return;
     std::vector<StarFailure> failures;
     for (const int half_reach : half_reaches) {
@@ -99,17 +99,6 @@ class ModelCheck {
   ModelReport report;
 
  private:
-  std::vector<ChartSimplex<m>> own_simplices(Label i) const {
-    std::vector<ChartSimplex<m>> result;
-    for (const auto& others : complex_.chart_star(i).simplices) {
-      const bool is_first = std::none_of(others.begin(), others.end(), [&](const auto& seen) {
-        return seen.index < i.value && complex_.is_interior(label_of<m>(seen));
-      });
-      if (is_first) result.push_back(others);
-    }
-    return result;
-  }
-
   /// Whether a point is to blame for a failure.
   bool check(Label i, const ChartSimplex<m>& others, std::vector<StarFailure>& failures) {
     std::vector<Label> labels{i};

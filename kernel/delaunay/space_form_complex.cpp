@@ -71,6 +71,19 @@ std::vector<Label> SpaceFormComplex<m>::neighbours(Label i) const {
 }
 
 template <int m>
+std::vector<ChartSimplex<m>> SpaceFormComplex<m>::first_seen_from(Label i) const {
+  std::vector<ChartSimplex<m>> result;
+  if (!is_interior(i)) return result;
+  for (const auto& others : stars_[i.value].simplices) {
+    const bool is_first = std::none_of(others.begin(), others.end(), [&](const auto& seen) {
+      return seen.index < i.value && is_interior(label_of<m>(seen));
+    });
+    if (is_first) result.push_back(others);
+  }
+  return result;
+}
+
+template <int m>
 std::vector<LabelSimplex<m>> SpaceFormComplex<m>::simplices() const {
   std::vector<LabelSimplex<m>> result;
   for (const auto& listed : all_listed<m>(stars_)) {
@@ -118,7 +131,20 @@ StarAgreement SpaceFormComplex<m>::agreement() const {
   return result;
 }
 
-#define DELCERT_INSTANTIATE(m) template class SpaceFormComplex<m>;
+template <int m>
+std::optional<PlaceSimplex<m>> places_of(const ChartView<m>& view, const LabelSimplex<m>& labels) {
+  PlaceSimplex<m> result;
+  for (std::size_t corner = 0; corner <= m; ++corner) {
+    const auto place = view.find(Label(labels[corner]));
+    if (!place) return std::nullopt;
+    result[corner] = *place;
+  }
+  return result;
+}
+
+#define DELCERT_INSTANTIATE(m)        \
+  template class SpaceFormComplex<m>; \
+  template std::optional<PlaceSimplex<m>> places_of<m>(const ChartView<m>&, const LabelSimplex<m>&);
 DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
 #undef DELCERT_INSTANTIATE
 

@@ -32,6 +32,10 @@ class SpaceFormComplex {
   /// The labels of the simplices of star(i) other than i, sorted.
   [[nodiscard]] std::vector<Label> neighbours(Label i) const;
 
+  /// The simplices of star(i) whose smallest interior label is i, by their other vertices as the chart of i sees them:
+  /// where stars agree, every simplex at one label.
+  [[nodiscard]] std::vector<ChartSimplex<m>> first_seen_from(Label i) const;
+
   /// All simplices that some star has, each once, in increasing order.
   [[nodiscard]] std::vector<LabelSimplex<m>> simplices() const;
   /// Σ (−1)^k times the number of k-faces, of the complex of all faces.
@@ -46,5 +50,9 @@ class SpaceFormComplex {
   std::vector<ChartStar<m>> stars_;
   std::vector<bool> interior_;
 };
+
+/// Where the simplex of these labels is in a view; none if one of them is not seen exactly once.
+template <int m>
+[[nodiscard]] std::optional<PlaceSimplex<m>> places_of(const ChartView<m>& view, const LabelSimplex<m>& labels);
 
 }  // namespace delcert

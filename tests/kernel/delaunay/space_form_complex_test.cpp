@@ -75,5 +75,35 @@ TEST(SpaceFormComplex, asks_nothing_of_labels_without_a_star) {
   EXPECT_FALSE(SpaceFormComplex<2>(stars, interior).is_interior(Label(2)));
 }
 
+TEST(SpaceFormComplex, gives_every_simplex_to_its_smallest_label) {
+  const SpaceFormComplex<2> complex(stars_of(6, octahedron), all);
+  EXPECT_EQ(complex.first_seen_from(Label(0)).size(), 4U);
+  EXPECT_EQ(complex.first_seen_from(Label(1)).size(), 4U);
+  EXPECT_TRUE(complex.first_seen_from(Label(2)).empty());
+  auto interior = all;
+  interior[0] = false;
+  const SpaceFormComplex<2> part(stars_of(6, octahedron), interior);
+  EXPECT_TRUE(part.first_seen_from(Label(0)).empty());
+  EXPECT_EQ(part.first_seen_from(Label(2)).size(), 2U);
+}
+
+TEST(PlacesOf, are_where_the_labels_are_seen) {
+  const FlatAtlas<2> atlas(cubic_torus<2>(), PointSet<2>(random_points<2>(20, 8)), ratio(1, 4));
+  ChartView<2> view(atlas, atlas.net(), {Curvature::zero, ratio(1, 2)});
+  view.look(Label(4), 0.4);
+  std::vector<std::uint32_t> seen;
+  for (std::uint32_t label = 0; label < 20; ++label) {
+    if (view.find(Label(label))) seen.push_back(label);
+  }
+  ASSERT_GE(seen.size(), 3U);
+  ASSERT_LT(seen.size(), 20U);
+  const auto places = places_of<2>(view, {seen[0], seen[1], seen[2]});
+  ASSERT_TRUE(places.has_value());
+  for (std::size_t corner = 0; corner < 3; ++corner) EXPECT_EQ(view.label((*places)[corner]), Label(seen[corner]));
+  std::uint32_t unseen = 0;
+  while (std::find(seen.begin(), seen.end(), unseen) != seen.end()) ++unseen;
+  EXPECT_FALSE(places_of<2>(view, {seen[0], seen[1], unseen}).has_value());
+}
+
 }  // namespace
 }  // namespace delcert::test
