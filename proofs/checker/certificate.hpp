@@ -44,7 +44,7 @@ struct Certificate {
   bool riemannian_simplices = false;                    // level 5: whether the two that follow are there
   Quantity riemannian_thickness, riemannian_radius;
   bool self_delaunay = true;                            // level 6
-  Quantity least_stretch, greatest_stretch;
+  Quantity weight, least_stretch, greatest_stretch;
   std::vector<std::string_view> net_text, points_text;  // m to a point
   std::vector<Label> net_simplices;                     // m + 1 to a simplex
   std::vector<std::uint64_t> star_begin;                // star(i) is simplices star_begin[i] … star_begin[i + 1] - 1

@@ -30,6 +30,7 @@ void Certificate::require_space_form() const {
           "the protection of level 4 is negative or its circumradius not positive");
   require(!riemannian_simplices || (positive(riemannian_thickness) && positive(riemannian_radius)),
           "thickness or radius of level 5 is not positive");
+  require(weight.exact.sign() >= 0, "weight is negative");
   require(!claimed[level_6] || (positive(least_stretch) && positive(greatest_stretch)),
           "a bound of bilipschitz is not positive");
   Report::require("form.family", !theory, "the mode theory is not for space forms");

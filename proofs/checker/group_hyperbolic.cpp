@@ -36,10 +36,8 @@ bool moves_far(const SpaceForm& form, const FieldMatrix& g) {
 /// d(x, gamma y) <= r for x and y in P (docs/space-forms.md).
 Group hyperbolic_group(const SpaceForm& form, const Rational& reach, const Rational& spread, Report& report) {
   const Dirichlet polyhedron(form);
-  if (!polyhedron.fault.empty()) {
-    report.reject("group.polyhedron", [&] { return polyhedron.fault; });
-    return {};
-  }
+  if (!polyhedron.fault.empty()) report.reject("group.polyhedron", [&] { return polyhedron.fault; });
+  if (!report.findings.empty()) return {};
   double needed = 0, walked = 0;  // upper bounds of cosh d(o, gamma o)
   {
     const BallScope scope(128);

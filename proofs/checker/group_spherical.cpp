@@ -34,10 +34,6 @@ Group spherical_group(const SpaceForm& form, Report& report) {
       if (known.insert(product).second) group.elements.push_back(product);
     }
   }
-  if (known.size() > most) {
-    report.reject("group.finite", [] { return "the generators have more than " + std::to_string(most) + " products"; });
-    return {};
-  }
   const bool possible = decide_with_balls([&] {
     Ball pi;
     arb_const_pi(pi.raw(), Ball::precision);
@@ -51,6 +47,8 @@ Group spherical_group(const SpaceForm& form, Report& report) {
              about(form.injectivity_radius.filter);
     });
   }
+  // Of infinitely many some move points very little: that is found first.
+  if (known.size() > most && report.findings.empty()) throw Undecided("the group has too many elements to look at");
   group.summary = "a finite group of order " + std::to_string(known.size());
   return group;
 }

@@ -88,7 +88,7 @@ Rational spread(const Certificate& c) {
     }
     most = maximum(most, squared(a, form.m));
   }
-  const Ball half = Ball::apply(arb_sqrt, most) / Ball(2), distance = half * logarithm_factor(form.K, square(half));
+  const Ball half = square_root(most) / Ball(2), distance = half * logarithm_factor(form.K, square(half));
   const double sixteenths = 32 * distance.enclosure().upper();
   if (!(sixteenths < 1e6)) throw Undecided("a point of the net is too far from the origin");
   return Rational(static_cast<int>(std::ceil(sixteenths)) + 1) / Rational(16) + c.rho.exact * c.epsilon.exact;

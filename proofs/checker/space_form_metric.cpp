@@ -55,24 +55,21 @@ void check_riemannian_simplices(const Certificate& c, const Lifts& lifts, Report
   }
 }
 
-/// cot alpha + cot beta > 0 for the angles opposite to an edge, from the squared lengths: cot alpha is the numerator
-/// s = a^2 + b^2 - e^2 over the root of q = 4 a^2 b^2 - s^2.
+/// cot alpha + cot beta > weight for the angles opposite to an edge, from the squared lengths: with s = a^2 + b^2 - e^2 and
+/// q = 4 a^2 b^2 - s^2, cot alpha = s / sqrt q.
 template <class N>
-Verdict is_locally_delaunay(const Chart& chart, int K, std::size_t i, std::size_t j, const std::size_t (&apex)[2]) {
+Verdict is_locally_delaunay(const Certificate& c, const Chart& chart, std::size_t i, std::size_t j,
+                            const std::array<std::size_t, 2>& apexes) {
   const auto length = [&](std::size_t x, std::size_t y) {
-    return squared_distance(K, 2, chart.conformal<N>(x), chart.conformal<N>(y));
+    return squared_distance(c.space_form->K, 2, chart.conformal<N>(x), chart.conformal<N>(y));
   };
   const N edge = length(i, j);
-  std::array<N, 2> s, q;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const N a = length(i, apex[k]), b = length(j, apex[k]);
-    s[k] = a + b - edge;
-    q[k] = N(4) * a * b - square(s[k]);
+  N sum(0);
+  for (const std::size_t apex : apexes) {
+    const N a = length(i, apex), b = length(j, apex), s = a + b - edge;
+    sum = sum + s / square_root(N(4) * a * b - square(s));
   }
-  const auto prevails = [&](std::size_t k) {
-    return conjunction(less(N(0), s[k]), less(square(s[1 - k]) * q[k], square(s[k]) * q[1 - k]));
-  };
-  return disjunction(conjunction(less(N(0), s[0]), less(N(0), s[1])), disjunction(prevails(0), prevails(1)));
+  return less(c.weight.as<N>(), sum);
 }
 
 void check_self_delaunay(const Certificate& c, const Lifts& lifts, Report& report) {
@@ -86,15 +83,15 @@ void check_self_delaunay(const Certificate& c, const Lifts& lifts, Report& repor
     }
     for (const auto& [j, thirds] : across) {
       if (j < i || thirds.size() != 2) continue;  // 1.facets
-      const std::size_t apex[2] = {chart.find(thirds[0]), chart.find(thirds[1])}, at_i = chart.find(i),
-                        at_j = chart.find(j);
-      if (std::max({apex[0], apex[1], at_i, at_j}) == Chart::none) continue;  // 4.lifts
-      const bool fine = decide_enclosed(
-          [&]<class N>(In<N>) { return is_locally_delaunay<N>(chart, c.space_form->K, at_i, at_j, apex); });
+      const std::array<std::size_t, 2> apexes{chart.find(thirds[0]), chart.find(thirds[1])};
+      const std::size_t at_i = chart.find(i), at_j = chart.find(j);
+      if (std::max({apexes[0], apexes[1], at_i, at_j}) == Chart::none) continue;  // 4.lifts
+      const bool fine =
+          decide_enclosed([&]<class N>(In<N>) { return is_locally_delaunay<N>(c, chart, at_i, at_j, apexes); });
       if (fine) continue;
       report.reject("6.self-delaunay", [&, end = j] {
-        return "the angles opposite to the edge {" + std::to_string(i) + ", " + std::to_string(end) +
-               "} have a sum of at least pi";
+        return "the cotangents of the angles opposite to the edge {" + std::to_string(i) + ", " + std::to_string(end) +
+               "} have a sum of at most weight";
       });
     }
   }

@@ -113,7 +113,7 @@ std::string check_stable_stars_in_charts(const Certificate& c, const Lifts& lift
         Label missing = 0;
         std::vector<std::size_t> vertices = chart.find(i, others, missing);
         if (vertices.empty()) {
-          report.reject("2s.vertices", [&] { return which + " needs label " + std::to_string(missing); });
+          report.reject("2s.reach", [&] { return which + " has no label " + std::to_string(missing); });
           continue;
         }
         const ChartSimplex simplex(c, chart, std::move(vertices));
@@ -121,7 +121,7 @@ std::string check_stable_stars_in_charts(const Certificate& c, const Lifts& lift
           const Vector<N> centre = add(chart.position<N>(simplex.vertices()[0]), N(1), t.centre);
           return is_ball_within(squared(centre, c.m_size()), t.radius_squared, c.reach_2s.as<N>());
         });
-        if (!within) report.reject("2s.ball", [&] { return which + " has a ball beyond reach"; });
+        if (!within) report.reject("2s.reach", [&] { return which + " has a ball beyond reach"; });
         check_protection(chart, simplex, none, report, "2s.protection", which);
       }
     }
