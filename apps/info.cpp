@@ -42,9 +42,8 @@ std::string json_of(const CertificateSummary& certificate) {
 }
 
 std::string text_of(const CertificateSummary& certificate) {
-  std::string out =
-      fmt::format("{} ({}, dimension {}), {} points\n", certificate.manifold.name, certificate.family,
-                  certificate.manifold.dimension.value, certificate.points.size());
+  std::string out = fmt::format("{} ({}, dimension {}), {} points\n", certificate.manifold.name, certificate.family,
+                                certificate.manifold.dimension.value, certificate.points.size());
   out += "parameters\n";
   for (const auto& [key, value] : certificate.parameters) out += fmt::format("  {:<24} {}\n", key, value);
   out += "levels claimed (delcert check verifies them)\n";

@@ -62,8 +62,8 @@ std::string levels_text(const SpaceFormClaims& claims) {
   if (claims.manifold) levels.push_back("\"2\":" + manifold_claim_object(*claims.manifold));
   if (claims.reach) levels.push_back(fmt::format("\"2s\":{{\"reach\":{}}}", number(*claims.reach)));
   if (claims.delaunay) {
-    levels.push_back(fmt::format("\"4\":{{\"protection\":{},\"circumradius\":{}}}",
-                                 number(claims.delaunay->protection), number(claims.delaunay->circumradius)));
+    levels.push_back(fmt::format("\"4\":{{\"protection\":{},\"circumradius\":{}}}", number(claims.delaunay->protection),
+                                 number(claims.delaunay->circumradius)));
   }
   if (claims.triangulation) {
     const std::string more = claims.riemannian
@@ -88,11 +88,12 @@ std::string_view family_of(Curvature curvature) {
 }
 
 std::string manifold_object(const SpaceForm& form) {
-  return fmt::format("{{\"name\":{},\"family\":\"{}\",\"dimension\":{},{},\"time\":{},\"gram\":{},\"generators\":{},"
-                     "\"injectivity_radius\":{}}}",
-                     quoted(form.description.name), family_of(form.form().curvature()), form.form().dimension(),
-                     field_entries(field_of(form)), element_text(form.form().time()), matrix_text(form.form().gram()),
-                     listed(form.description.generators, matrix_text), number(form.injectivity_radius.lower));
+  return fmt::format(
+      "{{\"name\":{},\"family\":\"{}\",\"dimension\":{},{},\"time\":{},\"gram\":{},\"generators\":{},"
+      "\"injectivity_radius\":{}}}",
+      quoted(form.description.name), family_of(form.form().curvature()), form.form().dimension(),
+      field_entries(field_of(form)), element_text(form.form().time()), matrix_text(form.form().gram()),
+      listed(form.description.generators, matrix_text), number(form.injectivity_radius.lower));
 }
 
 template <int m>

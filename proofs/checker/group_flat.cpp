@@ -59,10 +59,20 @@ void for_each_shift(std::size_t m, const std::vector<long>& first, const std::ve
   }
 }
 
+/// Whether the translation is certainly longer than this.
+bool is_longer(const SpaceForm& form, const FieldMatrix& a, double length) {
+  const BallScope scope(64);
+  Ball sum(0);
+  for (std::size_t i = 0; i < form.m; ++i) {
+    for (std::size_t k = 0; k < form.m; ++k) sum = sum + (a(i + 1, 0) * form.gram(i, k) * a(k + 1, 0)).enclosure();
+  }
+  return square_root(sum).enclosure().lower() > length;
+}
+
 }  // namespace
 
-/// Elements are z + the cosets found; a point x at most s from o, that is |x|_G <= s, has |gamma y - x| <= r only if the
-/// translation is at most r + 2s long, and its coordinates at most (r + 2s) sqrt((G^-1)_kk).
+/// Elements are z + the cosets found; a point x at most s from o, that is |x|_G <= s, has |gamma y - x| <= r only if
+/// the translation is at most r + 2s long, and its coordinates at most (r + 2s) sqrt((G^-1)_kk).
 Group flat_group(const SpaceForm& form, const Rational& reach, const Rational& spread, Report& report) {
   const FieldMatrix identity = FieldMatrix::identity(form.m + 1);
   std::vector<FieldMatrix> cosets{identity};
@@ -110,13 +120,14 @@ Group flat_group(const SpaceForm& form, const Rational& reach, const Rational& s
     first[k] = -last[k];
     number *= 2.0 * static_cast<double>(last[k]) + 1;
   }
-  if (!(number < 1e7)) throw Undecided("too many elements of the group to look at");
+  if (!(number < 1e6)) throw Undecided("too many elements of the group to look at");
   for (const FieldMatrix& coset : cosets) {
     for_each_shift(form.m, first, last, [&](const std::vector<long>& z) {
       FieldMatrix element = coset;
-      for (std::size_t k = 0; k < form.m; ++k) element(k + 1, 0) = element(k + 1, 0) + FieldElement(static_cast<int>(z[k]));
+      for (std::size_t k = 0; k < form.m; ++k)
+        element(k + 1, 0) = element(k + 1, 0) + FieldElement(static_cast<int>(z[k]));
       if (element == identity) return;
-      group.elements.push_back(element);
+      if (!is_longer(form, element, room)) group.elements.push_back(element);
       if (less(least_displacement_squared(form, element), least) != Verdict::proved) return;
       report.reject("group.injectivity", [&] {
         return "an element moves a point by less than twice the injectivity radius " +

@@ -124,6 +124,8 @@ Outcome check(std::string_view text, const std::vector<std::string>& selected) {
   } catch (const Malformed& reason) {
     outcome.status = 3;
     outcome.malformed = Finding{reason.rule, reason.what()};
+  } catch (const Undecided& reason) {
+    outcome.levels.push_back({"form", 2, reason.what(), {}, 0});
   }
   for (const LevelResult& result : outcome.levels) {
     if (result.status != 0 && outcome.status != 1) outcome.status = result.status;

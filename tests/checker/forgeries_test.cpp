@@ -16,8 +16,8 @@ namespace {
 
 std::vector<Forgery> all_forgeries() {
   std::vector<Forgery> all;
-  for (const auto& part : {form_forgeries(), level_0_forgeries(), star_forgeries(), configuration_forgeries(),
-                           space_form_forgeries()})
+  for (const auto& part :
+       {form_forgeries(), level_0_forgeries(), star_forgeries(), configuration_forgeries(), space_form_forgeries()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }
@@ -88,7 +88,8 @@ TEST(Forgeries, there_is_one_for_every_rule_that_only_this_rule_rejects) {
 /// The rules that the text of a page names: those of the form in a table, those of the levels anywhere.
 std::set<std::string> rules_of_the_page() {
   const std::string page = DELCERT_SOURCE_DIR "/docs/certificate-format.md";
-  std::set<std::string> rules = matches(page, std::regex(R"re((?:^|[^a-z0-9.])((?:group|[0-6]s?)\.[a-z][a-z0-9-]+))re"));
+  std::set<std::string> rules =
+      matches(page, std::regex(R"re((?:^|[^a-z0-9.])((?:group|[0-6]s?)\.[a-z][a-z0-9-]+))re"));
   rules.merge(matches(page, std::regex(R"re(\| (form\.[a-z][a-z0-9-]*|seal) \|)re")));
   return rules;
 }

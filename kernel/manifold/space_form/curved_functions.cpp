@@ -12,9 +12,10 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Σ_{k ≤ last} (−K)ᵏ c_k xᵏ widened by the bound of what was left out.
-template <std::size_t size>
-Interval series(Curvature curvature, const std::array<Interval, size>& coefficients, std::size_t last,
-                const Interval& x, double remainder) {
+template <std::size_t last, std::size_t size>
+Interval series(Curvature curvature, const std::array<Interval, size>& coefficients, const Interval& x,
+                double remainder) {
+  static_assert(last < size);
   const Interval step = curvature == Curvature::positive ? -x : x;
   Interval result = coefficients[last];
   for (std::size_t k = last; k > 0; --k) result = coefficients[k - 1] + step * result;
@@ -45,8 +46,8 @@ std::array<Interval, trigonometric_terms> inverse_factorials(long odd) {
 /// Precondition: s ≤ all_terms_reach.
 Interval trigonometric_series(Curvature curvature, const std::array<Interval, trigonometric_terms>& coefficients,
                               const Interval& s) {
-  if (s.upper() <= few_terms_reach) return series(curvature, coefficients, few_terms_last, s, few_terms_remainder);
-  return series(curvature, coefficients, trigonometric_terms - 1, s, all_terms_remainder);
+  if (s.upper() <= few_terms_reach) return series<few_terms_last>(curvature, coefficients, s, few_terms_remainder);
+  return series<trigonometric_terms - 1>(curvature, coefficients, s, all_terms_remainder);
 }
 
 // Of arctan √q / √q for q ≤ 1/64: what is left out is less than (1/64)¹⁰/21·64/63 < 2⁻⁶⁴.
@@ -111,7 +112,7 @@ Interval arctangent_ratio(Curvature curvature, const Interval& q) {
     factor *= Interval(2) / root;
     rest = rest / square(root);
   }
-  return factor * series(curvature, coefficients, arctangent_terms - 1, rest, arctangent_remainder);
+  return factor * series<arctangent_terms - 1>(curvature, coefficients, rest, arctangent_remainder);
 }
 
 BigInterval cosine_of_root(Curvature curvature, const BigInterval& s) {

@@ -62,9 +62,9 @@ std::vector<Forgery> forgeries_of_groups() {
     const auto entry = [](const std::string& a, const std::string& b) { return Json::array({a, b}); };
     const Json zero = Json::array({"0"}), one = Json::array({"1"});
     // cosh 2l = 2c^2 - 1 = 113 + 80t; sinh 2l = 2cS: 2c = 10 + 8t in the first row, times S^2 in the first column.
-    generators(j).push_back(Json::array({Json::array({entry("113", "80"), entry("10", "8"), zero}),
-                                         Json::array({entry("1200", "848"), entry("113", "80"), zero}),
-                                         Json::array({zero, zero, one})}));
+    generators(j).push_back(
+        Json::array({Json::array({entry("113", "80"), entry("10", "8"), zero}),
+                     Json::array({entry("1200", "848"), entry("113", "80"), zero}), Json::array({zero, zero, one})}));
   });
   return result;
 }
@@ -74,10 +74,10 @@ std::vector<Forgery> forgeries_of_groups() {
 std::vector<Forgery> space_form_forgeries() {
   std::vector<Forgery> result = forgeries_of_groups();
   const auto forge = [&](const std::string& name, const std::string& rule, const SpaceFormSample& sample, auto change,
-                         int status = 1, std::set<std::string> others = {}) {
+                         int status = 1) {
     Json document = sample.document();
     change(document);
-    result.push_back({name, rule, sealed(document), status, std::move(others)});
+    result.push_back({name, rule, sealed(document), status});
   };
   const auto level = [](const std::string& name, const std::string& key, double value) {
     return [=](Json& j) { j["levels"][name][key] = at_most(value).text(); };
@@ -93,10 +93,12 @@ std::vector<Forgery> space_form_forgeries() {
   forge("charts too large for the Klein bottle", "0.patch", klein_bottle(), [](Json& j) {
     j["parameters"]["sampling_radius"] = "42/1000";
     j["parameters"]["separation"] = "8/9";
+    j["levels"]["0"]["density"] = "1";
   });
   forge("points moved farther than stated", "1.perturbation", klein_bottle(), parameter("perturbation", 0.19));
   forge("points moved although none should be", "1.perturbation", projective_space(), parameter("perturbation", 0));
-  forge("protection too large in a chart", "1.protection", icosphere(), level("1", "protection", 2.1 * sphere.protection));
+  forge("protection too large in a chart", "1.protection", icosphere(),
+        level("1", "protection", 2.1 * sphere.protection));
   forge("thickness too large in a chart", "1.thickness", cell_600(), level("1", "thickness", 1.6 * solid.thickness));
   forge("a circumradius too small in a chart", "1.radius", bolza_surface(),
         level("1", "circumradius", bolza.circumradius / 1.011));
@@ -127,7 +129,8 @@ std::vector<Forgery> space_form_forgeries() {
   forge("Riemannian simplices larger than stated", "5.radius", riemannian,
         level("5", "radius", klein.riemannian_radius / 1.02));
   forge("simplices too large for the curvature", "5.radius", curved, [](Json&) {});
-  forge("cotangents greater than stated", "6.self-delaunay", bolza_surface(), level("6", "weight", 1.002 * bolza.weight + 1e-4));
+  forge("cotangents greater than stated", "6.self-delaunay", bolza_surface(),
+        level("6", "weight", 1.002 * bolza.weight + 1e-4));
   forge("distances stretched more than stated", "6.bilipschitz", icosphere(),
         [](Json& j) { j["levels"]["6"]["bilipschitz"][0] = "1"; });
   forge("distances of the Bolza surface stretched more than stated", "6.bilipschitz", bolza_surface(),
@@ -135,16 +138,9 @@ std::vector<Forgery> space_form_forgeries() {
   forge("an isometry that shrinks", "6.bilipschitz", klein_bottle(),
         [](Json& j) { j["levels"]["6"]["bilipschitz"][1] = "0x1.fffp-1"; });
 
-  forge("level 3 on a sphere", "form.family", icosphere(), [](Json& j) {
-    Json levels = Json::object();
-    for (const auto& [name, value] : j["levels"].items()) {
-      if (name == "4") levels["3"] = Json{{"tested", ""}};
-      levels[name] = value;
-    }
-    j["levels"] = levels;
-  }, 3);
-  forge("the mode theory on a sphere", "form.family", icosphere(),
-        [](Json& j) { j["parameters"]["mode"] = "theory"; }, 3);
+  forge(
+      "the mode theory on a sphere", "form.family", icosphere(), [](Json& j) { j["parameters"]["mode"] = "theory"; },
+      3);
   return result;
 }
 

@@ -347,7 +347,8 @@ SpaceFormMargins roomy_margins(const SpaceFormModel& model) {
             };
             const std::size_t one = (apex + 1) % 3, other = (apex + 2) % 3;
             const double a = length(apex, one), b = length(apex, other), sum = a + b - length(one, other);
-            cotangents[{std::min(all[one], all[other]), std::max(all[one], all[other])}] += sum / std::sqrt(4 * a * b - sum * sum);
+            cotangents[{std::min(all[one], all[other]), std::max(all[one], all[other])}] +=
+                sum / std::sqrt(4 * a * b - sum * sum);
           }
         }
         for (const Shown& s : shown) {
@@ -403,16 +404,15 @@ Json certificate(const SpaceFormModel& model, const SpaceFormMargins& margins, c
   Json metric{{"self_delaunay", margins.weight >= 0}};
   if (margins.weight >= 0) metric["weight"] = text(margins.weight);
   metric["bilipschitz"] = Json::array({text(margins.least_stretch), text(margins.greatest_stretch)});
-  const Json values{
-      {"0", Json{{"density", text(1.001 * margins.ball + model.rho * model.epsilon)}}},
-      {"1", Json{{"protection", text(margins.protection)},
-                 {"thickness", text(margins.thickness)},
-                 {"circumradius", text(margins.circumradius)}}},
-      {"2", Json{{"simplices", simplices}, {"euler_characteristic", euler}, {"closed", true}}},
-      {"2s", Json{{"reach", text(margins.reach)}}},
-      {"4", Json{{"protection", text(margins.empty)}, {"circumradius", text(margins.ball)}}},
-      {"5", levels.contains("5r") ? riemannian : Json{{"route", "space-form"}}},
-      {"6", metric}};
+  const Json values{{"0", Json{{"density", text(1.001 * margins.ball + model.rho * model.epsilon)}}},
+                    {"1", Json{{"protection", text(margins.protection)},
+                               {"thickness", text(margins.thickness)},
+                               {"circumradius", text(margins.circumradius)}}},
+                    {"2", Json{{"simplices", simplices}, {"euler_characteristic", euler}, {"closed", true}}},
+                    {"2s", Json{{"reach", text(margins.reach)}}},
+                    {"4", Json{{"protection", text(margins.empty)}, {"circumradius", text(margins.ball)}}},
+                    {"5", levels.contains("5r") ? riemannian : Json{{"route", "space-form"}}},
+                    {"6", metric}};
   Json claimed = Json::object();
   for (const auto& [name, value] : values.items()) {
     if (levels.contains(name)) claimed[name] = value;

@@ -33,7 +33,8 @@ TEST(SpaceFormWriter, GroupsAreWrittenExactly) {
   ASSERT_EQ(json["generators"].size(), form.description.generators.size());
   const FieldElement& entry = form.description.generators[3](2, 1);
   std::vector<Rational> read;
-  for (const Json& coefficient : json["generators"][3][2][1]) read.push_back(parse_exact(coefficient.get<std::string>()));
+  for (const Json& coefficient : json["generators"][3][2][1])
+    read.push_back(parse_exact(coefficient.get<std::string>()));
   EXPECT_EQ(read, entry.coefficients());
   // The only root of t^3 - t^2 - 2t + 1 above 1.
   const Rational lower = parse_exact(json["root"][0].get<std::string>()),
@@ -64,8 +65,8 @@ TEST(SpaceFormWriter, WritesTheKeysOfTheFormatAndTheReaderReadsThem) {
   claims.metric = SpaceFormClaims::Metric{Rational(0), epsilon, Rational(2)};
   write_space_form_certificate<2>(folder / "s.json", {form, parameters, epsilon, centres, vectors, stars, claims});
   const Json json = Json::parse(bytes_of(folder / "s.json"));
-  EXPECT_EQ(keys_of(json), (std::vector<std::string>{"format", "version", "software", "manifold", "parameters", "levels",
-                                                     "net", "net_simplices", "points", "stars", "sha256"}));
+  EXPECT_EQ(keys_of(json), (std::vector<std::string>{"format", "version", "software", "manifold", "parameters",
+                                                     "levels", "net", "net_simplices", "points", "stars", "sha256"}));
   EXPECT_EQ(keys_of(json["levels"]), (std::vector<std::string>{"0", "1", "2", "2s", "4", "5", "6"}));
   EXPECT_EQ(json["levels"]["5"], Json::parse(R"({"route":"space-form","thickness":"1/10","radius":"1/10"})"));
   EXPECT_EQ(json["levels"]["6"], Json::parse(R"({"self_delaunay":true,"weight":"0","bilipschitz":["1/10","2"]})"));
