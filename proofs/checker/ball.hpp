@@ -35,6 +35,7 @@ class Ball {
   friend Ball operator/(const Ball& a, const Ball& b) { return apply(arb_div, a, b); }
   friend Ball operator-(const Ball& a) { return Ball(0) - a; }
   friend Ball square(const Ball& a) { return apply(arb_sqr, a); }
+  friend Ball square_root(const Ball& a) { return apply(arb_sqrt, a); }
   friend Ball maximum(const Ball& a, const Ball& b) { return apply(arb_max, a, b); }
   /// The least ball around both.
   friend Ball joined(const Ball& a, const Ball& b) { return apply(arb_union, a, b); }

@@ -32,10 +32,10 @@ Certificate::Certificate(std::string_view text) {
 /// On a Euclidean ball |p_i| <= radius - 8 epsilon.
 bool Certificate::is_interior(Label i) const {
   return !has_boundary() || decide([&]<class N>(In<N>) {
-           const N room = radius.as<N>() - N(8) * epsilon.as<N>();
-           return conjunction(less_equal(N(0), room),
-                              less_equal(metric.squared_length(net.position<N>({i, {}})), square(room)));
-         });
+    const N room = radius.as<N>() - N(8) * epsilon.as<N>();
+    return conjunction(less_equal(N(0), room),
+                       less_equal(metric.squared_length(net.position<N>({i, {}})), square(room)));
+  });
 }
 
 /// Without these no level can be looked at: no switch leaves them out.

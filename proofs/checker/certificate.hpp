@@ -38,13 +38,13 @@ struct Certificate {
   std::uint64_t simplices = 0;                   // level 2
   std::int64_t euler_characteristic = 0;
   bool closed = false;
-  std::vector<std::string> homology;                    // m + 1 groups, or none
-  Quantity reach_2s;                                    // level 2s on a space form
-  Quantity empty_margin, ball_radius;                   // level 4
-  bool riemannian_simplices = false;                    // level 5: whether the two that follow are there
+  std::vector<std::string> homology;   // m + 1 groups, or none
+  Quantity reach_2s;                   // level 2s on a space form
+  Quantity empty_margin, ball_radius;  // level 4
+  bool riemannian_simplices = false;   // level 5: whether the two that follow are there
   Quantity riemannian_thickness, riemannian_radius;
-  bool self_delaunay = true;                            // level 6
-  Quantity least_stretch, greatest_stretch;
+  bool self_delaunay = true;  // level 6
+  Quantity weight, least_stretch, greatest_stretch;
   std::vector<std::string_view> net_text, points_text;  // m to a point
   std::vector<Label> net_simplices;                     // m + 1 to a simplex
   std::vector<std::uint64_t> star_begin;                // star(i) is simplices star_begin[i] … star_begin[i + 1] - 1

@@ -20,7 +20,7 @@ Rational Certificate::reach() const {
   return result;
 }
 
-/// What makes the levels of a space form sensible; the last is needed to look at any.
+/// Without the last two no level can be looked at.
 void Certificate::require_space_form() const {
   const auto require = [](bool holds, const char* what) { Report::require("form.ranges", holds, what); };
   const auto positive = [](const Quantity& x) { return x.exact.sign() > 0; };
@@ -30,11 +30,12 @@ void Certificate::require_space_form() const {
           "the protection of level 4 is negative or its circumradius not positive");
   require(!riemannian_simplices || (positive(riemannian_thickness) && positive(riemannian_radius)),
           "thickness or radius of level 5 is not positive");
+  require(weight.exact.sign() >= 0, "weight is negative");
   require(!claimed[level_6] || (positive(least_stretch) && positive(greatest_stretch)),
           "a bound of bilipschitz is not positive");
   Report::require("form.family", !theory, "the mode theory is not for space forms");
-  Report::require("form.family", !claimed[level_3], "level 3 is not for space forms");
   Report::require("form.family", !claimed[level_6] || !self_delaunay || m == 2, "self_delaunay is for surfaces");
+  if (claimed[level_3]) throw Malformed("form.family", "level 3 is not for space forms");
   const bool small = space_form->K <= 0 || decide_with_balls([&] {
                        Ball pi;
                        arb_const_pi(pi.raw(), Ball::precision);

@@ -45,7 +45,7 @@ Ball logarithm_factor(int K, const Ball& q) {
     const Ball most = maximum(q, Ball(0));
     return joined(Ball(1), K > 0 ? Ball(1) - most : Ball(1) / (Ball(1) - most));
   }
-  const Ball root = Ball::apply(arb_sqrt, q);
+  const Ball root = square_root(q);
   return Ball::apply(K > 0 ? arb_atan : arb_atanh, root) / root;
 }
 
@@ -60,7 +60,7 @@ Vector<Ball> exponential(int K, std::size_t m, const Vector<Ball>& v) {
   Vector<Ball> x{};
   x[0] = Ball(1);
   if (arb_is_zero(length_squared.raw()) != 0) return x;
-  const Ball length = Ball::apply(arb_sqrt, length_squared), factor = sine(K, length) / length;
+  const Ball length = square_root(length_squared), factor = sine(K, length) / length;
   if (K != 0) x[0] = Ball::apply(K > 0 ? arb_cos : arb_cosh, length);
   for (std::size_t k = 0; k < m; ++k) x[k + 1] = v[k] * factor;
   return x;

@@ -5,8 +5,8 @@
 
 namespace delcert::checker {
 
-// The linear model of the space of curvature K = 1, 0, -1: all x = (x_0, y) with x_0^2 + K |y|^2 = 1 (and x_0 > 0 unless
-// K = 1); o = (1, 0). Its conformal coordinates a = 2y / (1 + x_0). Formulas: docs/space-forms.md.
+// The linear model of the space of curvature K = 1, 0, -1: all x = (x_0, y) with x_0^2 + K |y|^2 = 1 (and x_0 > 0
+// unless K = 1); o = (1, 0). Its conformal coordinates a = 2y / (1 + x_0). Formulas: docs/space-forms.md.
 
 /// arctan(sqrt q) / sqrt q, 1, artanh(sqrt q) / sqrt q: exp_o^-1 of the point with conformal coordinates a is this at
 /// |a|^2 / 4, times a. Precondition: q may be 0 or positive, and less than 1 for K = -1.

@@ -66,8 +66,7 @@ Dirichlet::Dirichlet(const SpaceForm& form) : form_(form), J_(form.form()) {
   }
   for (const FieldMatrix& element : elements) {
     Side side{element, {}, {}, 0};
-    for (std::size_t k = 0; k <= form.m; ++k)
-      side.normal.push_back(element(k, 0) - FieldElement(k == 0 ? 1 : 0));
+    for (std::size_t k = 0; k <= form.m; ++k) side.normal.push_back(element(k, 0) - FieldElement(k == 0 ? 1 : 0));
     sides.push_back(side);
   }
   fault = find_vertices();
@@ -148,7 +147,7 @@ std::size_t Dirichlet::image(const FieldMatrix& a, std::size_t vertex) const {
 }
 
 Ball Dirichlet::angle(const Side& s, const Side& t) const {
-  const Ball lengths = Ball::apply(arb_sqrt, (product(s.normal, s.normal) * product(t.normal, t.normal)).enclosure());
+  const Ball lengths = square_root((product(s.normal, s.normal) * product(t.normal, t.normal)).enclosure());
   return Ball::apply(arb_acos, -(product(s.normal, t.normal).enclosure() / lengths));
 }
 
@@ -197,8 +196,7 @@ std::string Dirichlet::check_cycles() const {
 
 Ball Dirichlet::farthest_vertex() const {
   Ball result(1);
-  for (const FieldVector& x : vertices)
-    result = maximum(result, Ball::apply(arb_sqrt, (form_.time / product(x, x)).enclosure()));
+  for (const FieldVector& x : vertices) result = maximum(result, square_root((form_.time / product(x, x)).enclosure()));
   return result;
 }
 

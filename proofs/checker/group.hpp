@@ -14,8 +14,8 @@ struct Group {
   std::string summary;
 };
 
-/// Checks the rules group.* and finds all elements with d(x, gamma y) <= reach for some x, y at most `spread` from o, and
-/// perhaps others. The elements are complete only if nothing is reported. Throws Undecided.
+/// Checks the rules group.* and finds all elements with d(x, gamma y) <= reach for some x, y at most `spread` from o,
+/// and perhaps others. The elements are complete only if nothing is reported. Throws Undecided.
 Group check_group(const SpaceForm& form, const Rational& reach, const Rational& spread, Report& report);
 
 // The same for each curvature, after every generator was found to be an isometry.

@@ -7,7 +7,7 @@
 namespace delcert::checker {
 namespace {
 
-constexpr std::size_t most = 2000;
+constexpr std::size_t most = 200;
 
 /// The translation modulo 1.
 FieldMatrix reduced(const NumberField& field, FieldMatrix a) {
@@ -59,10 +59,20 @@ void for_each_shift(std::size_t m, const std::vector<long>& first, const std::ve
   }
 }
 
+/// Whether the translation is certainly longer than this.
+bool is_longer(const SpaceForm& form, const FieldMatrix& a, double length) {
+  const BallScope scope(64);
+  Ball sum(0);
+  for (std::size_t i = 0; i < form.m; ++i) {
+    for (std::size_t k = 0; k < form.m; ++k) sum = sum + (a(i + 1, 0) * form.gram(i, k) * a(k + 1, 0)).enclosure();
+  }
+  return square_root(sum).enclosure().lower() > length;
+}
+
 }  // namespace
 
-/// Elements are z + the cosets found; a point x at most s from o, that is |x|_G <= s, has |gamma y - x| <= r only if the
-/// translation is at most r + 2s long, and its coordinates at most (r + 2s) sqrt((G^-1)_kk).
+/// Elements are z + the cosets found; a point x at most s from o, that is |x|_G <= s, has |gamma y - x| <= r only if
+/// the translation is at most r + 2s long, and its coordinates at most (r + 2s) sqrt((G^-1)_kk).
 Group flat_group(const SpaceForm& form, const Rational& reach, const Rational& spread, Report& report) {
   const FieldMatrix identity = FieldMatrix::identity(form.m + 1);
   std::vector<FieldMatrix> cosets{identity};
@@ -73,12 +83,7 @@ Group flat_group(const SpaceForm& form, const Rational& reach, const Rational& s
       if (known.emplace(product, true).second) cosets.push_back(product);
     }
   }
-  if (known.size() > most) {
-    report.reject("group.finite", [] {
-      return "the generators have more than " + std::to_string(most) + " products modulo the lattice";
-    });
-    return {};
-  }
+  if (known.size() > most) throw Undecided("the group has too many elements modulo its lattice to look at");
   // Every displacement less than twice the injectivity radius occurs at a point of the unit cell, which is at most
   // `cell` from o: all such elements are looked at, too.
   std::vector<double> stretch(form.m);
@@ -96,7 +101,7 @@ Group flat_group(const SpaceForm& form, const Rational& reach, const Rational& s
       const auto length = [&](const Vector<Ball>& x) {
         Ball squares(0);
         for (std::size_t j = 0; j < form.m; ++j) squares = squares + square(x[j]);
-        return Ball::apply(arb_sqrt, squares);
+        return square_root(squares);
       };
       stretch[k] = length(row).enclosure().upper();
       sum = sum + length(column);
@@ -115,13 +120,14 @@ Group flat_group(const SpaceForm& form, const Rational& reach, const Rational& s
     first[k] = -last[k];
     number *= 2.0 * static_cast<double>(last[k]) + 1;
   }
-  if (!(number < 1e7)) throw Undecided("too many elements of the group to look at");
+  if (!(number < 1e6)) throw Undecided("too many elements of the group to look at");
   for (const FieldMatrix& coset : cosets) {
     for_each_shift(form.m, first, last, [&](const std::vector<long>& z) {
       FieldMatrix element = coset;
-      for (std::size_t k = 0; k < form.m; ++k) element(k + 1, 0) = element(k + 1, 0) + FieldElement(static_cast<int>(z[k]));
+      for (std::size_t k = 0; k < form.m; ++k)
+        element(k + 1, 0) = element(k + 1, 0) + FieldElement(static_cast<int>(z[k]));
       if (element == identity) return;
-      group.elements.push_back(element);
+      if (!is_longer(form, element, room)) group.elements.push_back(element);
       if (less(least_displacement_squared(form, element), least) != Verdict::proved) return;
       report.reject("group.injectivity", [&] {
         return "an element moves a point by less than twice the injectivity radius " +

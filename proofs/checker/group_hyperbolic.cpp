@@ -16,8 +16,8 @@ FieldElement trace(const FieldMatrix& a) {
 
 /// The isometry moves every point by more than 2 inj. It has the eigenvalues e^l, e^-l, l > 0 the least displacement,
 /// and for m = 2 its determinant, for m = 3 either 1, -1 (determinant -1) or e^it, e^-it; then 2 cosh l is the larger
-/// root of u^2 - a u + b - 2, x^4 - a x^3 + b x^2 - a x + 1 the characteristic polynomial. One that has a fixed point in
-/// the space or at infinity alone has l = 0 in the same formulas.
+/// root of u^2 - a u + b - 2, x^4 - a x^3 + b x^2 - a x + 1 the characteristic polynomial. One that has a fixed point
+/// in the space or at infinity alone has l = 0 in the same formulas.
 bool moves_far(const SpaceForm& form, const FieldMatrix& g) {
   const FieldElement a = trace(g), determinant = g.leading_minor(g.order()),
                      b = (a * a - trace(g * g)) / FieldElement(2);
@@ -36,10 +36,8 @@ bool moves_far(const SpaceForm& form, const FieldMatrix& g) {
 /// d(x, gamma y) <= r for x and y in P (docs/space-forms.md).
 Group hyperbolic_group(const SpaceForm& form, const Rational& reach, const Rational& spread, Report& report) {
   const Dirichlet polyhedron(form);
-  if (!polyhedron.fault.empty()) {
-    report.reject("group.polyhedron", [&] { return polyhedron.fault; });
-    return {};
-  }
+  if (!polyhedron.fault.empty()) report.reject("group.polyhedron", [&] { return polyhedron.fault; });
+  if (!report.findings.empty()) return {};
   double needed = 0, walked = 0;  // upper bounds of cosh d(o, gamma o)
   {
     const BallScope scope(128);

@@ -7,8 +7,8 @@ namespace {
 
 constexpr std::size_t most = 2000;
 
-/// cos(2 rho) J - (J a + a^T J) / 2 is positive definite: no x has <x, a x> >= cos(2 rho), so a moves all points by more
-/// than 2 rho.
+/// cos(2 rho) J - (J a + a^T J) / 2 is positive definite: no x has <x, a x> >= cos(2 rho), so a moves all points by
+/// more than 2 rho.
 bool moves_far(const SpaceForm& form, const FieldMatrix& a) {
   const FieldMatrix J = form.form(), Ja = J * a, twice = Ja + Ja.transposed();
   return decide_with_balls([&] {
@@ -34,16 +34,13 @@ Group spherical_group(const SpaceForm& form, Report& report) {
       if (known.insert(product).second) group.elements.push_back(product);
     }
   }
-  if (known.size() > most) {
-    report.reject("group.finite", [] { return "the generators have more than " + std::to_string(most) + " products"; });
-    return {};
-  }
   const bool possible = decide_with_balls([&] {
     Ball pi;
     arb_const_pi(pi.raw(), Ball::precision);
     return less(form.injectivity_radius.as<Ball>(), known.size() == 1 ? pi : pi / Ball(2));
   });
-  if (!possible) report.reject("group.injectivity", [] { return "the injectivity radius is not below that of a sphere"; });
+  if (!possible)
+    report.reject("group.injectivity", [] { return "the injectivity radius is not below that of a sphere"; });
   for (std::size_t at = 1; at < group.elements.size() && possible; ++at) {
     if (moves_far(form, group.elements[at])) continue;
     report.reject("group.injectivity", [&] {
@@ -51,6 +48,8 @@ Group spherical_group(const SpaceForm& form, Report& report) {
              about(form.injectivity_radius.filter);
     });
   }
+  // Of infinitely many some move points very little: that is found first.
+  if (known.size() > most && report.findings.empty()) throw Undecided("the group has too many elements to look at");
   group.summary = "a finite group of order " + std::to_string(known.size());
   return group;
 }

@@ -48,7 +48,7 @@ Lifts::Lifts(const Certificate& c, const Group& group, const Rational& reach, co
     }();
     for (std::uint32_t element = 0; element < elements_.size(); ++element) {
       const Vector<Interval> y = elements_[element] * x;
-      const bool far = K() < 0 ? y[0].lower() > farthest
+      const bool far = K() < 0    ? y[0].lower() > farthest
                        : K() == 0 ? squared(Vector<Interval>{y[1], y[2], y[3]}, m).lower() > farthest
                                   : false;
       if (!far) stored_.push_back({cell_of(y), j, element, y});
@@ -121,9 +121,8 @@ std::vector<Seen> Lifts::around(Label i, const Rational& radius) const {
       if (squared(a, m).lower() <= bound) result.push_back({place->label, place->element, a});
     }
   }
-  std::sort(result.begin(), result.end(), [](const Seen& a, const Seen& b) {
-    return std::tie(a.label, a.element) < std::tie(b.label, b.element);
-  });
+  std::sort(result.begin(), result.end(),
+            [](const Seen& a, const Seen& b) { return std::tie(a.label, a.element) < std::tie(b.label, b.element); });
   return result;
 }
 

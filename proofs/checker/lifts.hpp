@@ -25,8 +25,8 @@ class Lifts {
   /// are not known well enough for cells.
   Lifts(const Certificate& c, const Group& group, const Rational& reach, const Rational& spread);
 
-  /// All lifts at distance <= radius of the original point p_i, perhaps some that are a little farther; sorted by label.
-  /// Precondition: radius <= reach.
+  /// All lifts at distance <= radius of the original point p_i, perhaps some that are a little farther; sorted by
+  /// label. Precondition: radius <= reach.
   std::vector<Seen> around(Label i, const Rational& radius) const;
 
   /// Conformal coordinates about p_i of the lift, or of that lift of the original point.

@@ -64,9 +64,7 @@ class FieldElement {
     return fmpq_poly_equal(a.value_, b.value_) != 0;
   }
   /// An order of representations, for containers.
-  friend bool operator<(const FieldElement& a, const FieldElement& b) {
-    return fmpq_poly_cmp(a.value_, b.value_) < 0;
-  }
+  friend bool operator<(const FieldElement& a, const FieldElement& b) { return fmpq_poly_cmp(a.value_, b.value_) < 0; }
 
  private:
   static FieldElement apply(void (*operation)(fmpq_poly_t, const fmpq_poly_t, const fmpq_poly_t), const FieldElement& a,

@@ -139,6 +139,7 @@ void Certificate::parse_space_form_level(Cursor& cursor, std::size_t level) {
   } else {
     cursor.expect("{\"self_delaunay\":");
     self_delaunay = cursor.boolean();
+    if (self_delaunay) number(",\"weight\":", weight);
     number(",\"bilipschitz\":[", least_stretch);
     number(",", greatest_stretch);
     cursor.expect("]");

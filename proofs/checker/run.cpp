@@ -88,7 +88,7 @@ Rational spread(const Certificate& c) {
     }
     most = maximum(most, squared(a, form.m));
   }
-  const Ball half = Ball::apply(arb_sqrt, most) / Ball(2), distance = half * logarithm_factor(form.K, square(half));
+  const Ball half = square_root(most) / Ball(2), distance = half * logarithm_factor(form.K, square(half));
   const double sixteenths = 32 * distance.enclosure().upper();
   if (!(sixteenths < 1e6)) throw Undecided("a point of the net is too far from the origin");
   return Rational(static_cast<int>(std::ceil(sixteenths)) + 1) / Rational(16) + c.rho.exact * c.epsilon.exact;
@@ -124,6 +124,8 @@ Outcome check(std::string_view text, const std::vector<std::string>& selected) {
   } catch (const Malformed& reason) {
     outcome.status = 3;
     outcome.malformed = Finding{reason.rule, reason.what()};
+  } catch (const Undecided& reason) {
+    outcome.levels.push_back({"form", 2, reason.what(), {}, 0});
   }
   for (const LevelResult& result : outcome.levels) {
     if (result.status != 0 && outcome.status != 1) outcome.status = result.status;

@@ -79,8 +79,7 @@ class Simplex {
 /// P - delta^2 > sqrt(4 R^2 delta^2).
 template <class N>
 Verdict is_clear(const Simplex<N>& simplex, const Vector<N>& x, const N& delta) {
-  return negation(
-      at_most_root(simplex.power(x) - square(delta), N(4) * simplex.radius_squared * square(delta)));
+  return negation(at_most_root(simplex.power(x) - square(delta), N(4) * simplex.radius_squared * square(delta)));
 }
 
 /// thickness >= sqrt(threshold_squared): the least altitude / (dimension · longest edge), which is 1 for an edge.

@@ -66,12 +66,12 @@ FieldMatrix SpaceForm::form() const {
 
 SquareMatrix<Ball> SpaceForm::basis() const {
   SquareMatrix<Ball> T(m + 1);
-  T(0, 0) = K == 0 ? Ball(1) : Ball::apply(arb_sqrt, Ball(K) * time.enclosure());
+  T(0, 0) = K == 0 ? Ball(1) : square_root(Ball(K) * time.enclosure());
   for (std::size_t i = 1; i <= m; ++i) {
     for (std::size_t k = i; k <= m; ++k) {
       Ball rest = gram(i - 1, k - 1).enclosure();
       for (std::size_t j = 1; j < i; ++j) rest = rest - T(j, i) * T(j, k);
-      T(i, k) = i == k ? Ball::apply(arb_sqrt, rest) : rest / T(i, i);
+      T(i, k) = i == k ? square_root(rest) : rest / T(i, i);
     }
   }
   return T;

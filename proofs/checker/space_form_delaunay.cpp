@@ -51,7 +51,8 @@ class DelaunayChecker {
     if (!small)
       report_.reject("4.ball", [&] { return simplex_of_star(c_, i, others) + " has no circumball so small"; });
     for (std::size_t q = 0; q < chart.size(); ++q) {
-      if (simplex.is_vertex(q) || simplex.decide([&]<class N>(const Simplex<N>& s) { return is_outside(chart, s, first, q); }))
+      if (simplex.is_vertex(q) ||
+          simplex.decide([&]<class N>(const Simplex<N>& s) { return is_outside(chart, s, first, q); }))
         continue;
       report_.reject("4.empty", [&] {
         return simplex_of_star(c_, i, others) + " has label " + std::to_string(chart.label(q)) +
@@ -68,8 +69,8 @@ class DelaunayChecker {
     const Vector<N> x = chart.position<N>(q), v = chart.position<N>(first);
     const ConformalBall<N> ball(c_, s, v);
     const N power = s.power(x - v) / (N(2) + N(2) * bend(c_.space_form->K, c_.m_size(), x));
-    return negation(at_most_root(power - versed_sine_.as<N>() * ball.weight,
-                                 ball.radius_squared * square(sine_.as<N>())));
+    return negation(
+        at_most_root(power - versed_sine_.as<N>() * ball.weight, ball.radius_squared * square(sine_.as<N>())));
   }
 
   const Certificate& c_;
@@ -80,7 +81,7 @@ class DelaunayChecker {
 }  // namespace
 
 std::string for_each_simplex(const Certificate& c, const Lifts& lifts,
-                      const std::function<void(const Chart&, const ChartSimplex&, Label, const Label*)>& f) {
+                             const std::function<void(const Chart&, const ChartSimplex&, Label, const Label*)>& f) {
   std::string left_out;
   for (Label i = 0; i < c.n; ++i) {
     const Chart chart(c, lifts, i, c.reach_4(), Coordinates::conformal);
@@ -101,9 +102,8 @@ std::string for_each_simplex(const Certificate& c, const Lifts& lifts,
 
 std::string check_delaunay_on_space_form(const Certificate& c, const Lifts& lifts, Report& report) {
   if (less(c.reach_4(), c.space_form->injectivity_radius.exact) != Verdict::proved) {
-    report.reject("4.lifts", [] {
-      return "perturbation + 2 circumradius + protection is not below the injectivity radius";
-    });
+    report.reject("4.lifts",
+                  [] { return "perturbation + 2 circumradius + protection is not below the injectivity radius"; });
   }
   DelaunayChecker checker(c, report);
   const auto check = [&](const Chart& chart, const ChartSimplex& simplex, Label i, const Label* others) {

@@ -27,7 +27,7 @@ std::string simplex_of_star(const Certificate& c, Label i, const Label* others);
 /// labels). The chart shows reach_4. Returns a simplex with a label that it does not show, if there is one: 4.lifts
 /// rejects it, and it is left out.
 std::string for_each_simplex(const Certificate& c, const Lifts& lifts,
-                      const std::function<void(const Chart&, const ChartSimplex&, Label, const Label*)>& f);
+                             const std::function<void(const Chart&, const ChartSimplex&, Label, const Label*)>& f);
 
 /// The circumball of a simplex in conformal coordinates, by its centre c and radius R there.
 template <class N>

@@ -36,9 +36,8 @@ void check_riemannian_simplices(const Certificate& c, const Lifts& lifts, Report
           result.push_back(about_perturbed(c, v, chart.conformal<N>(vertices[k])));
         return result;
       };
-      const bool thick = decide_enclosed([&]<class N>(In<N> in) {
-        return is_thick(c.metric, positions(in), square(c.riemannian_thickness.as<N>()));
-      });
+      const bool thick = decide_enclosed(
+          [&]<class N>(In<N> in) { return is_thick(c.metric, positions(in), square(c.riemannian_thickness.as<N>())); });
       if (!thick) {
         report.reject("5.thickness", [&] {
           return simplex_of_star(c, i, others) + " is thinner than " + about(c.riemannian_thickness.filter);
@@ -55,24 +54,21 @@ void check_riemannian_simplices(const Certificate& c, const Lifts& lifts, Report
   }
 }
 
-/// cot alpha + cot beta > 0 for the angles opposite to an edge, from the squared lengths: cot alpha is the numerator
-/// s = a^2 + b^2 - e^2 over the root of q = 4 a^2 b^2 - s^2.
+/// cot alpha + cot beta > weight for the angles opposite to an edge, from the squared lengths: with s = a^2 + b^2 - e^2
+/// and q = 4 a^2 b^2 - s^2, cot alpha = s / sqrt q.
 template <class N>
-Verdict is_locally_delaunay(const Chart& chart, int K, std::size_t i, std::size_t j, const std::size_t (&apex)[2]) {
+Verdict is_locally_delaunay(const Certificate& c, const Chart& chart, std::size_t i, std::size_t j,
+                            const std::array<std::size_t, 2>& apexes) {
   const auto length = [&](std::size_t x, std::size_t y) {
-    return squared_distance(K, 2, chart.conformal<N>(x), chart.conformal<N>(y));
+    return squared_distance(c.space_form->K, 2, chart.conformal<N>(x), chart.conformal<N>(y));
   };
   const N edge = length(i, j);
-  std::array<N, 2> s, q;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const N a = length(i, apex[k]), b = length(j, apex[k]);
-    s[k] = a + b - edge;
-    q[k] = N(4) * a * b - square(s[k]);
+  N sum(0);
+  for (const std::size_t apex : apexes) {
+    const N a = length(i, apex), b = length(j, apex), s = a + b - edge;
+    sum = sum + s / square_root(N(4) * a * b - square(s));
   }
-  const auto prevails = [&](std::size_t k) {
-    return conjunction(less(N(0), s[k]), less(square(s[1 - k]) * q[k], square(s[k]) * q[1 - k]));
-  };
-  return disjunction(conjunction(less(N(0), s[0]), less(N(0), s[1])), disjunction(prevails(0), prevails(1)));
+  return less(c.weight.as<N>(), sum);
 }
 
 void check_self_delaunay(const Certificate& c, const Lifts& lifts, Report& report) {
@@ -86,15 +82,15 @@ void check_self_delaunay(const Certificate& c, const Lifts& lifts, Report& repor
     }
     for (const auto& [j, thirds] : across) {
       if (j < i || thirds.size() != 2) continue;  // 1.facets
-      const std::size_t apex[2] = {chart.find(thirds[0]), chart.find(thirds[1])}, at_i = chart.find(i),
-                        at_j = chart.find(j);
-      if (std::max({apex[0], apex[1], at_i, at_j}) == Chart::none) continue;  // 4.lifts
-      const bool fine = decide_enclosed(
-          [&]<class N>(In<N>) { return is_locally_delaunay<N>(chart, c.space_form->K, at_i, at_j, apex); });
+      const std::array<std::size_t, 2> apexes{chart.find(thirds[0]), chart.find(thirds[1])};
+      const std::size_t at_i = chart.find(i), at_j = chart.find(j);
+      if (std::max({apexes[0], apexes[1], at_i, at_j}) == Chart::none) continue;  // 4.lifts
+      const bool fine =
+          decide_enclosed([&]<class N>(In<N>) { return is_locally_delaunay<N>(c, chart, at_i, at_j, apexes); });
       if (fine) continue;
       report.reject("6.self-delaunay", [&, end = j] {
-        return "the angles opposite to the edge {" + std::to_string(i) + ", " + std::to_string(end) +
-               "} have a sum of at least pi";
+        return "the cotangents of the angles opposite to the edge {" + std::to_string(i) + ", " + std::to_string(end) +
+               "} have a sum of at most weight";
       });
     }
   }
@@ -103,7 +99,8 @@ void check_self_delaunay(const Certificate& c, const Lifts& lifts, Report& repor
 /// With k = cos^2 rho = 1/(1 + K tan^2 rho): B^2 k G_D - G_C and G_C - (A^2 / k) G_D are positive definite. (For K < 0,
 /// a >= A cosh rho and b <= B / cosh rho in the same form.)
 template <class N>
-Verdict is_stretched_within(const Certificate& c, const Chart& chart, const ChartSimplex& simplex, const Simplex<N>& s) {
+Verdict is_stretched_within(const Certificate& c, const Chart& chart, const ChartSimplex& simplex,
+                            const Simplex<N>& s) {
   const int K = c.space_form->K;
   const N &least = c.least_stretch.as<N>(), &greatest = c.greatest_stretch.as<N>();
   if (K == 0) return conjunction(less_equal(least, N(1)), less_equal(N(1), greatest));  // an isometry
@@ -117,8 +114,7 @@ Verdict is_stretched_within(const Certificate& c, const Chart& chart, const Char
     for (std::size_t x = 0; x < m; ++x) {
       for (std::size_t y = 0; y < m; ++y) {
         const auto length = [&](std::size_t v, std::size_t w) {
-          return v == w ? N(0)
-                        : squared_length(K, m, chart.conformal<N>(vertices[v]), chart.conformal<N>(vertices[w]));
+          return v == w ? N(0) : squared_length(K, m, chart.conformal<N>(vertices[v]), chart.conformal<N>(vertices[w]));
         };
         result(x, y) = (length(0, x + 1) + length(0, y + 1) - length(x + 1, y + 1)) / N(2);
       }
@@ -148,7 +144,8 @@ std::string check_triangulation_of_space_form(const Certificate& c, const Lifts&
 std::string check_metric_of_space_form(const Certificate& c, const Lifts& lifts, Report& report) {
   if (c.self_delaunay) check_self_delaunay(c, lifts, report);
   for_each_simplex(c, lifts, [&](const Chart& chart, const ChartSimplex& simplex, Label i, const Label* others) {
-    if (simplex.decide([&]<class N>(const Simplex<N>& s) { return is_stretched_within<N>(c, chart, simplex, s); })) return;
+    if (simplex.decide([&]<class N>(const Simplex<N>& s) { return is_stretched_within<N>(c, chart, simplex, s); }))
+      return;
     report.reject("6.bilipschitz",
                   [&] { return simplex_of_star(c, i, others) + " is stretched beyond the bounds of bilipschitz"; });
   });

@@ -52,13 +52,11 @@ void check_star(const Certificate& c, const Chart& chart, Label i, Report& repor
       continue;
     }
     const ChartSimplex simplex(c, chart, std::move(vertices));
-    const bool small = simplex.decide([&]<class N>(const Simplex<N>& t) {
-      return less_equal(t.radius_squared, square(c.circumradius.as<N>()));
-    });
+    const bool small = simplex.decide(
+        [&]<class N>(const Simplex<N>& t) { return less_equal(t.radius_squared, square(c.circumradius.as<N>())); });
     if (!small) {
-      report.reject("1.radius", [&] {
-        return which + " has squared circumradius " + about(simplex.filter().radius_squared);
-      });
+      report.reject("1.radius",
+                    [&] { return which + " has squared circumradius " + about(simplex.filter().radius_squared); });
     }
     const bool thick = simplex.decide([&]<class N>(const Simplex<N>&) {
       return is_thick(c.metric, chart.positions<N>(simplex.vertices()), square(c.thickness.as<N>()));
@@ -82,17 +80,16 @@ std::string check_stars_in_charts(const Certificate& c, const Lifts& lifts, Repo
       return less_equal(squared(lifts.vector_of<N>(i), c.m_size()), square(c.rho.as<N>() * c.epsilon.as<N>()));
     });
     if (!near) {
-      report.reject("1.perturbation", [&] {
-        return "label " + std::to_string(i) + " is moved by more than perturbation epsilon";
-      });
+      report.reject("1.perturbation",
+                    [&] { return "label " + std::to_string(i) + " is moved by more than perturbation epsilon"; });
     }
     check_facets(c, i, report);
     check_star(c, Chart(c, lifts, i, c.reach_1(), Coordinates::exponential), i, report);
     simplices += c.star_size(i);
   }
-  return std::to_string(simplices) + " simplices in the charts of their vertices, protection >= " +
-         about(c.protection.filter) + ", thickness >= " + about(c.thickness.filter) + ", circumradius <= " +
-         about(c.circumradius.filter);
+  return std::to_string(simplices) +
+         " simplices in the charts of their vertices, protection >= " + about(c.protection.filter) +
+         ", thickness >= " + about(c.thickness.filter) + ", circumradius <= " + about(c.circumradius.filter);
 }
 
 /// In the chart of j, the stars of j and of all labels of star(j). By 2.agreement j is in the stars of just these.
@@ -113,7 +110,7 @@ std::string check_stable_stars_in_charts(const Certificate& c, const Lifts& lift
         Label missing = 0;
         std::vector<std::size_t> vertices = chart.find(i, others, missing);
         if (vertices.empty()) {
-          report.reject("2s.vertices", [&] { return which + " needs label " + std::to_string(missing); });
+          report.reject("2s.reach", [&] { return which + " has no label " + std::to_string(missing); });
           continue;
         }
         const ChartSimplex simplex(c, chart, std::move(vertices));
@@ -121,7 +118,7 @@ std::string check_stable_stars_in_charts(const Certificate& c, const Lifts& lift
           const Vector<N> centre = add(chart.position<N>(simplex.vertices()[0]), N(1), t.centre);
           return is_ball_within(squared(centre, c.m_size()), t.radius_squared, c.reach_2s.as<N>());
         });
-        if (!within) report.reject("2s.ball", [&] { return which + " has a ball beyond reach"; });
+        if (!within) report.reject("2s.reach", [&] { return which + " has a ball beyond reach"; });
         check_protection(chart, simplex, none, report, "2s.protection", which);
       }
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 #include <stdexcept>
 
@@ -214,6 +215,30 @@ std::set<int> in_disagreement(const std::vector<std::vector<Labels>>& stars) {
   return result;
 }
 
+/// The labels of triangles near j that do not stand clear of another label in the chart of j.
+std::set<int> unclear(const SpaceFormModel& model, const std::vector<Shown>& shown, int j) {
+  const std::size_t m = model.m;
+  std::set<int> result, centres{j};
+  std::vector<Point> place(model.size());
+  for (const Shown& s : shown) place[static_cast<std::size_t>(s.label)] = s.chart;
+  for (const Labels& others : model.stars[static_cast<std::size_t>(j)]) centres.insert(others.begin(), others.end());
+  for (const int i : centres) {
+    for (const Labels& others : model.stars[static_cast<std::size_t>(i)]) {
+      const Labels all = with(others, i);
+      std::vector<Point> x;
+      for (const int v : all) x.push_back(place[static_cast<std::size_t>(v)]);
+      const Ball ball = circumball(m, x);
+      for (const Shown& s : shown) {
+        if (std::find(all.begin(), all.end(), s.label) != all.end()) continue;
+        if (std::sqrt(squared(m, combined(s.chart, -1, ball.centre))) > ball.radius + 1e-3 * model.epsilon) continue;
+        result.insert(all.begin(), all.end());
+        result.insert(s.label);
+      }
+    }
+  }
+  return result;
+}
+
 double tangent(int K, double r) { return K == 0 ? r : K > 0 ? std::tan(r) : std::tanh(r); }
 
 }  // namespace
@@ -246,7 +271,7 @@ double distance_from_origin(int K, std::size_t m, const Point& x) {
   return K == 0 ? side : K > 0 ? std::atan2(side, x[0]) : std::asinh(side);
 }
 
-void perturb_until_stars_agree(SpaceFormModel& model, std::uint64_t seed) {
+void perturb_until_stars_agree(SpaceFormModel& model, std::uint64_t seed, bool in_all_charts) {
   std::mt19937_64 random(seed);
   const auto uniform = [&random] { return static_cast<double>(random() >> 11) * 0x1p-52 - 1; };
   const auto draw = [&] {
@@ -258,12 +283,16 @@ void perturb_until_stars_agree(SpaceFormModel& model, std::uint64_t seed) {
   };
   model.vectors.clear();
   for (std::size_t i = 0; i < model.size(); ++i) model.vectors.push_back(draw());
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < 200; ++round) {
     const Atlas atlas(model);
     model.stars.clear();
     for (std::size_t i = 0; i < model.size(); ++i)
       model.stars.push_back(star_of(model, atlas.around(i, 4 * model.epsilon), static_cast<int>(i)));
-    const std::set<int> bad = in_disagreement(model.stars);
+    std::set<int> bad = in_disagreement(model.stars);
+    if (bad.empty() && in_all_charts) {
+      for (std::size_t j = 0; j < model.size(); ++j)
+        bad.merge(unclear(model, atlas.around(j, 6 * model.epsilon), static_cast<int>(j)));
+    }
     if (bad.empty()) return;
     for (const int i : bad) model.vectors[static_cast<std::size_t>(i)] = draw();
   }
@@ -276,15 +305,18 @@ SpaceFormMargins roomy_margins(const SpaceFormModel& model) {
   const Atlas atlas(model);
   SpaceFormMargins found;
   found.protection = found.thickness = found.empty = found.riemannian_thickness = found.least_stretch = 1e9;
-  found.self_delaunay = m == 2;
+  std::map<Labels, double> cotangents;  // of the angles opposite to an edge
   for (std::size_t i = 0; i < model.size(); ++i) {
-    const std::vector<Shown> shown = atlas.around(i, 6 * model.epsilon);
+    const std::vector<Shown> shown = atlas.around(i, std::min(6 * model.epsilon, model.injectivity_radius));
     const auto find = [&](int label) {
       return *std::find_if(shown.begin(), shown.end(), [&](const Shown& s) { return s.label == label; });
     };
     const Point own = find(static_cast<int>(i)).conformal;
     std::set<int> around{static_cast<int>(i)};
-    for (const Labels& others : model.stars[i]) around.insert(others.begin(), others.end());
+    // Level 2s is for surfaces.
+    for (const Labels& others : model.stars[i]) {
+      if (m == 2) around.insert(others.begin(), others.end());
+    }
     for (const int j : around) {
       for (const Labels& others : model.stars[static_cast<std::size_t>(j)]) {
         std::vector<Point> chart, flat, perturbed;
@@ -307,6 +339,18 @@ SpaceFormMargins roomy_margins(const SpaceFormModel& model) {
         const double w = 1 + K * (squared(m, round.centre) - round.radius * round.radius) / 4, t = round.radius / w;
         const double rho = K == 0 ? t : K > 0 ? std::atan(t) : std::atanh(t);
         found.ball = std::max(found.ball, rho);
+        if (all[0] == j && m == 2) {
+          for (std::size_t apex = 0; apex < 3; ++apex) {
+            const auto length = [&](std::size_t from, std::size_t to) {
+              const Point y = framed(K, m, flat[from], -1, linear_of(K, m, flat[to]));
+              return std::pow(distance_from_origin(K, m, y), 2);
+            };
+            const std::size_t one = (apex + 1) % 3, other = (apex + 2) % 3;
+            const double a = length(apex, one), b = length(apex, other), sum = a + b - length(one, other);
+            cotangents[{std::min(all[one], all[other]), std::max(all[one], all[other])}] +=
+                sum / std::sqrt(4 * a * b - sum * sum);
+          }
+        }
         for (const Shown& s : shown) {
           if (std::find(all.begin(), all.end(), s.label) != all.end()) continue;
           found.protection =
@@ -318,6 +362,8 @@ SpaceFormMargins roomy_margins(const SpaceFormModel& model) {
       }
     }
   }
+  if (m == 2) found.weight = 1e9;
+  for (const auto& [edge, sum] : cotangents) found.weight = std::min(found.weight, 0.999 * sum);
   // tan rho^2 bounds all that bends.
   const double bend = std::pow(tangent(1, found.ball), 2);
   found.least_stretch = K == 0 ? 1 : 1 - bend;
@@ -355,17 +401,18 @@ Json certificate(const SpaceFormModel& model, const SpaceFormMargins& margins, c
   const Json riemannian{{"route", "space-form"},
                         {"thickness", text(margins.riemannian_thickness)},
                         {"radius", text(margins.riemannian_radius)}};
-  const Json values{
-      {"0", Json{{"density", text(1.001 * margins.ball + model.rho * model.epsilon)}}},
-      {"1", Json{{"protection", text(margins.protection)},
-                 {"thickness", text(margins.thickness)},
-                 {"circumradius", text(margins.circumradius)}}},
-      {"2", Json{{"simplices", simplices}, {"euler_characteristic", euler}, {"closed", true}}},
-      {"2s", Json{{"reach", text(margins.reach)}}},
-      {"4", Json{{"protection", text(margins.empty)}, {"circumradius", text(margins.ball)}}},
-      {"5", levels.contains("5r") ? riemannian : Json{{"route", "space-form"}}},
-      {"6", Json{{"self_delaunay", margins.self_delaunay},
-                 {"bilipschitz", Json::array({text(margins.least_stretch), text(margins.greatest_stretch)})}}}};
+  Json metric{{"self_delaunay", margins.weight >= 0}};
+  if (margins.weight >= 0) metric["weight"] = text(margins.weight);
+  metric["bilipschitz"] = Json::array({text(margins.least_stretch), text(margins.greatest_stretch)});
+  const Json values{{"0", Json{{"density", text(1.001 * margins.ball + model.rho * model.epsilon)}}},
+                    {"1", Json{{"protection", text(margins.protection)},
+                               {"thickness", text(margins.thickness)},
+                               {"circumradius", text(margins.circumradius)}}},
+                    {"2", Json{{"simplices", simplices}, {"euler_characteristic", euler}, {"closed", true}}},
+                    {"2s", Json{{"reach", text(margins.reach)}}},
+                    {"4", Json{{"protection", text(margins.empty)}, {"circumradius", text(margins.ball)}}},
+                    {"5", levels.contains("5r") ? riemannian : Json{{"route", "space-form"}}},
+                    {"6", metric}};
   Json claimed = Json::object();
   for (const auto& [name, value] : values.items()) {
     if (levels.contains(name)) claimed[name] = value;

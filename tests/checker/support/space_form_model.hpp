@@ -15,10 +15,10 @@ using Isometry = std::array<Point, 4>;  // rows
 struct SpaceFormModel {
   int K = 0;
   std::size_t m = 2;
-  Json manifold;                    // the block of the certificate
+  Json manifold;  // the block of the certificate
   double injectivity_radius = 0;
-  std::vector<Isometry> elements;   // in the standard basis, the identity first; all that matter
-  Point frame{1, 1, 1, 1};          // flat: coordinates are those of the standard basis divided by these
+  std::vector<Isometry> elements;  // in the standard basis, the identity first; all that matter
+  Point frame{1, 1, 1, 1};         // flat: coordinates are those of the standard basis divided by these
   double epsilon = 0, mu = 0, rho = 0;
   std::vector<Point> net, vectors;  // conformal coordinates of the points, perturbations
   std::vector<std::vector<Labels>> stars;
@@ -33,7 +33,7 @@ struct SpaceFormMargins {
   double empty = 0, ball = 0;
   double riemannian_thickness = 0, riemannian_radius = 0;
   double least_stretch = 0, greatest_stretch = 0;
-  bool self_delaunay = false;
+  double weight = -1;  // least sum of cotangents opposite to an edge; negative for dimension 3
 };
 
 /// A multiple of 2^-30 near x.
@@ -46,9 +46,9 @@ Point image(std::size_t m, const Isometry& g, const Point& x);
 /// The distance from o.
 double distance_from_origin(int K, std::size_t m, const Point& x);
 
-/// Moves the points at random by at most rho epsilon, anew those whose stars disagree, until all stars in charts agree.
-/// Throws std::runtime_error if that takes too long.
-void perturb_until_stars_agree(SpaceFormModel& model, std::uint64_t seed);
+/// Moves the points at random by at most rho epsilon, anew those whose stars disagree, until all stars agree, each in
+/// its own chart, or, for surfaces, in the charts of all its labels. Throws std::runtime_error if that takes too long.
+void perturb_until_stars_agree(SpaceFormModel& model, std::uint64_t seed, bool in_all_charts);
 
 /// What the stars have, with room: lower bounds are halved or so, upper ones a little larger.
 SpaceFormMargins roomy_margins(const SpaceFormModel& model);

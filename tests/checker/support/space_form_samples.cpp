@@ -40,10 +40,14 @@ Json rational(const std::string& x) { return Json::array({x}); }
 
 Json manifold(const std::string& name, const std::string& family, std::size_t m, const Json& field, const Json& root,
               const Json& time, const Json& gram, const Json& generators, const std::string& injectivity_radius) {
-  return Json{{"name", name},       {"family", family},
-              {"dimension", m},     {"field", field},
-              {"root", root},       {"time", time},
-              {"gram", gram},       {"generators", generators},
+  return Json{{"name", name},
+              {"family", family},
+              {"dimension", m},
+              {"field", field},
+              {"root", root},
+              {"time", time},
+              {"gram", gram},
+              {"generators", generators},
               {"injectivity_radius", injectivity_radius}};
 }
 
@@ -70,8 +74,8 @@ SpaceFormModel spherical(std::size_t m, bool projective, std::vector<Point> poin
     model.elements.push_back(opposite);
     std::erase_if(points, [](const Point& x) { return x < Point{}; });
   }
-  model.manifold = manifold("a test", "spherical", m, rational_field, around_0, rational("1"), diagonal(m, "1"), generators,
-                            projective ? "25/16" : "25/8");
+  model.manifold = manifold("a test", "spherical", m, rational_field, around_0, rational("1"), diagonal(m, "1"),
+                            generators, projective ? "25/16" : "25/8");
   for (const Point& x : points) {
     Point a = conformal_of(m, x);
     for (double& coordinate : a) coordinate = dyadic(coordinate);
@@ -105,7 +109,8 @@ double distance(const Point& x, const Point& y) {
 }
 
 void add_once(std::vector<Point>& points, const Point& x) {
-  if (std::none_of(points.begin(), points.end(), [&](const Point& y) { return distance(x, y) < 1e-6; })) points.push_back(x);
+  if (std::none_of(points.begin(), points.end(), [&](const Point& y) { return distance(x, y) < 1e-6; }))
+    points.push_back(x);
 }
 
 std::vector<Point> icosphere_points(int frequency) {
@@ -121,7 +126,8 @@ std::vector<Point> icosphere_points(int frequency) {
   for (std::size_t i = 0; i < 12; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       for (std::size_t k = 0; k < j; ++k) {
-        if (std::max({distance(corners[i], corners[j]), distance(corners[i], corners[k]), distance(corners[j], corners[k])}) > 2.1)
+        if (std::max({distance(corners[i], corners[j]), distance(corners[i], corners[k]),
+                      distance(corners[j], corners[k])}) > 2.1)
           continue;
         for (int a = 0; a <= frequency; ++a) {
           for (int b = 0; a + b <= frequency; ++b) {
@@ -168,7 +174,7 @@ SpaceFormSample finished(SpaceFormModel model, double epsilon, double mu, double
   model.epsilon = dyadic(epsilon);
   model.mu = dyadic(mu);
   model.rho = dyadic(rho);
-  perturb_until_stars_agree(model, seed);
+  perturb_until_stars_agree(model, seed, levels.contains("2s"));
   const SpaceFormMargins margins = roomy_margins(model);
   return {std::move(model), margins, std::move(levels)};
 }
@@ -259,17 +265,20 @@ const SpaceFormSample& bolza_surface() {
       generators.push_back(rows(3, [&](std::size_t i, std::size_t k) {
         const auto times = [](int sign, int value) { return std::to_string(sign * value); };
         if (i == 0 && k == 0) return pair("5", "4");
-        if (i == 0) return d.diagonal ? pair("0", times(signs[k - 1], 1) + "/2") : rational(std::to_string(signs[k - 1]));
+        if (i == 0)
+          return d.diagonal ? pair("0", times(signs[k - 1], 1) + "/2") : rational(std::to_string(signs[k - 1]));
         // S^2 u; times t/2 it is 40 + 28t.
-        if (k == 0) return d.diagonal ? pair(times(signs[i - 1], 40), times(signs[i - 1], 28)) : pair(times(signs[i - 1], 56), times(signs[i - 1], 40));
+        if (k == 0)
+          return d.diagonal ? pair(times(signs[i - 1], 40), times(signs[i - 1], 28))
+                            : pair(times(signs[i - 1], 56), times(signs[i - 1], 40));
         const int uu = signs[i - 1] * signs[k - 1], one = i == k ? 1 : 0;
         // (4 + 4t) uu, halved for a diagonal direction.
         return d.diagonal ? pair(std::to_string(one + 2 * uu), std::to_string(2 * uu))
                           : pair(std::to_string(one + 4 * uu), std::to_string(4 * uu));
       }));
     }
-    model.manifold = manifold("a test", "hyperbolic", 2, Json::array({"-2", "0", "1"}), Json::array({"1", "2"}), pair("-56", "-40"),
-                              diagonal(2, "1"), generators, "3/2");
+    model.manifold = manifold("a test", "hyperbolic", 2, Json::array({"-2", "0", "1"}), Json::array({"1", "2"}),
+                              pair("-56", "-40"), diagonal(2, "1"), generators, "3/2");
     model.injectivity_radius = 1.5;
     model.elements = {identity(2)};
     for (std::size_t at = 0; at < model.elements.size(); ++at) {
@@ -288,11 +297,16 @@ const SpaceFormSample& bolza_surface() {
       const double D = 1 - (a[0] * a[0] + a[1] * a[1]) / 4;
       if (uniform() > 0.0756 / (D * D)) return false;
       const Point x = linear_of(-1, 2, a);
-      return std::all_of(steps.begin(), steps.end(),
-                         [&](const Isometry& g) { return image(2, g, x)[0] >= x[0]; });
+      return std::all_of(steps.begin(), steps.end(), [&](const Isometry& g) { return image(2, g, x)[0] >= x[0]; });
     });
     return finished(std::move(model), 0.115, 0.9, 0.2, surface_levels, 6);
   }();
+  return result;
+}
+
+const SpaceFormSample& unstable_bolza_surface() {
+  static const SpaceFormSample result =
+      finished(bolza_surface().model, 0.115, 0.9, 0.2, {"0", "1", "2", "4", "5", "6"}, 6);
   return result;
 }
 
@@ -307,8 +321,7 @@ const SpaceFormSample& klein_bottle() {
     generators.push_back(rows(3, [&](std::size_t i, std::size_t k) { return rational(glide[i][k]); }));
     Json gram = diagonal(2, "1");
     gram[0][0] = rational("4");
-    model.manifold =
-        manifold("a test", "flat", 2, rational_field, around_0, rational("0"), gram, generators, "1/2");
+    model.manifold = manifold("a test", "flat", 2, rational_field, around_0, rational("0"), gram, generators, "1/2");
     model.injectivity_radius = 0.5;
     model.elements = {identity(2)};
     for (int x = -3; x <= 3; ++x) {

@@ -27,5 +27,7 @@ const SpaceFormSample& projective_space();
 /// The Bolza surface and a Klein bottle with random points.
 const SpaceFormSample& bolza_surface();
 const SpaceFormSample& klein_bottle();
+/// The Bolza surface, perturbed so that stars agree, but some differ in the charts of others.
+const SpaceFormSample& unstable_bolza_surface();
 
 }  // namespace delcert::checker_tests
