@@ -54,7 +54,9 @@ TEST(SpaceFormGroups, of_all_examples_are_verified) {
     const checker::Group group = check_group(form, reach, reach, report);
     for (const checker::Finding& finding : report.findings) ADD_FAILURE() << written.text.substr(0, 60) << finding.what;
     EXPECT_TRUE(!group.elements.empty()) << written.text;
-    if (written.curvature > 0) EXPECT_EQ(group.elements.size(), written.order);
+    if (written.curvature > 0) {
+      EXPECT_EQ(group.elements.size(), written.order);
+    }
   }
 }
 
