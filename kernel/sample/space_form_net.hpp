@@ -1,23 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
-#include "kernel/manifold/space_form/space_form.hpp"
 #include "kernel/progress.hpp"
-#include "kernel/simplex/vector.hpp"
+#include "kernel/sample/space_form_points.hpp"
 
 namespace delcert {
-
-template <int m>
-struct SpaceFormNet {
-  /// Conformal coordinates of one lift of each point, the one nearest to o (for curvature 0: coordinates of the frame).
-  /// Multiples of 2⁻⁴⁸, and doubles. In the order of a space-filling curve.
-  std::vector<Vector<Rational, m>> centres;
-  /// In doubles, without error bounds: the greatest distance of a point of M from the net, the least in it.
-  double covering_radius = 0;
-  double separation = 0;
-};
 
 /// A maximal Poisson-disk set of X/Γ: pairwise distances at least `radius`, and every point of the manifold closer than
 /// radius·(1 + 2⁻²⁷) to one of them. Dart throwing, then a random point near every vertex of a Voronoi cell that is
@@ -28,5 +16,18 @@ struct SpaceFormNet {
 template <int m>
 [[nodiscard]] SpaceFormNet<m> space_form_net(const SpaceForm& form, const Rational& radius, std::uint64_t seed,
                                              const Progress& progress);
+
+/// The net with these points, each by the lift nearest to o and rounded, and how dense it is. `radius`: about the
+/// covering radius, which is seen up to 1.12 times that. Throws as `space_form_net`.
+template <int m>
+[[nodiscard]] SpaceFormNet<m> measured_net(const SpaceForm& form, const std::vector<Vector<Rational, m>>& centres,
+                                           const Rational& radius);
+
+/// The net after some of Lloyd's steps: every point moves to the mass centre of its Voronoi cell, all at once, each in
+/// the chart of the point before. Simplices become better; distances are no longer at least anything. Throws as
+/// `space_form_net`.
+template <int m>
+[[nodiscard]] SpaceFormNet<m> relaxed_net(const SpaceForm& form, const std::vector<Vector<Rational, m>>& centres,
+                                          const Rational& radius, std::uint32_t steps, const Progress& progress);
 
 }  // namespace delcert

@@ -28,6 +28,22 @@ class Frame {
   [[nodiscard]] ModelPoint<S, m> applied(const ModelPoint<S, m>& x) const { return moved<true>(x); }
   /// F_p⁻¹(x).
   [[nodiscard]] ModelPoint<S, m> inverse_applied(const ModelPoint<S, m>& x) const { return moved<false>(x); }
+  /// The conformal coordinates of F_p⁻¹(x). In hyperbolic space, where the coordinates of points far from o are large
+  /// and those of F_p⁻¹(x) are differences of their products, by a difference of conformal coordinates, which are less
+  /// than 2: with α, β half of those of p and x, δ = β − α, σ = 1 − |α|² they are
+  ///   2·(σδ − |δ|²α)/(σ² − 2σ α·δ + |α|²|δ|²).
+  [[nodiscard]] Vector<S, m> conformal_seen(const ModelPoint<S, m>& x) const {
+    if (curvature_ != Curvature::negative) return conformal_coordinates<S, m>(inverse_applied(x));
+    const auto alpha = scaled(S(1) / S(2), conformal_);
+    const auto beta = scaled(S(1) / (S(1) + x[0]), detail::spatial_part<S, static_cast<std::size_t>(m)>(x));
+    const auto delta = difference(beta, alpha);
+    const S alpha_squared = detail::sum_of_squares(alpha);
+    const S delta_squared = detail::sum_of_squares(delta);
+    const S sigma = S(1) - alpha_squared;
+    const S across = sigma * pairing(alpha, delta);
+    const S denominator = square(sigma) - (across + across) + alpha_squared * delta_squared;
+    return scaled(S(2) / denominator, difference(scaled(sigma, delta), scaled(delta_squared, alpha)));
+  }
 
  private:
   /// F of a, or of −a, which changes the signs of what is odd in a.

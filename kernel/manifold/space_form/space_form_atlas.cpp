@@ -126,9 +126,10 @@ ModelPoint<Interval, m> SpaceFormAtlas<m>::enclosed_lift(const Sighting<m>& seen
 
 template <int m>
 Vector<Interval, m> SpaceFormAtlas<m>::enclosed_in_chart(Label i, const ModelPoint<Interval, m>& x) const {
-  const auto seen = frames_[i.value].inverse_applied(x);
-  if (curvature() == Curvature::zero) return detail::spatial_part<Interval, static_cast<std::size_t>(m)>(seen);
-  return logarithm<Interval, m>(curvature(), seen);
+  const Frame<Interval, m>& frame = frames_[i.value];
+  if (curvature() == Curvature::zero)
+    return detail::spatial_part<Interval, static_cast<std::size_t>(m)>(frame.inverse_applied(x));
+  return logarithm_of_conformal<Interval, m>(curvature(), frame.conformal_seen(x));
 }
 
 template <int m>
@@ -150,7 +151,8 @@ Vector<S, m> SpaceFormAtlas<m>::in_chart(Label i, const ModelPoint<S, m>& x) con
   if constexpr (std::same_as<S, Filter>) {
     return converted<Filter>(enclosed_in_chart(i, converted<Interval>(x)));
   } else {
-    return logarithm<S, m>(curvature(), Frame<S, m>(curvature(), on_rung<S>(centres_[i.value])).inverse_applied(x));
+    const Frame<S, m> frame(curvature(), on_rung<S>(centres_[i.value]));
+    return logarithm_of_conformal<S, m>(curvature(), frame.conformal_seen(x));
   }
 }
 

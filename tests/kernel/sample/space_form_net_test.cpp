@@ -76,6 +76,31 @@ TEST(SpaceFormNet, refuses_radii_that_do_not_fit) {
             "the radius of a net is above 0");
 }
 
+TEST(SpaceFormNet, relaxes) {
+  const SpaceForm form = verify_space_form(find_space_form("projective-plane"));
+  const auto net = space_form_net<2>(form, ratio(1, 10), 1, no_progress());
+  const auto relaxed = relaxed_net<2>(form, net.centres, ratio(1, 10), 15, no_progress());
+  EXPECT_EQ(relaxed.centres.size(), net.centres.size());
+  // From about 1 of a Poisson-disk set towards √3 of the hexagonal lattice.
+  EXPECT_LT(net.separation, 1.01 * net.covering_radius);
+  EXPECT_GT(relaxed.separation, 1.02 * relaxed.covering_radius);
+  EXPECT_EQ(relaxed_net<2>(form, net.centres, ratio(1, 10), 0, no_progress()).centres, net.centres);
+}
+
+TEST(SpaceFormNet, measures_points_of_any_origin) {
+  const SpaceForm form = verify_space_form(find_space_form("klein-bottle"));
+  const auto net = space_form_net<2>(form, ratio(1, 8), 1, no_progress());
+  auto shifted = net.centres;
+  for (auto& centre : shifted) centre[1] += Rational(3);
+  const auto measured = measured_net<2>(form, shifted, ratio(1, 8));
+  EXPECT_EQ(measured.centres, net.centres);
+  EXPECT_DOUBLE_EQ(measured.separation, net.separation);
+  EXPECT_DOUBLE_EQ(measured.covering_radius, net.covering_radius);
+  // Without one of its points there is a gap.
+  shifted.pop_back();
+  EXPECT_GT(measured_net<2>(form, shifted, ratio(1, 8)).covering_radius, 1.05 * net.covering_radius);
+}
+
 TEST(SpaceFormNet, says_what_it_does) {
   const SpaceForm form = verify_space_form(find_space_form("klein-bottle"));
   std::vector<std::string> stages;
