@@ -93,11 +93,16 @@ class FlatMetric {
       }
     }
     const auto flat = edge_gram_from_squared_edges(lengths);
-    if (curvature != Curvature::zero) stretch(flat.gram(), edge_gram_from_squared_edges(chords).gram());
-    add_sides(labels, flat);
+    const bool exists = is_positive_definite(flat.gram());
+    if (!exists) {
+      ++report_.unrealised;
+    } else if (curvature != Curvature::zero) {
+      stretch(flat.gram(), edge_gram_from_squared_edges(chords).gram());
+    }
+    add_sides(labels, flat, exists);
   }
 
-  void add_sides(const LabelSimplex<m>& labels, const EdgeGram<Filter>& flat) {
+  void add_sides(const LabelSimplex<m>& labels, const EdgeGram<Filter>& flat, bool exists) {
     const auto sphere = circumsphere(flat);
     for (std::size_t opposite = 0; opposite <= m; ++opposite) {
       Side<m> side;
@@ -108,7 +113,7 @@ class FlatMetric {
       side.lower = -std::numeric_limits<double>::infinity();
       side.upper = std::numeric_limits<double>::infinity();
       const auto altitude = squared_altitude(flat, opposite);
-      if (sphere && altitude) {
+      if (exists && sphere && altitude) {
         // The barycentric coordinate is the height over the facet in altitudes.
         const Filter height = sphere->barycentric[opposite] * square_root(*altitude);
         side.lower = height.lower();
@@ -149,7 +154,7 @@ class FlatMetric {
 
   void bound_stretch(double circumradius) {
     const Curvature curvature = view_.geometry().curvature;
-    if (!is_complete_ || sides_.empty()) return;
+    if (!is_complete_ || sides_.empty() || report_.unrealised > 0) return;
     if (curvature == Curvature::zero) {
       report_.lower = report_.upper = 1;
       return;

@@ -137,6 +137,30 @@ TEST(MeasurePiecewiseFlat, of_a_flat_torus_is_the_metric_itself) {
   EXPECT_EQ(report.hinges, sample.run.complex.label_complex().count(1));
 }
 
+TEST(MeasurePiecewiseFlat, notices_that_a_sliver_has_no_flat_likeness) {
+  // Four points around a great circle of a great sphere, nearly: their flat tetrahedron would be more than flat.
+  const CurvedPatch<3> atlas(Curvature::positive, std::vector<Vector<Rational, 3>>(4), ratio(1, 4));
+  const auto report_at_height = [&](const Rational& height) {
+    const ExactPoints<3> points{{ratio(1, 4), Rational(0), height},
+                                {ratio(-1, 4), Rational(0), height},
+                                {Rational(0), ratio(1, 4), -height},
+                                {Rational(0), ratio(-1, 4), -height}};
+    std::vector<ChartStar<3>> stars;
+    for (std::uint32_t label = 0; label < 4; ++label) stars.push_back({Label(label), {}});
+    stars[0].simplices = {{Sighting<3>{1, {}}, Sighting<3>{2, {}}, Sighting<3>{3, {}}}};
+    const SpaceFormComplex<3> complex(std::move(stars), std::vector<bool>(4, true));
+    return measure_piecewise_flat<3>(atlas, PointSet<3>(points), unit_sphere, complex, 0.3, no_progress());
+  };
+  const auto sliver = report_at_height(ratio(1, 100));
+  EXPECT_EQ(sliver.unrealised, 1U);
+  EXPECT_EQ(sliver.upper, 0);
+  EXPECT_FALSE(sliver.is_self_delaunay());
+  const auto thick = report_at_height(ratio(1, 8));
+  EXPECT_EQ(thick.unrealised, 0U);
+  EXPECT_GT(thick.upper, 1);
+  EXPECT_LT(thick.upper, 1.3);
+}
+
 TEST(MeasurePiecewiseFlat, of_nothing_claims_nothing) {
   const auto sample = perturbed_torus();
   std::vector<ChartStar<2>> stars;
