@@ -80,7 +80,8 @@ TEST(SpaceFormFile, the_page_has_a_row_for_every_member) {
     const Curvature curvature = form.form().curvature();
     const std::string sign = curvature == Curvature::negative ? "−1" : curvature == Curvature::zero ? "0" : "1";
     const std::string row = "| " + builtin.name + " | " + sign + " | " + (form.is_orientable ? "yes" : "no") + " | " +
-                            group_text(form.first_homology) + " | " + digits.substr(1, 1) + "." + digits.substr(2) + " |";
+                            group_text(form.first_homology) + " | " + digits.substr(1, 1) + "." + digits.substr(2) +
+                            " |";
     EXPECT_TRUE(mentions(page, row)) << row;
   }
 }
