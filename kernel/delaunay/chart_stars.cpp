@@ -153,6 +153,7 @@ void LocalMargins::include(const LocalMargins& other) {
   protection = std::min(protection, other.protection);
   thickness = std::min(thickness, other.thickness);
   circumradius = std::max(circumradius, other.circumradius);
+  reach = std::max(reach, other.reach);
 }
 
 std::string simplex_text(std::vector<Label> labels) {
@@ -187,6 +188,7 @@ std::optional<std::string> chart_simplex_failure(const ChartView<m>& view, const
   const Filter room = Filter::exactly(complete) - centre - radius;
   margins.protection = minimum(gap, room).lower();
   margins.circumradius = radius.upper();
+  margins.reach = (centre + radius).upper();
   LocalVertices<Filter, m> vertices;
   for (std::size_t corner = 0; corner <= m; ++corner)
     vertices[corner] = view.position(LocalCoordinates::chart, simplex[corner]);

@@ -24,6 +24,7 @@ struct LocalMargins {
   double protection = 0;    ///< every other point is farther from the circumcentre than the circumradius plus this
   double thickness = 0;     ///< every simplex is at least this thick
   double circumradius = 0;  ///< no circumradius is larger
+  double reach = 0;         ///< no circumball goes farther than this from the centre of the chart
 
   /// Of the simplices of both.
   void include(const LocalMargins& other);

@@ -19,7 +19,8 @@ constexpr std::array<int, 4> half_reaches{7, 10, 14, 18};
 constexpr double first_stretch = 0x1p-30;
 constexpr double last_stretch = 0x1p-1;
 
-/// A facet with the height of the circumcentre of one of its simplices over it, towards the opposite vertex.
+/// A facet with the height of the circumcentre of one of its simplices over it, towards the opposite vertex; on a
+/// surface in halves of the edge, which makes it the cotangent of the opposite angle.
 template <int m>
 struct Side {
   std::array<std::uint32_t, static_cast<std::size_t>(m)> facet{};
@@ -115,9 +116,13 @@ class FlatMetric {
       const auto altitude = squared_altitude(flat, opposite);
       if (exists && sphere && altitude) {
         // The barycentric coordinate is the height over the facet in altitudes.
-        const Filter height = sphere->barycentric[opposite] * square_root(*altitude);
-        side.lower = height.lower();
-        side.upper = height.upper();
+        Filter weight = sphere->barycentric[opposite] * square_root(*altitude);
+        if constexpr (m == 2) {
+          const Filter edge = flat.squared_edge((opposite + 1) % 3, (opposite + 2) % 3);
+          weight = twice(weight) / square_root(edge);
+        }
+        side.lower = weight.lower();
+        side.upper = weight.upper();
       }
       sides_.push_back(side);
     }
@@ -137,7 +142,7 @@ class FlatMetric {
   void compare_sides() {
     std::sort(sides_.begin(), sides_.end(), [](const auto& a, const auto& b) { return a.facet < b.facet; });
     const FilterGuard guard;
-    report_.order_margin = std::numeric_limits<double>::infinity();
+    report_.least_weight = std::numeric_limits<double>::infinity();
     for (std::size_t at = 0; at + 1 < sides_.size(); ++at) {
       if (sides_[at].facet != sides_[at + 1].facet) continue;
       ++report_.hinges;
@@ -146,7 +151,7 @@ class FlatMetric {
       const Verdict ordered = less(Filter(0), sum);
       if (is_refuted(ordered)) ++report_.not_delaunay;
       if (is_undecided(ordered)) ++report_.undecided;
-      report_.order_margin = std::min(report_.order_margin, sum.lower());
+      report_.least_weight = std::min(report_.least_weight, sum.lower());
       ++at;
     }
     if (!is_complete_) ++report_.undecided;

@@ -13,9 +13,9 @@ struct PiecewiseFlatReport {
   std::size_t hinges = 0;        ///< (m−1)-faces between two simplices
   std::size_t not_delaunay = 0;  ///< those of which the filter says that they are not locally Delaunay
   std::size_t undecided = 0;     ///< those of which it cannot say
-  /// Unless some are not, or are undecided: the circumcentres of the two simplices at a hinge, laid out flat, are at
-  /// least this far apart, in the right order. On a surface that is half the edge times cot α + cot β.
-  double order_margin = 0;
+  /// Of the sums over the two simplices at a hinge: of the cotangents of the angles opposite to it on a surface, else
+  /// of the heights of the circumcentres over it, laid out flat. Positive exactly where the hinge is locally Delaunay.
+  double least_weight = 0;
   /// lower·d_PL ≤ d_M ≤ upper·d_PL along the natural map (Theorem 6X). 0 if it was not found, as where simplices are
   /// unrealised.
   double lower = 0;

@@ -37,6 +37,7 @@ class Derivation {
         curvature_(atlas.curvature()),
         injectivity_radius_(atlas.form().injectivity_radius.lower),
         patch_radius_(Rational(SpaceFormAtlas<m>::patch_factor) * atlas.sampling_radius()),
+        has_whole_patches_(patch_radius_ <= atlas.patch_radius()),
         shift_(parameters.algorithm.perturbation * atlas.sampling_radius()) {}
 
   SpaceFormClaims claims() {
@@ -76,9 +77,7 @@ class Derivation {
                          std::to_string(stability.differing) + " of " + std::to_string(stability.pairs) + " pairs)");
       return;
     }
-    // The ball of a simplex of star(i) passes through p′_i, which is within ρ₀ε + 2R of the centre of chart j.
-    const double radius = std::max(stability.margins.circumradius, run_.margins.circumradius);
-    const Rational reach = above(shift_ + Rational(4) * above(radius));
+    const Rational reach = above(std::max(run_.margins.reach, stability.margins.reach));
     if (fits(reach)) {
       claims_.reach = reach;
     } else {
@@ -94,7 +93,12 @@ class Derivation {
       return;
     }
     claims_.delaunay = found;
-    if (selects("0")) claims_.density = above(shift_ + found.circumradius);
+    if (!selects("0")) return;
+    if (has_whole_patches_) {
+      claims_.density = above(shift_ + found.circumradius);
+    } else {
+      reasons_.emplace_back("level 0: patches are smaller than 9 sampling radii");
+    }
   }
 
   void derive_triangulation() {
@@ -112,13 +116,13 @@ class Derivation {
     if (!selects("6") || !claims_.triangulation) return;
     const PiecewiseFlatReport& flat = measures_.flat;
     if (!(flat.lower > 0)) {
-      reasons_.emplace_back("level 6: no bounds of the bi-Lipschitz constants were found");
+      reasons_.push_back("level 6: of " + std::to_string(flat.unrealised) + " simplices no flat one is certain");
       return;
     }
     SpaceFormClaims::Metric metric{{}, below(flat.lower, digits_of_stretches), above(flat.upper, digits_of_stretches)};
     if (m == 2) {
       if (flat.is_self_delaunay()) {
-        metric.weight = Rational(0);
+        metric.weight = below(flat.least_weight);
       } else {
         reasons_.push_back("level 6: " + std::to_string(flat.not_delaunay + flat.undecided) + " of " +
                            std::to_string(flat.hinges) + " hinges are not certainly locally Delaunay");
@@ -134,6 +138,7 @@ class Derivation {
   Curvature curvature_;
   Rational injectivity_radius_;
   Rational patch_radius_;
+  bool has_whole_patches_;
   Rational shift_;  // ρ₀ε
   SpaceFormClaims claims_;
 };
@@ -153,6 +158,17 @@ SpaceFormClaims derive_claims(const SpaceFormAtlas<m>& atlas, const RunParameter
                               const SpaceFormRun<m>& run, const SpaceFormMeasures& measures,
                               const LevelSelection& selection, std::vector<std::string>& reasons) {
   return Derivation<m>(atlas, parameters, run, measures, selection, reasons).claims();
+}
+
+RunParameters space_form_parameters(const PerturbationParameters& parameters, Dimension dimension, bool perturbed) {
+  RunParameters result;
+  result.mode = perturbed ? RunMode::measured : RunMode::none;
+  result.algorithm = parameters;
+  if (!perturbed) result.algorithm.perturbation = Rational(0);
+  result.squared_flake_parameter = square(parameters.tolerance) * power(parameters.separation, 6) *
+                                   Rational::power_of_two(-34) / power(Rational(dimension.value), 3);
+  if (result.squared_flake_parameter == Rational(0)) result.squared_flake_parameter = Rational::power_of_two(-120);
+  return result;
 }
 
 std::vector<std::string> names_of(const SpaceFormClaims& claims) {

@@ -104,6 +104,8 @@ TEST(ChartStar, of_a_sphere_has_the_margins_that_it_says) {
         least = std::min(least, std::hypot(x[0] - centre[0], x[1] - centre[1]) - radius);
       }
     }
+    EXPECT_LE(result.margins.reach, 2 * result.margins.circumradius * (1 + 1e-9));
+    EXPECT_GE(result.margins.reach, result.margins.circumradius);
     EXPECT_LE(result.margins.protection, least * (1 + 1e-9));
     EXPECT_GE(result.margins.protection, least - 1e-9);
   }
@@ -173,11 +175,12 @@ TEST(ChartStar, in_dimension_3_fills_the_directions) {
 }
 
 TEST(LocalMargins, are_the_worst_of_both) {
-  LocalMargins margins{2, 3, 4};
-  margins.include({1, 5, 3});
+  LocalMargins margins{2, 3, 4, 5};
+  margins.include({1, 5, 3, 6});
   EXPECT_EQ(margins.protection, 1);
   EXPECT_EQ(margins.thickness, 3);
   EXPECT_EQ(margins.circumradius, 4);
+  EXPECT_EQ(margins.reach, 6);
 }
 
 TEST(SimplexText, is_sorted) { EXPECT_EQ(simplex_text({Label(7), Label(2), Label(5)}), "simplex {2, 5, 7}"); }

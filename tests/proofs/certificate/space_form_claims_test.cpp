@@ -61,10 +61,11 @@ TEST(SpaceFormClaims, are_weaker_than_what_was_found) {
   EXPECT_FALSE(less_than(derived.claims.delaunay->circumradius, run.model.circumradius));
   EXPECT_TRUE(less_than(derived.claims.metric->least_stretch, measures.flat.lower));
   EXPECT_FALSE(less_than(derived.claims.metric->greatest_stretch, measures.flat.upper));
-  EXPECT_EQ(derived.claims.metric->weight, Rational(0));
+  EXPECT_TRUE(less_than(derived.claims.metric->weight.value(), measures.flat.least_weight));
+  EXPECT_GT(derived.claims.metric->weight.value(), Rational(0));
   const Rational shift = parameters.algorithm.perturbation * atlas.sampling_radius();
   EXPECT_GE(*derived.claims.density, derived.claims.delaunay->circumradius + shift);
-  EXPECT_GE(*derived.claims.reach, Rational(4) * derived.claims.stars->circumradius);
+  EXPECT_GE(*derived.claims.reach, Rational(2) * derived.claims.stars->circumradius);
   EXPECT_EQ(derived.claims.manifold->euler_characteristic, 2);
   EXPECT_EQ(group_text(derived.claims.manifold->homology[1]), "0");
 }
@@ -89,7 +90,7 @@ TEST(SpaceFormClaims, are_not_made_where_a_measure_does_not_allow_them) {
   EXPECT_FALSE(derived.claims.reach.has_value());
   EXPECT_TRUE(derived.has_reason("level 2s: 2 stars are not the same in all charts (3 of "));
   measures = on_sphere().measures;
-  measures.stability.margins.circumradius = 0.4;
+  measures.stability.margins.reach = 1.2;
   derived = derive(run, measures);
   EXPECT_FALSE(derived.claims.reach.has_value());
   EXPECT_TRUE(derived.has_reason("level 2s: a star does not fit into the patches"));
@@ -101,7 +102,7 @@ TEST(SpaceFormClaims, are_not_made_where_a_measure_does_not_allow_them) {
   measures.flat.lower = 0;
   derived = derive(run, measures);
   EXPECT_FALSE(derived.claims.metric.has_value());
-  EXPECT_TRUE(derived.has_reason("level 6: no bounds"));
+  EXPECT_TRUE(derived.has_reason("level 6: of 0 simplices no flat one"));
 }
 
 TEST(SpaceFormClaims, of_riemannian_simplices_need_small_stars) {
@@ -117,6 +118,19 @@ TEST(SpaceFormClaims, of_riemannian_simplices_need_small_stars) {
   EXPECT_FALSE(derive(run, measures).claims.riemannian.has_value());
 }
 
+TEST(SpaceFormClaims, of_the_input_need_whole_patches) {
+  const auto& sphere = on_sphere();
+  std::vector<Vector<Rational, 2>> centres;
+  for (std::uint32_t index = 0; index < sphere.atlas.size(); ++index)
+    centres.push_back(sphere.atlas.centre(Label(index)));
+  const SpaceFormAtlas<2> small(sphere.form, centres, ratio(1, 8), 5);
+  std::vector<std::string> reasons;
+  const auto claims = derive_claims<2>(small, sphere.parameters, sphere.run, sphere.measures, all_levels(), reasons);
+  EXPECT_FALSE(claims.density.has_value());
+  EXPECT_TRUE(claims.delaunay.has_value());
+  EXPECT_EQ(reasons, Names{"level 0: patches are smaller than 9 sampling radii"});
+}
+
 TEST(SpaceFormClaims, need_balls_that_fit_into_patches) {
   const auto& sphere = on_sphere();
   const auto changed = [&sphere](double chart_radius, double radius) {
@@ -130,6 +144,20 @@ TEST(SpaceFormClaims, need_balls_that_fit_into_patches) {
   EXPECT_TRUE(changed(0.6, 0.2).has_reason("level 1: a circumball with its protection does not fit"));
   EXPECT_EQ(names_of(changed(0.2, 0.6).claims), (Names{"1", "2", "2s"}));
   EXPECT_TRUE(changed(0.2, 0.6).has_reason("level 4: a circumball with its protection does not fit"));
+}
+
+TEST(SpaceFormParameters, are_in_the_ranges_of_the_format) {
+  PerturbationParameters parameters = measured_parameters(Dimension(3), 5);
+  const RunParameters measured = space_form_parameters(parameters, Dimension(3), true);
+  EXPECT_EQ(measured.mode, RunMode::measured);
+  EXPECT_GT(measured.squared_flake_parameter, Rational(0));
+  EXPECT_LE(measured.squared_flake_parameter, Rational(1));
+  EXPECT_EQ(measured.algorithm.seed, 5U);
+  parameters.tolerance = Rational(0);
+  const RunParameters none = space_form_parameters(parameters, Dimension(3), false);
+  EXPECT_EQ(none.mode, RunMode::none);
+  EXPECT_EQ(none.algorithm.perturbation, Rational(0));
+  EXPECT_GT(none.squared_flake_parameter, Rational(0));
 }
 
 }  // namespace
