@@ -72,6 +72,7 @@ ManifoldDescription manifold_of(const Json& json) {
     for (std::size_t axis = 0; axis < size; ++axis) result.gram[axis][axis] = Rational(1);
     return result;
   }
+  if (family != name_of(ManifoldFamily::flat_torus)) return result;
   for (const Json& row : json.at("gram")) {
     result.gram.emplace_back();
     for (const Json& entry : row) result.gram.back().push_back(parse_exact(entry.get<std::string>()));
@@ -85,6 +86,7 @@ CertificateSummary summary_of(const Json& json) {
   result.parameters = entries(json.at("parameters"));
   for (const auto& [level, margins] : json.at("levels").items()) result.levels.emplace_back(level, entries(margins));
   result.manifold = manifold_of(json.at("manifold"));
+  result.family = json.at("manifold").at("family").get<std::string>();
   result.net_simplices = json.at("net_simplices").size();
   for (const Json& point : json.at("points")) {
     result.points.emplace_back();

@@ -71,8 +71,8 @@ std::string check_level_2(const Certificate& c, Report& report) {
   const FaceComplex complex(c.m, std::move(simplices));
   const std::int64_t euler = complex.euler_characteristic();
   std::string found = std::to_string(count) + " simplices, Euler characteristic " + std::to_string(euler) +
-                      (c.torus ? ", closed" : ", not closed");
-  if (c.simplices != count || c.euler_characteristic != euler || c.closed != c.torus) {
+                      (c.has_boundary() ? ", not closed" : ", closed");
+  if (c.simplices != count || c.euler_characteristic != euler || c.closed == c.has_boundary()) {
     report.reject("2.count", [&] {
       return "stated are " + std::to_string(c.simplices) + " simplices, Euler characteristic " +
              std::to_string(c.euler_characteristic) + (c.closed ? ", closed" : ", not closed") + "; found are " + found;

@@ -142,7 +142,7 @@ std::vector<Forgery> star_forgeries() {
   forge("a closed disc", "2.count", changed(disc().document(), [](Json& j) { j["levels"]["2"]["closed"] = true; }));
   forge("an open torus", "2.count", changed(wide.document(), [](Json& j) { j["levels"]["2"]["closed"] = false; }));
 
-  const auto with_homology = [](const Sample& sample, const std::vector<std::string>& groups) {
+  const auto with_homology = [&](const Sample& sample, const std::vector<std::string>& groups) {
     return changed(sample.document(), [&](Json& j) { j["levels"]["2"]["homology"] = groups; });
   };
   forge("the homology of a Klein bottle", "2.homology", with_homology(wide, {"Z", "Z + Z/2", "0"}));
