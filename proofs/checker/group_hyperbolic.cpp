@@ -48,18 +48,24 @@ Group hyperbolic_group(const SpaceForm& form, const Rational& reach, const Ratio
   }
   const FieldMatrix identity = FieldMatrix::identity(form.m + 1);
   std::vector<FieldMatrix> tiles{identity};
-  std::set<FieldMatrix> known{identity};
-  Group group{{identity}, ""};
-  const auto displacement = [](const FieldMatrix& a) {
-    const BallScope scope(96);
-    return a(0, 0).enclosure().enclosure().lower();
+  // o is inside of P alone: a tile is known by its centre, the first column of its element.
+  const auto first_column = [&](const FieldMatrix& a) {
+    FieldVector column;
+    for (std::size_t k = 0; k <= form.m; ++k) column.push_back(a(k, 0));
+    return column;
   };
+  std::set<FieldVector> known{first_column(identity)};
+  Group group{{identity}, ""};
   for (std::size_t at = 0; at < tiles.size(); ++at) {
     if (tiles.size() > most_tiles) throw Undecided("too many tiles of the polyhedron about o to look at");
     for (const Side& side : polyhedron.sides) {
+      const FieldVector centre = tiles[at] * first_column(side.element);
+      const double moved = [&] {
+        const BallScope scope(96);
+        return centre[0].enclosure().enclosure().lower();
+      }();
+      if (moved > walked || !known.insert(centre).second) continue;
       const FieldMatrix next = tiles[at] * side.element;
-      const double moved = displacement(next);
-      if (moved > walked || !known.insert(next).second) continue;
       tiles.push_back(next);
       if (moved <= needed) group.elements.push_back(next);
       if (moves_far(form, next)) continue;
