@@ -16,8 +16,6 @@ constexpr double clearance = 1 + 0x1p-28;
 /// Of the room about the centre of a gap, for roundings and for the stretching of conformal coordinates.
 constexpr double used_room = 0.9;
 
-double midpoint(const Interval& x) { return x.lower() / 2 + x.upper() / 2; }
-
 /// det of these vectors.
 template <std::size_t m>
 double determinant_of(const std::array<std::array<double, m>, m>& x) {
@@ -69,18 +67,21 @@ VoronoiCells<m>::VoronoiCells(Curvature curvature, double reach)
   }
 }
 
+// An end of the enclosure, not its middle: whether a sum next to the end of a guard is rounded upwards depends on the
+// compiler.
+
 template <int m>
 double VoronoiCells<m>::tangent(double length) const {
   const RoundingGuard guard;
   const Interval x = Interval::exactly(length);
-  return midpoint(x * sine_ratio(curvature_, square(x)) / cosine_of_root(curvature_, square(x)));
+  return (x * sine_ratio(curvature_, square(x)) / cosine_of_root(curvature_, square(x))).lower();
 }
 
 template <int m>
 double VoronoiCells<m>::length_of_tangent(double tangent) const {
   const RoundingGuard guard;
   const Interval x = Interval::exactly(tangent);
-  return midpoint(x * arctangent_ratio(curvature_, square(x)));
+  return (x * arctangent_ratio(curvature_, square(x))).lower();
 }
 
 template <int m>
