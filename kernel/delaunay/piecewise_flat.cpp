@@ -13,8 +13,6 @@ namespace delcert {
 
 namespace {
 
-// Halves of the sampling radius.
-constexpr std::array<int, 4> half_reaches{7, 10, 14, 18};
 // Bounds of stretching are looked for at 1 ± this and then always a quarter farther from 1.
 constexpr double first_stretch = 0x1p-30;
 constexpr double last_stretch = 0x1p-1;
@@ -55,8 +53,8 @@ class FlatMetric {
     const auto simplices = complex_.first_seen_from(i);
     if (simplices.empty()) return;
     std::vector<std::pair<LabelSimplex<m>, PlaceSimplex<m>>> found;
-    for (const int half_reach : half_reaches) {
-      if (!view_.look_if_possible(i, half_reach)) break;
+    for (const int half_reach : view_.half_reaches()) {
+      view_.look_by_halves(i, half_reach);
       found.clear();
       for (const auto& others : simplices) {
         LabelSimplex<m> labels;
