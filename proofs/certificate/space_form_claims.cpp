@@ -1,5 +1,7 @@
 #include "proofs/certificate/space_form_claims.hpp"
 
+#include <algorithm>
+
 #include "kernel/delaunay/piecewise_flat.hpp"
 #include "kernel/delaunay/riemannian_simplices.hpp"
 #include "kernel/delaunay/stable_stars.hpp"
@@ -10,19 +12,15 @@ namespace delcert {
 namespace {
 
 template <int m>
-void derive_level_2s(const SpaceFormAtlas<m>& atlas, const SpaceFormRun<m>& run, const Rational& moved,
-                     const Progress& progress, SpaceFormClaims& claims, std::vector<std::string>& reasons) {
+void derive_level_2s(const SpaceFormAtlas<m>& atlas, const SpaceFormRun<m>& run, const Progress& progress,
+                     SpaceFormClaims& claims, std::vector<std::string>& reasons) {
   const StarStability stability = check_stability<m>(atlas, run.points, geometry_of(atlas), run.complex, progress);
   if (!stability.failures.empty()) {
     reasons.push_back("level 2s: " + std::to_string(stability.differing) + " of " + std::to_string(stability.pairs) +
                       " stars differ in the chart of another label");
     return;
   }
-  // In the chart of j, p′_j is within `moved` of 0, a neighbour p′_i within two circumradii of it, and the centre of a
-  // ball of star(i) a circumradius from p′_i. The balls of star(j) itself are those of level 1.
-  const Rational own = Rational::exactly(run.margins.circumradius),
-                 other = Rational::exactly(stability.margins.circumradius);
-  const Rational reach = moved + Rational(2) * own + Rational(2) * (other < own ? own : other);
+  const Rational reach = Rational::exactly(std::max(run.margins.reach, stability.margins.reach));
   if (reach >= Rational(SpaceFormAtlas<m>::patch_factor) * atlas.sampling_radius() ||
       reach >= atlas.form().injectivity_radius.lower) {
     reasons.emplace_back("level 2s: charts would have to show more than their patches");
@@ -42,7 +40,8 @@ void derive_level_6(const SpaceFormAtlas<m>& atlas, const SpaceFormRun<m>& run, 
   }
   claims.metric = SpaceFormClaims::Metric{{}, Rational::exactly(flat.lower), Rational::exactly(flat.upper)};
   if (m == 2 && flat.is_self_delaunay()) {
-    claims.metric->weight = Rational(0);
+    // A little less, as the format asks for more than what is stated.
+    claims.metric->weight = Rational::exactly(flat.least_weight) * (Rational(1) - Rational::power_of_two(-20));
   } else {
     reasons.push_back("level 6: " + std::to_string(flat.not_delaunay + flat.undecided) + " of " +
                       std::to_string(flat.hinges) + " hinges are not locally Delaunay, or not certainly");
@@ -70,7 +69,7 @@ SpaceFormClaims derive_space_form_claims(const SpaceFormAtlas<m>& atlas, const P
   } else {
     claims.density = claims.delaunay->circumradius + moved;
   }
-  derive_level_2s(atlas, run, moved, progress, claims, reasons);
+  derive_level_2s(atlas, run, progress, claims, reasons);
   const RiemannianSimplices simplices =
       measure_riemannian_simplices<m>(atlas, run.points, geometry_of(atlas), run.complex, progress);
   if (simplices.holds == Verdict::proved && simplices.star_radius < simplices.scale) {
