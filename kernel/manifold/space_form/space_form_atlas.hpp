@@ -16,8 +16,9 @@ namespace delcert {
 /// The shift of a sighting is (number, 0 … 0): the position of a group element γ in `elements`; the label j is seen at
 /// γp̂_j. So k seen from j through γ′, where i sees j through γ, is seen from i through γγ′.
 ///
-/// Enclosures on the filter are a few 2⁻⁵² wide for curvature 0 and 1 (entries of matrices are at most 1, or small
-/// integers). For curvature −1 they are wider by about cosh d(o, p̂_i)·cosh d(o, γp̂_j), whatever γ is.
+/// Enclosures on the filter are some 10⁻¹⁵ wide in absolute terms (docs/space-forms.md has a table): for curvature 0
+/// and 1 entries of matrices are at most 1, or small integers; for curvature −1 widths grow with cosh² of the distances
+/// of both points from o, whatever γ is.
 template <int m>
 class SpaceFormAtlas final : public Atlas<m> {
  public:
