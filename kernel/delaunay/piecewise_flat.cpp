@@ -13,9 +13,11 @@ namespace delcert {
 
 namespace {
 
-// Bounds of stretching are looked for at 1 ± this and then always a quarter farther from 1.
+// Squared bounds of stretching are looked for at 1 ± this, then farther from 1 by a quarter each time, below by an
+// eighth nearer to 0 at most; slivers may need much.
 constexpr double first_stretch = 0x1p-30;
-constexpr double last_stretch = 0x1p-1;
+constexpr double most_above = 64;
+constexpr double most_below = 1 - 0x1p-6;
 
 /// A facet with the height of the circumcentre of one of its simplices over it, towards the opposite vertex; on a
 /// surface in halves of the edge, which makes it the cotangent of the opposite angle.
@@ -128,12 +130,12 @@ class FlatMetric {
 
   void stretch(const SymmetricMatrix<Filter>& flat, const SymmetricMatrix<Filter>& chords) {
     const Filter one(1);
-    while (above_ < last_stretch && !is_positive_definite(combination(one + Filter::exactly(above_), flat, chords)))
+    while (above_ < most_above && !is_positive_definite(combination(one + Filter::exactly(above_), flat, chords)))
       above_ *= 1.25;
-    while (below_ < last_stretch) {
+    while (below_ < most_below) {
       SymmetricMatrix<Filter> rest = combination(one - Filter::exactly(below_), flat, chords);
       if (is_positive_definite(rest.negated())) break;
-      below_ *= 1.25;
+      below_ = std::min(below_ * 1.25, 1 - (1 - below_) * 0.875);
     }
   }
 
@@ -162,7 +164,7 @@ class FlatMetric {
       report_.lower = report_.upper = 1;
       return;
     }
-    if (!(above_ < last_stretch) || !(below_ < last_stretch)) return;
+    if (!(above_ < most_above) || !(below_ < most_below)) return;
     const FilterGuard guard;
     const Filter cosine = cosine_of_root(curvature, square(Filter::exactly(circumradius)));
     if (!is_proved(less(Filter(0), cosine))) return;

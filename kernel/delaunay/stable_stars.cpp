@@ -18,8 +18,7 @@ class StabilityCheck {
 
   void look_from(Label chart) {
     const auto labels = complex_.neighbours(chart);
-    // By position in labels; empty where nothing is wrong.
-    std::vector<std::string> reasons(labels.size(), "is not looked at: the patch is too small");
+    std::vector<std::string> reasons;  // by position in labels; empty where nothing is wrong
     LocalMargins margins;
     bool has_margins = false;
     // Enough for the stars of the neighbours in a perturbed net; then the whole patch.

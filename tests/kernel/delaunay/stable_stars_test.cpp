@@ -90,16 +90,5 @@ TEST(CheckStability, says_where_a_label_is_not_seen) {
                           [](const auto& failure) { return mentions(failure.reason, "is not seen once"); }));
 }
 
-TEST(CheckStability, certifies_nothing_where_patches_are_too_small) {
-  const auto atlas = sphere(ratio(1, 5));
-  const auto complex = stars_of<2>(atlas, atlas.net(), unit_sphere);
-  ModelGeometry small = unit_sphere;
-  small.patch_factor = 5;
-  const auto stability = check_stability<2>(atlas, atlas.net(), small, complex, no_progress());
-  EXPECT_GT(stability.pairs, 0U);
-  EXPECT_EQ(stability.differing, stability.pairs);
-  EXPECT_TRUE(mentions(stability.failures[0].reason, "the patch is too small"));
-}
-
 }  // namespace
 }  // namespace delcert::test
