@@ -35,10 +35,11 @@ std::vector<PlaceSimplex<m>> proposed(const ChartView<m>& view, std::uint32_t ho
     const FilterGuard guard;
     for (std::size_t place = 0; place < view.size(); ++place) {
       const auto& position = view.position(LocalCoordinates::chart, place);
-      Vector<double, m> middle;
-      for (std::size_t axis = 0; axis < m; ++axis)
-        middle[axis] = position[axis].lower() + (position[axis].upper() - position[axis].lower()) / 2;
-      approximate.push_back(middle);
+      // Ends of enclosures, not middles: whether a sum next to the end of a guard is rounded upwards depends on the
+      // compiler.
+      Vector<double, m> end;
+      for (std::size_t axis = 0; axis < m; ++axis) end[axis] = position[axis].lower();
+      approximate.push_back(end);
     }
   }
   for (auto& x : approximate) x = view.atlas().metric().approximate_cartesian(x);
