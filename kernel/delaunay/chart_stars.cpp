@@ -11,9 +11,6 @@ namespace delcert {
 
 namespace {
 
-// Halves of the sampling radius: enough for the stars of a perturbed net; then more, up to the whole patch.
-constexpr std::array<int, 4> half_reaches{7, 10, 14, 18};
-
 template <int m>
 std::vector<Label> labels_of(const ChartView<m>& view, const PlaceSimplex<m>& simplex) {
   std::vector<Label> result;
@@ -38,10 +35,11 @@ std::vector<PlaceSimplex<m>> proposed(const ChartView<m>& view, std::uint32_t ho
     const FilterGuard guard;
     for (std::size_t place = 0; place < view.size(); ++place) {
       const auto& position = view.position(LocalCoordinates::chart, place);
-      Vector<double, m> middle;
-      for (std::size_t axis = 0; axis < m; ++axis)
-        middle[axis] = position[axis].lower() + (position[axis].upper() - position[axis].lower()) / 2;
-      approximate.push_back(middle);
+      // Ends of enclosures, not middles: whether a sum next to the end of a guard is rounded upwards depends on the
+      // compiler.
+      Vector<double, m> end;
+      for (std::size_t axis = 0; axis < m; ++axis) end[axis] = position[axis].lower();
+      approximate.push_back(end);
     }
   }
   for (auto& x : approximate) x = view.atlas().metric().approximate_cartesian(x);
@@ -206,8 +204,9 @@ std::optional<std::string> chart_simplex_failure(const ChartView<m>& view, const
 template <int m>
 CertifiedStar<m> chart_star(ChartView<m>& scratch, Label i, double required_protection) {
   CertifiedStar<m> result;
-  for (const int half_reach : half_reaches) {
-    if (!scratch.look_if_possible(i, half_reach)) break;
+  // Little is enough for the stars of a perturbed net; more, up to the whole patch, where that may be what fails.
+  for (const int half_reach : scratch.half_reaches()) {
+    scratch.look_by_halves(i, half_reach);
     result = {};
     result.star.label = i;
     result.reach = scratch.reach();

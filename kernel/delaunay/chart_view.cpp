@@ -34,11 +34,19 @@ void ChartView<m>::look(Label chart, double reach) {
 }
 
 template <int m>
-bool ChartView<m>::look_if_possible(Label chart, int half_radii) {
-  if (half_radii > 2 * geometry_.patch_factor) return false;
+void ChartView<m>::look_by_halves(Label chart, int half_radii) {
   // A hair less, as patches may be cut off at exactly their radius.
   look(chart, approximate_double(atlas_->sampling_radius(chart)) * half_radii / 2 * (1 - 0x1p-40));
-  return true;
+}
+
+template <int m>
+std::vector<int> ChartView<m>::half_reaches(std::initializer_list<int> wanted) const {
+  std::vector<int> result;
+  for (const int reach : wanted) {
+    if (reach < 2 * geometry_.patch_factor) result.push_back(reach);
+  }
+  result.push_back(2 * geometry_.patch_factor);
+  return result;
 }
 
 template <int m>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <vector>
 
@@ -29,8 +30,11 @@ class ChartView {
   /// Shows the chart of this label: every perturbed point whose original is within `reach` of p_i, in the order of
   /// sightings. Precondition: as for `Atlas::sightings`.
   void look(Label chart, double reach);
-  /// The same for a reach of so many halves of a sampling radius; none if the patch is smaller.
-  [[nodiscard]] bool look_if_possible(Label chart, int half_radii);
+  /// The same for a reach of so many halves of a sampling radius.
+  void look_by_halves(Label chart, int half_radii);
+  /// Reaches, in halves of a sampling radius, to try one after the other: those of these that a patch has, increasing,
+  /// and the patch itself at last; never none.
+  [[nodiscard]] std::vector<int> half_reaches(std::initializer_list<int> wanted = {7, 10, 14}) const;
 
   [[nodiscard]] const Atlas<m>& atlas() const { return *atlas_; }
   [[nodiscard]] const PointSet<m>& points() const { return *points_; }

@@ -10,9 +10,6 @@ namespace delcert {
 
 namespace {
 
-// Halves of the sampling radius: as for stars.
-constexpr std::array<int, 4> half_reaches{7, 10, 14, 18};
-
 struct ModelBall {
   double protection = 0;
   double circumradius = 0;
@@ -77,8 +74,8 @@ class ModelCheck {
     const auto mine = complex_.first_seen_from(i);
     if (mine.empty()) return;
     std::vector<StarFailure> failures;
-    for (const int half_reach : half_reaches) {
-      if (!view_.look_if_possible(i, half_reach)) break;
+    for (const int half_reach : view_.half_reaches()) {
+      view_.look_by_halves(i, half_reach);
       failures.clear();
       bool blames_a_point = false;
       for (const auto& simplex : mine) blames_a_point = check(i, simplex, failures) || blames_a_point;

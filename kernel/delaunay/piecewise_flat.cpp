@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "kernel/simplex/altitude.hpp"
@@ -13,11 +14,17 @@ namespace delcert {
 
 namespace {
 
-// Halves of the sampling radius.
-constexpr std::array<int, 4> half_reaches{7, 10, 14, 18};
-// Bounds of stretching are looked for at 1 ± this and then always a quarter farther from 1.
-constexpr double first_stretch = 0x1p-30;
-constexpr double last_stretch = 0x1p-1;
+// Squared bounds of stretching are looked for among 1 + s, and 1 − s or powers of two, s = 2^e, 2^e·5/4, 2^e·3/2,
+// 2^e·7/4 from 2^−30 on. All are exact, so it does not matter how they would be rounded.
+constexpr int last_above = 144;  // s = 2^6; slivers may need much
+constexpr int last_difference = 119;
+constexpr int last_below = 123;
+
+double squared_upper_stretch(int index) { return 1 + std::ldexp(4 + index % 4, index / 4 - 32); }
+double squared_lower_stretch(int index) {
+  return index <= last_difference ? 1 - std::ldexp(4 + index % 4, index / 4 - 32)
+                                  : std::ldexp(1, last_difference - 3 - index);
+}
 
 /// A facet with the height of the circumcentre of one of its simplices over it, towards the opposite vertex; on a
 /// surface in halves of the edge, which makes it the cotangent of the opposite angle.
@@ -55,8 +62,8 @@ class FlatMetric {
     const auto simplices = complex_.first_seen_from(i);
     if (simplices.empty()) return;
     std::vector<std::pair<LabelSimplex<m>, PlaceSimplex<m>>> found;
-    for (const int half_reach : half_reaches) {
-      if (!view_.look_if_possible(i, half_reach)) break;
+    for (const int half_reach : view_.half_reaches()) {
+      view_.look_by_halves(i, half_reach);
       found.clear();
       for (const auto& others : simplices) {
         LabelSimplex<m> labels;
@@ -129,15 +136,13 @@ class FlatMetric {
   }
 
   void stretch(const SymmetricMatrix<Filter>& flat, const SymmetricMatrix<Filter>& chords) {
-    const Filter one(1);
-    while (above_ < last_stretch && !is_positive_definite(combination(one + Filter::exactly(above_), flat, chords)))
-      above_ *= 1.25;
-    while (below_ < last_stretch) {
-      SymmetricMatrix<Filter> rest = combination(one - Filter::exactly(below_), flat, chords);
-      if (is_positive_definite(rest.negated())) break;
-      below_ *= 1.25;
-    }
+    while (above_ <= last_above && !is_positive_definite(combination(squared_upper(), flat, chords))) ++above_;
+    while (below_ <= last_below && !is_positive_definite(combination(squared_lower(), flat, chords).negated()))
+      ++below_;
   }
+
+  [[nodiscard]] Filter squared_upper() const { return Filter::exactly(squared_upper_stretch(above_)); }
+  [[nodiscard]] Filter squared_lower() const { return Filter::exactly(squared_lower_stretch(below_)); }
 
   void compare_sides() {
     std::sort(sides_.begin(), sides_.end(), [](const auto& a, const auto& b) { return a.facet < b.facet; });
@@ -164,20 +169,20 @@ class FlatMetric {
       report_.lower = report_.upper = 1;
       return;
     }
-    if (!(above_ < last_stretch) || !(below_ < last_stretch)) return;
+    if (above_ > last_above || below_ > last_below) return;
     const FilterGuard guard;
     const Filter cosine = cosine_of_root(curvature, square(Filter::exactly(circumradius)));
     if (!is_proved(less(Filter(0), cosine))) return;
     const Filter shrink = curvature == Curvature::positive ? cosine : Filter(1) / cosine;
-    report_.lower = (square_root(Filter(1) - Filter::exactly(below_)) * shrink).lower();
-    report_.upper = (square_root(Filter(1) + Filter::exactly(above_)) / shrink).upper();
+    report_.lower = (square_root(squared_lower()) * shrink).lower();
+    report_.upper = (square_root(squared_upper()) / shrink).upper();
   }
 
   const SpaceFormComplex<m>& complex_;
   ChartView<m> view_;
   std::vector<Side<m>> sides_;
-  double above_ = first_stretch;
-  double below_ = first_stretch;
+  int above_ = 0;
+  int below_ = 0;
   bool is_complete_ = true;
   PiecewiseFlatReport report_;
 };

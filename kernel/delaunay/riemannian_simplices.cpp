@@ -10,14 +10,11 @@ namespace delcert {
 
 namespace {
 
-// Halves of the sampling radius.
-constexpr std::array<int, 4> half_reaches{7, 10, 14, 18};
-
 /// Places of the simplices of star(i) in a view large enough for them, its label first in each; empty if there is none.
 template <int m>
 std::vector<PlaceSimplex<m>> star_places(ChartView<m>& view, const SpaceFormComplex<m>& complex, Label i) {
-  for (const int half_reach : half_reaches) {
-    if (!view.look_if_possible(i, half_reach)) break;
+  for (const int half_reach : view.half_reaches()) {
+    view.look_by_halves(i, half_reach);
     std::vector<PlaceSimplex<m>> result;
     for (const auto& others : complex.star(i)) {
       LabelSimplex<m> labels{i.value};

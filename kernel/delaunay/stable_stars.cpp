@@ -1,7 +1,6 @@
 #include "kernel/delaunay/stable_stars.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 
 #include "kernel/simplex/dimensions.hpp"
@@ -9,9 +8,6 @@
 namespace delcert {
 
 namespace {
-
-// Halves of the sampling radius: enough for the stars of the neighbours in a perturbed net; then the whole patch.
-constexpr std::array<int, 2> half_reaches{12, 18};
 
 template <int m>
 class StabilityCheck {
@@ -22,12 +18,12 @@ class StabilityCheck {
 
   void look_from(Label chart) {
     const auto labels = complex_.neighbours(chart);
-    // By position in labels; empty where nothing is wrong.
-    std::vector<std::string> reasons(labels.size(), "is not looked at: the patch is too small");
+    std::vector<std::string> reasons;  // by position in labels; empty where nothing is wrong
     LocalMargins margins;
     bool has_margins = false;
-    for (const int half_reach : half_reaches) {
-      if (!view_.look_if_possible(chart, half_reach)) break;
+    // Enough for the stars of the neighbours in a perturbed net; then the whole patch.
+    for (const int half_reach : view_.half_reaches({12})) {
+      view_.look_by_halves(chart, half_reach);
       blames_a_point_ = false;
       known_.clear();
       reasons.assign(labels.size(), {});

@@ -22,17 +22,18 @@ class DelaunayCandidates {
   /// alive.
   void prepare(Label i, const CandidateTest<m>& test);
 
-  /// The least distance of x, in the chart of the label, from these spheres; infinite if there are none.
+  /// The least distance of x, in the chart of the label, from these spheres, a lower bound; infinite if there are none.
+  /// Precondition: a `FilterGuard` is alive.
   [[nodiscard]] double clearance(const Vector<Rational, m>& x) const;
 
   [[nodiscard]] std::size_t size() const { return spheres_.size(); }
 
  private:
   struct Sphere {
-    Vector<PlainDouble, m> centre;
-    PlainDouble radius;
+    Vector<Filter, m> centre;
+    Filter radius;
   };
-  [[nodiscard]] PlainDouble distance(const Vector<PlainDouble, m>& a, const Vector<PlainDouble, m>& b) const {
+  [[nodiscard]] Filter distance(const Vector<Filter, m>& a, const Vector<Filter, m>& b) const {
     return square_root(metric_.squared_norm(difference(a, b)));
   }
 
@@ -40,7 +41,7 @@ class DelaunayCandidates {
   const PointSet<m>& points_;
   const std::vector<bool>& placed_;
   PerturbationParameters parameters_;
-  MetricOn<PlainDouble, m> metric_;
+  MetricOn<Filter, m> metric_;
   std::vector<Sighting<m>> seen_;
   std::vector<Sphere> spheres_;
 };

@@ -60,6 +60,18 @@ TEST(CheckStability, of_a_raw_net_of_a_sphere_names_star_and_chart) {
   EXPECT_EQ(stages, "compare stars in other charts");
 }
 
+// Defect: a patch smaller than the reach that is tried first ended the program.
+TEST(CheckStability, in_small_patches_says_what_they_do_not_hold) {
+  const auto atlas = sphere(ratio(1, 5));
+  auto geometry = unit_sphere;
+  geometry.patch_factor = 4;
+  const auto complex = stars_of<2>(atlas, atlas.net(), geometry);
+  const auto stability = check_stability<2>(atlas, atlas.net(), geometry, complex, no_progress());
+  EXPECT_TRUE(std::any_of(stability.failures.begin(), stability.failures.end(), [](const auto& failure) {
+    return mentions(failure.reason, "does not lie in the patch") || mentions(failure.reason, "is not seen once");
+  }));
+}
+
 TEST(CheckStability, says_where_a_label_is_not_seen) {
   const auto atlas = sphere(ratio(1, 5));
   auto complex = stars_of<2>(atlas, atlas.net(), unit_sphere);
@@ -76,17 +88,6 @@ TEST(CheckStability, says_where_a_label_is_not_seen) {
   const auto stability = check_stability<2>(atlas, atlas.net(), unit_sphere, forged, no_progress());
   EXPECT_TRUE(std::any_of(stability.failures.begin(), stability.failures.end(),
                           [](const auto& failure) { return mentions(failure.reason, "is not seen once"); }));
-}
-
-TEST(CheckStability, certifies_nothing_where_patches_are_too_small) {
-  const auto atlas = sphere(ratio(1, 5));
-  const auto complex = stars_of<2>(atlas, atlas.net(), unit_sphere);
-  ModelGeometry small = unit_sphere;
-  small.patch_factor = 5;
-  const auto stability = check_stability<2>(atlas, atlas.net(), small, complex, no_progress());
-  EXPECT_GT(stability.pairs, 0U);
-  EXPECT_EQ(stability.differing, stability.pairs);
-  EXPECT_TRUE(mentions(stability.failures[0].reason, "the patch is too small"));
 }
 
 }  // namespace
