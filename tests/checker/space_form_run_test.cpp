@@ -7,7 +7,7 @@
 
 #include "kernel/manifold/space_form/space_form_file.hpp"
 #include "kernel/sample/space_form_net.hpp"
-#include "proofs/certificate/space_form_writer.hpp"
+#include "proofs/certificate/space_form_claims.hpp"
 #include "tests/checker/support/certificate_text.hpp"
 #include "tests/checker/support/run_checker.hpp"
 
@@ -30,7 +30,12 @@ Certified certified(const std::string& name, const Rational& radius, int factor 
   const SpaceFormRun<m> run = run_on_space_form<m>(atlas, parameters, {}, no_progress());
   EXPECT_TRUE(run.is_certified()) << name;
   Certified result;
-  result.claims = derive_space_form_claims<m>(atlas, parameters, run, no_progress(), result.reasons);
+  RunParameters stated;
+  stated.mode = RunMode::measured;
+  stated.algorithm = parameters;
+  stated.squared_flake_parameter = Rational::power_of_two(-120);
+  const SpaceFormMeasures measures = measure_run<m>(atlas, run, no_progress());
+  result.claims = derive_claims<m>(atlas, stated, run, measures, all_levels(), result.reasons);
   std::vector<Vector<Rational, m>> centres, vectors;
   std::vector<std::vector<std::array<std::uint32_t, static_cast<std::size_t>(m)>>> stars;
   for (std::uint32_t index = 0; index < atlas.size(); ++index) {
@@ -39,8 +44,7 @@ Certified certified(const std::string& name, const Rational& radius, int factor 
     stars.push_back(run.complex.star(Label(index)));
   }
   result.path = temporary_file("");
-  write_space_form_certificate<m>(result.path, {form, space_form_parameters(parameters, Dimension(m), true), radius,
-                                                centres, vectors, stars, result.claims});
+  write_space_form_certificate<m>(result.path, {form, stated, radius, centres, vectors, stars, result.claims});
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <iterator>
 
@@ -19,6 +20,9 @@ namespace delcert {
 namespace {
 
 using Keys = std::vector<std::string_view>;
+
+constexpr std::array<std::string_view, 5> families{"space-form", "sphere", "projective-space", "lens-space",
+                                                   "regular-polygon-surface"};
 
 class SpaceFormReader {
  public:
@@ -216,6 +220,20 @@ SpaceFormDescription read_space_form(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream || std::filesystem::is_directory(path)) throw InputError("cannot read " + path.string());
   return parse_space_form(std::string(std::istreambuf_iterator<char>(stream), {}), path.string());
+}
+
+std::optional<SpaceFormDescription> space_form_if_one(const std::string& name_or_path) {
+  const auto& known = builtin_space_forms();
+  if (std::any_of(known.begin(), known.end(), [&](const auto& builtin) { return builtin.name == name_or_path; }))
+    return find_space_form(name_or_path);
+  try {
+    const toml::table table = toml::parse_file(name_or_path);
+    const auto family = table["family"].value<std::string_view>();
+    if (!family || std::find(families.begin(), families.end(), *family) == families.end()) return std::nullopt;
+  } catch (const toml::parse_error&) {
+    return std::nullopt;
+  }
+  return read_space_form(name_or_path);
 }
 
 SpaceFormDescription find_space_form(const std::string& name) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,5 +23,9 @@ namespace delcert {
 
 /// The built-in space form of this name. Throws InputError, listing the names, if there is none.
 [[nodiscard]] SpaceFormDescription find_space_form(const std::string& name);
+
+/// The built-in space form of this name, or that of the file with this path. None if there is neither, or the file is
+/// none or of a family of manifolds of which `find_manifold` knows. Throws InputError as `read_space_form`.
+[[nodiscard]] std::optional<SpaceFormDescription> space_form_if_one(const std::string& name_or_path);
 
 }  // namespace delcert

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "kernel/manifold/space_form/space_form_families.hpp"
 #include "kernel/sample/space_form_net.hpp"
 
@@ -21,53 +23,47 @@ Derived derived(int factor) {
   const SpaceForm form = verify_space_form(projective_space(2));
   auto net = space_form_net<2>(form, radius, 1, no_progress());
   const SpaceFormAtlas<2> atlas(form, std::move(net.centres), radius, factor);
-  const PerturbationParameters parameters = measured_parameters(Dimension(2), 1);
-  auto run = run_on_space_form<2>(atlas, parameters, {}, no_progress());
+  RunParameters parameters;
+  parameters.algorithm = measured_parameters(Dimension(2), 1);
+  auto run = run_on_space_form<2>(atlas, parameters.algorithm, {}, no_progress());
   EXPECT_TRUE(run.is_certified());
   std::vector<std::string> reasons;
-  auto claims = derive_space_form_claims<2>(atlas, parameters, run, no_progress(), reasons);
-  return {std::move(claims), std::move(run), std::move(reasons), parameters.perturbation * radius};
+  auto claims =
+      derive_claims<2>(atlas, parameters, run, measure_run<2>(atlas, run, no_progress()), all_levels(), reasons);
+  return {std::move(claims), std::move(run), std::move(reasons), parameters.algorithm.perturbation * radius};
 }
 
-TEST(SpaceFormClaims, AreWhatTheRunHas) {
+TEST(SpaceFormClaims, AreABitWeakerThanWhatTheRunHas) {
   const Derived d = derived(9);
-  EXPECT_EQ(d.claims.stars->protection, Rational::exactly(d.run.margins.protection));
-  EXPECT_EQ(d.claims.stars->circumradius, Rational::exactly(d.run.margins.circumradius));
+  const auto near = [](const Rational& claimed, double found) {
+    const double ratio = approximate_double(claimed) / found;
+    return ratio > 0.999 && ratio < 1.001 && ratio != 1;
+  };
+  EXPECT_LT(d.claims.stars->protection, Rational::exactly(d.run.margins.protection));
+  EXPECT_GT(d.claims.stars->circumradius, Rational::exactly(d.run.margins.circumradius));
+  EXPECT_TRUE(near(d.claims.stars->protection, d.run.margins.protection));
+  EXPECT_TRUE(near(d.claims.stars->circumradius, d.run.margins.circumradius));
+  EXPECT_TRUE(near(d.claims.delaunay->circumradius, d.run.model.circumradius));
   EXPECT_EQ(d.claims.manifold->simplices, d.run.complex.simplices().size());
   EXPECT_EQ(d.claims.manifold->euler_characteristic, 1);
   EXPECT_EQ(group_text(d.claims.manifold->homology[1]), "Z/2");
-  EXPECT_EQ(*d.claims.density, Rational::exactly(d.run.model.circumradius) + d.moved);
+  EXPECT_GE(*d.claims.density, Rational::exactly(d.run.model.circumradius) + d.moved);
   ASSERT_TRUE(d.claims.reach);
   EXPECT_LT(*d.claims.reach, Rational(9) * Rational(Integer(1), Integer(8)));
   EXPECT_TRUE(d.claims.triangulation);
   EXPECT_FALSE(d.claims.riemannian) << "far too coarse";
   ASSERT_TRUE(d.claims.metric);
   ASSERT_TRUE(d.claims.metric->weight);
-  EXPECT_GT(*d.claims.metric->weight, Rational(0));
   EXPECT_LT(d.claims.metric->least_stretch, Rational(1));
   EXPECT_GT(d.claims.metric->greatest_stretch, Rational(1));
-  ASSERT_EQ(d.reasons.size(), 1U);
-  EXPECT_EQ(d.reasons[0].substr(0, 8), "level 5:");
+  EXPECT_EQ(names_of(d.claims), (std::vector<std::string>{"0", "1", "2", "2s", "4", "5", "6"}));
 }
 
 TEST(SpaceFormClaims, DoNotStateLevel0ForSmallPatches) {
   const Derived d = derived(5);
   EXPECT_FALSE(d.claims.density);
-  EXPECT_EQ(d.reasons.front(), "level 0: patches are smaller than 9 sampling radii");
-}
-
-TEST(SpaceFormParameters, AreInTheRangesOfTheFormat) {
-  PerturbationParameters parameters = measured_parameters(Dimension(3), 5);
-  const RunParameters measured = space_form_parameters(parameters, Dimension(3), true);
-  EXPECT_EQ(measured.mode, RunMode::measured);
-  EXPECT_GT(measured.squared_flake_parameter, Rational(0));
-  EXPECT_LE(measured.squared_flake_parameter, Rational(1));
-  EXPECT_EQ(measured.algorithm.seed, 5U);
-  parameters.tolerance = Rational(0);
-  const RunParameters none = space_form_parameters(parameters, Dimension(3), false);
-  EXPECT_EQ(none.mode, RunMode::none);
-  EXPECT_EQ(none.algorithm.perturbation, Rational(0));
-  EXPECT_GT(none.squared_flake_parameter, Rational(0));
+  EXPECT_NE(std::find(d.reasons.begin(), d.reasons.end(), "level 0: patches are smaller than 9 sampling radii"),
+            d.reasons.end());
 }
 
 }  // namespace

@@ -44,13 +44,14 @@ TEST(InvariantForm, bisectors_are_as_far_from_o_as_from_its_image) {
   const InvariantForm plane(FieldElement(0), matrix(nullptr, {{"1", "0"}, {"0", "4"}}));
   const FieldMatrix shift = matrix(nullptr, {{"1", "0", "0"}, {"2", "1", "0"}, {"1", "0", "1"}});
   const FieldVector covector = plane.bisector(shift);
-  const auto at = [&](const std::string& x, const std::string& y) {
-    return pairing(covector, {FieldElement(1), element(golden_field(), x), element(golden_field(), y)}).sign();
+  const auto at = [&](const Rational& x, const Rational& y) {
+    return pairing(covector, {FieldElement(1), FieldElement(x), FieldElement(y)}).sign();
   };
-  EXPECT_EQ(at("0", "0"), -1);
-  EXPECT_EQ(at("2", "1"), 1);
-  EXPECT_EQ(at("1", "1/2"), 0);
-  EXPECT_EQ(at("3", "-1/2"), 0);  // the middle (1, 1/2) and (2, −1), which is orthogonal to (2, 1) in this metric
+  EXPECT_EQ(at(Rational(0), Rational(0)), -1);
+  EXPECT_EQ(at(Rational(2), Rational(1)), 1);
+  EXPECT_EQ(at(Rational(1), ratio(1, 2)), 0);
+  EXPECT_EQ(at(Rational(3), ratio(-1, 2)),
+            0);  // the middle (1, 1/2) and (2, −1), which is orthogonal to (2, 1) in this metric
   EXPECT_EQ(plane.displacement_of_origin(shift.column(0)), FieldElement(8));
 
   const auto surface = regular_polygon_surface(2);

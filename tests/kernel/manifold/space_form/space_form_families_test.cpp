@@ -20,7 +20,7 @@ TEST(SpaceFormFamilies, lens_spaces_are_manifolds_exactly_when_p_and_q_are_copri
 }
 
 TEST(SpaceFormFamilies, polygon_surfaces_of_several_genera) {
-  for (const int genus : {2, 4, 6}) {
+  for (const int genus : {2, 3}) {
     const SpaceForm form = verify_space_form(regular_polygon_surface(genus));
     EXPECT_EQ(form.cycles->euler_characteristic, 2 - 2 * genus);
     EXPECT_TRUE(form.is_orientable);

@@ -97,5 +97,14 @@ TEST(SpaceFormFile, reads_files_and_names) {
     EXPECT_EQ(find_space_form(builtin.name).name, builtin.name);
 }
 
+TEST(SpaceFormFile, are_told_from_other_manifolds) {
+  const std::string examples = DELCERT_SOURCE_DIR "/examples/manifolds/";
+  EXPECT_EQ(space_form_if_one("klein-bottle").value().name, "klein-bottle");
+  EXPECT_EQ(space_form_if_one(examples + "space-forms/sphere-3.toml").value().name, "sphere-3");
+  for (const std::string other : {"torus-2", "no-such-file.toml"}) EXPECT_FALSE(space_form_if_one(other)) << other;
+  for (const std::string other : {"torus-2.toml", "disk.toml", "", "../../README.md"})
+    EXPECT_FALSE(space_form_if_one(examples + other)) << other;
+}
+
 }  // namespace
 }  // namespace delcert::test
