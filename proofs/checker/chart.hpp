@@ -16,13 +16,18 @@ class Chart {
  public:
   Chart(const Certificate& c, const Lifts& lifts, Label i, const Rational& radius, Coordinates coordinates)
       : c_(c), lifts_(lifts), label_(i), coordinates_(coordinates), seen_(lifts.around(i, radius)) {
-    for (const Seen& seen : seen_) filter_.push_back(in_coordinates(seen.conformal));
+    for (const Seen& seen : seen_) {
+      filter_.push_back(in_coordinates(seen.conformal));
+      distance_.push_back(square_root(squared(filter_.back(), c.m_size())).lower());
+    }
   }
 
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::size_t size() const { return seen_.size(); }
   Label label(std::size_t at) const { return seen_[at].label; }
   const Seen& seen(std::size_t at) const { return seen_[at]; }
+  /// A lower bound of the distance from the origin of the coordinates.
+  double distance(std::size_t at) const { return distance_[at]; }
   /// The place of the label, or `none`. Throws Undecided if two of its lifts might be within the radius.
   std::size_t find(Label label) const;
   /// The places of these labels and of those in the list; empty if one is missing, which is then in `missing`.
@@ -61,6 +66,7 @@ class Chart {
   Coordinates coordinates_;
   std::vector<Seen> seen_;  // sorted by label
   std::vector<Vector<Interval>> filter_;
+  std::vector<double> distance_;
 };
 
 /// A simplex of a chart with its circumcentre: predicates on it are decided by enclosures.

@@ -7,34 +7,6 @@
 namespace delcert::checker {
 namespace {
 
-/// Gauss and Jordan. Precondition: a is not singular.
-FieldMatrix inverse_of(FieldMatrix a) {
-  const std::size_t n = a.order();
-  FieldMatrix result = FieldMatrix::identity(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    std::size_t pivot = k;
-    while (a(pivot, k).is_zero()) ++pivot;
-    for (std::size_t j = 0; j < n; ++j) {
-      std::swap(a(k, j), a(pivot, j));
-      std::swap(result(k, j), result(pivot, j));
-    }
-    const FieldElement unit = FieldElement(1) / a(k, k);
-    for (std::size_t i = 0; i < n; ++i) {
-      if (i == k || a(i, k).is_zero()) continue;
-      const FieldElement factor = a(i, k) * unit;
-      for (std::size_t j = 0; j < n; ++j) {
-        a(i, j) = a(i, j) - factor * a(k, j);
-        result(i, j) = result(i, j) - factor * result(k, j);
-      }
-    }
-    for (std::size_t j = 0; j < n; ++j) {
-      a(k, j) = a(k, j) * unit;
-      result(k, j) = result(k, j) * unit;
-    }
-  }
-  return result;
-}
-
 /// The vector of the minors of m rows of length m + 1: what all rows annihilate, if they are independent.
 FieldVector common_kernel(const std::vector<FieldVector>& rows) {
   FieldVector result;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "proofs/checker/run.hpp"
@@ -21,8 +22,16 @@ namespace {
 void check_protection(const Chart& chart, const ChartSimplex& simplex, const Quantity& margin, Report& report,
                       const char* rule, const std::string& which) {
   const std::size_t first = simplex.vertices()[0];
+  // Farther from the origin than |C| + R + margin there is nothing to decide.
+  double reach = std::numeric_limits<double>::infinity();
+  const Simplex<Interval>& filter = simplex.filter();
+  if (filter.complete == Verdict::proved) {
+    const Vector<Interval> centre = add(chart.position<Interval>(first), Interval(1), filter.centre);
+    const double length = upper_root(squared(centre, filter.dimension())), radius = upper_root(filter.radius_squared);
+    reach = (Interval::between(0, length) + Interval::between(0, radius) + margin.filter).upper();
+  }
   for (std::size_t q = 0; q < chart.size(); ++q) {
-    if (simplex.is_vertex(q)) continue;
+    if (chart.distance(q) > reach || simplex.is_vertex(q)) continue;
     const bool clear = simplex.decide([&]<class N>(const Simplex<N>& s) {
       return is_clear<N>(s, chart.position<N>(q) - chart.position<N>(first), margin.as<N>());
     });

@@ -43,11 +43,12 @@ Certified certified(const std::string& name, const Rational& radius) {
   const auto form = verify_space_form(find_space_form(name));
   auto net = space_form_net<2>(form, radius * (Rational(1) + Rational::power_of_two(-20)), 1, no_progress());
   SpaceFormAtlas<2> atlas(form, std::move(net.centres), radius);
-  const auto parameters = measured_parameters(Dimension(2), 1);
-  auto run = run_on_space_form<2>(atlas, parameters, {}, no_progress());
+  const auto parameters = space_form_parameters(measured_parameters(Dimension(2), 1), Dimension(2), true);
+  auto run = run_on_space_form<2>(atlas, parameters.algorithm, {}, no_progress());
   std::vector<std::string> reasons;
-  auto claims = derive_space_form_claims<2>(atlas, parameters, run, no_progress(), reasons);
-  return {std::move(atlas), space_form_parameters(parameters, Dimension(2), true), std::move(run), std::move(claims)};
+  auto claims =
+      derive_claims<2>(atlas, parameters, run, measure_run<2>(atlas, run, no_progress()), all_levels(), reasons);
+  return {std::move(atlas), parameters, std::move(run), std::move(claims)};
 }
 
 class SpaceFormMargins : public testing::TestWithParam<std::string> {};
