@@ -7,7 +7,7 @@
 
 #include "kernel/manifold/space_form/space_form_file.hpp"
 #include "kernel/sample/space_form_net.hpp"
-#include "proofs/certificate/space_form_writer.hpp"
+#include "proofs/certificate/space_form_claims.hpp"
 #include "tests/checker/support/certificate_text.hpp"
 #include "tests/checker/support/run_checker.hpp"
 
