@@ -15,8 +15,8 @@
 #include <system_error>
 
 #include "kernel/error.hpp"
-#include "kernel/manifold/space_form/space_form_file.hpp"
 #include "kernel/manifold/builtin_manifolds.hpp"
+#include "kernel/manifold/space_form/space_form_file.hpp"
 #include "kernel/number/exact_text.hpp"
 
 namespace delcert {
