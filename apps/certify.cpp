@@ -5,13 +5,16 @@
 #include <memory>
 #include <sstream>
 
+#include "apps/certify_options.hpp"
+#include "apps/certify_space_form.hpp"
 #include "apps/commands.hpp"
 #include "apps/exact_option.hpp"
-#include "apps/net_source.hpp"
 #include "apps/progress_line.hpp"
+#include "apps/report_parts.hpp"
 #include "apps/run_report.hpp"
 #include "kernel/error.hpp"
 #include "kernel/manifold/manifold_file.hpp"
+#include "kernel/manifold/space_form/space_form_file.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "kernel/sample/net_measure.hpp"
 #include "kernel/simplex/dimensions.hpp"
@@ -20,19 +23,6 @@
 namespace delcert {
 
 namespace {
-
-constexpr std::size_t failures_shown = 10;
-
-struct CertifyOptions {
-  NetSource source;
-  ParameterChoice choice;
-  bool no_perturbation = false;
-  std::optional<Rational> required_protection;
-  int repair_rounds = 20;
-  LevelSelection levels = all_levels();
-  std::string output;
-  bool json = false;
-};
 
 /// Throws Rejection naming the items of the input that do not hold.
 void require_input(const std::vector<InputItem>& items) {
@@ -50,13 +40,7 @@ void require_stars(const RunResult<m>& run) {
   if (run.is_certified()) return;
   std::vector<StarFailure> failures = run.protection.failures;
   failures.insert(failures.end(), run.combinatorial_failures.begin(), run.combinatorial_failures.end());
-  std::string message = fmt::format("nothing is certified: {} failures in stars after {} repair rounds",
-                                    failures.size(), run.repair_rounds);
-  for (std::size_t at = 0; at < std::min(failures.size(), failures_shown); ++at) {
-    message += fmt::format("\n  star of {}: {}", failures[at].label.value, failures[at].reason);
-  }
-  if (failures.size() > failures_shown) message += fmt::format("\n  and {} more", failures.size() - failures_shown);
-  throw Rejection(message);
+  throw Rejection(star_failures_text(failures, run.repair_rounds));
 }
 
 template <int m>
@@ -131,9 +115,13 @@ void add_certify(CLI::App& program, Action& chosen) {
   const std::map<std::string, RunMode> modes{{"theory", RunMode::theory}, {"measured", RunMode::measured}};
   const std::map<std::string, CandidateRule> rules{
       {"pruned", CandidateRule::pruned}, {"whole", CandidateRule::whole}, {"printed", CandidateRule::printed}};
-  command->add_option("--mode", options->choice.mode, "theory: the paper's constants; measured: chosen tolerances")
-      ->transform(CLI::CheckedTransformer(modes))
-      ->type_name("theory|measured");
+  CLI::Option* mode =
+      command
+          ->add_option("--mode", options->choice.mode,
+                       "theory: the paper's constants; measured: chosen tolerances (default theory, on space forms "
+                       "other than tori measured)")
+          ->transform(CLI::CheckedTransformer(modes))
+          ->type_name("theory|measured");
   command->add_option("--candidates", options->choice.candidates, "Which simplices perturbations are tested against")
       ->transform(CLI::CheckedTransformer(rules))
       ->type_name("pruned|whole|printed");
@@ -158,11 +146,15 @@ void add_certify(CLI::App& program, Action& chosen) {
       "  delcert certify --manifold torus-3 --radius 1/24 --seed 1 --output torus-3.json.zst\n"
       "  delcert certify --manifold torus-2 --lattice 30 --mode measured --tolerance 1/64\n"
       "  delcert certify --manifold my-torus.toml --points net.txt --levels 0,1,2,4,5,6\n"
+      "  delcert certify --manifold bolza-surface --radius 1/10 --output bolza.json.zst\n"
+      "  delcert certify --manifold sphere-2 --icosphere 24\n"
       "  delcert certify --manifold torus-2 --lattice 30 --no-perturbation      (exits 1, naming stars)");
-  command->callback([options, &chosen] {
+  command->callback([options, mode, &chosen] {
+    options->mode_is_given = mode->count() > 0;
     chosen = [options] {
       options->choice.seed = options->source.seed;
       if (options->no_perturbation) options->choice.mode = RunMode::none;
+      if (const auto form = space_form_if_one(options->source.manifold)) return certify_space_form(*options, *form);
       const ManifoldDescription manifold = find_manifold(options->source.manifold);
       return with_dimension(manifold.dimension, [&]<int m>() { return certify<m>(*options, manifold); });
     };

@@ -30,7 +30,7 @@ nlohmann::ordered_json object_of(const Entries& entries) {
 std::string json_of(const CertificateSummary& certificate) {
   nlohmann::ordered_json json;
   json["manifold"] = certificate.manifold.name;
-  json["family"] = name_of(certificate.manifold.family);
+  json["family"] = certificate.family;
   json["dimension"] = certificate.manifold.dimension.value;
   json["points"] = certificate.points.size();
   json["parameters"] = object_of(certificate.parameters);
@@ -42,9 +42,8 @@ std::string json_of(const CertificateSummary& certificate) {
 }
 
 std::string text_of(const CertificateSummary& certificate) {
-  std::string out =
-      fmt::format("{} ({}, dimension {}), {} points\n", certificate.manifold.name, name_of(certificate.manifold.family),
-                  certificate.manifold.dimension.value, certificate.points.size());
+  std::string out = fmt::format("{} ({}, dimension {}), {} points\n", certificate.manifold.name, certificate.family,
+                                certificate.manifold.dimension.value, certificate.points.size());
   out += "parameters\n";
   for (const auto& [key, value] : certificate.parameters) out += fmt::format("  {:<24} {}\n", key, value);
   out += "levels claimed (delcert check verifies them)\n";

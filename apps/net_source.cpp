@@ -3,8 +3,10 @@
 #include "apps/exact_option.hpp"
 #include "kernel/error.hpp"
 #include "kernel/number/exact_text.hpp"
+#include "kernel/sample/icosphere.hpp"
 #include "kernel/sample/point_file.hpp"
 #include "kernel/sample/poisson_disk.hpp"
+#include "kernel/sample/space_form_net.hpp"
 #include "kernel/simplex/dimensions.hpp"
 
 namespace delcert {
@@ -25,24 +27,83 @@ void NetSource::add_options(CLI::App& command, bool with_file) {
         ->type_name("FILE")
         ->excludes(lattice_option);
   }
+  command
+      .add_option("--icosphere", icosphere_frequency,
+                  "On sphere-2: the icosahedron, its faces divided by F, as the net")
+      ->type_name("F")
+      ->excludes(lattice_option);
+  command.add_option("--relax", relaxation_steps, "Space forms: so many of Lloyd's steps for the net (default 0)")
+      ->type_name("STEPS");
   command.add_option("--seed", seed, "Seed of all random choices (default 0)")->type_name("INTEGER");
 }
 
+namespace {
+
+template <int m>
+std::vector<Vector<Rational, m>> points_of_file(const std::string& file) {
+  std::vector<Vector<Rational, m>> result;
+  for (const auto& point : read_points(file, Dimension(m))) {
+    result.emplace_back();
+    std::copy(point.begin(), point.end(), result.back().begin());
+  }
+  return result;
+}
+
+/// A little above the covering radius, in 12 binary digits.
+Rational radius_above(double covering_radius) {
+  const Rational radius = Rational::exactly(covering_radius) * (Rational(1) + Rational::power_of_two(-20));
+  return rounded_up(radius, binary_exponent(radius) - 11);
+}
+
+}  // namespace
+
 template <int m>
 std::vector<Vector<Rational, m>> NetSource::points(const FlatSpace<m>& space, const Progress& progress) const {
-  if (!points_file.empty()) {
-    std::vector<Vector<Rational, m>> result;
-    for (const auto& point : read_points(points_file, Dimension(m))) {
-      result.emplace_back();
-      std::copy(point.begin(), point.end(), result.back().begin());
-    }
-    return result;
-  }
+  if (icosphere_frequency) throw InputError("--icosphere is for the manifold sphere-2");
+  if (relaxation_steps > 0) throw InputError("--relax is for space forms other than tori");
+  if (!points_file.empty()) return points_of_file<m>(points_file);
   if (lattice) return lattice_net<m>(space, LatticeNet{*lattice, centred, displacement_exponent, seed});
   if (!radius) throw InputError("no net: give --radius, --lattice or --points");
   if (*radius <= Rational(0)) throw InputError("--radius " + exact_text(*radius) + " is not above 0");
   return poisson_disk_net<m>(space, *radius, seed, progress);
 }
+
+template <int m>
+std::pair<std::vector<Vector<Rational, m>>, Rational> NetSource::net_of(const SpaceForm& form,
+                                                                        const Progress& progress) const {
+  if (lattice) throw InputError("--lattice is for tori and balls; on a space form give --radius or --points");
+  SpaceFormNet<m> net;
+  if (icosphere_frequency) {
+    if constexpr (m == 2) {
+      if (form.form().curvature() != Curvature::positive || !form.description.generators.empty())
+        throw InputError("--icosphere is for the manifold sphere-2");
+      // The farthest point is in a face: of the 20f² faces none is much larger than its share of the icosahedron's.
+      net = measured_net<m>(form, icosphere(*icosphere_frequency),
+                            Rational(Integer(4), Integer(5 * *icosphere_frequency)));
+    } else {
+      throw InputError("--icosphere is for the manifold sphere-2");
+    }
+  } else {
+    if (!radius) throw InputError("no net: give --radius, or with it --points");
+    if (*radius <= Rational(0)) throw InputError("--radius " + exact_text(*radius) + " is not above 0");
+    if (points_file.empty()) {
+      net = space_form_net<m>(form, *radius, seed, progress);
+    } else {
+      net.centres = points_of_file<m>(points_file);
+    }
+    if (relaxation_steps == 0) return {std::move(net.centres), *radius};
+  }
+  if (relaxation_steps > 0) {
+    const Rational about = radius ? *radius : radius_above(net.covering_radius);
+    net = relaxed_net<m>(form, net.centres, about, relaxation_steps, progress);
+  }
+  return {std::move(net.centres), radius_above(net.covering_radius)};
+}
+
+template std::pair<std::vector<Vector<Rational, 2>>, Rational> NetSource::net_of<2>(const SpaceForm&,
+                                                                                    const Progress&) const;
+template std::pair<std::vector<Vector<Rational, 3>>, Rational> NetSource::net_of<3>(const SpaceForm&,
+                                                                                    const Progress&) const;
 
 #define DELCERT_INSTANTIATE(m) \
   template std::vector<Vector<Rational, m>> NetSource::points<m>(const FlatSpace<m>&, const Progress&) const;

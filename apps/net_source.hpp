@@ -3,8 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "kernel/manifold/flat_space.hpp"
+#include "kernel/manifold/space_form/space_form.hpp"
 #include "kernel/progress.hpp"
 #include "kernel/sample/lattice_net.hpp"
 
@@ -18,14 +20,23 @@ struct NetSource {
   std::optional<std::uint32_t> lattice;
   bool centred = false;
   std::optional<unsigned> displacement_exponent;
+  std::optional<std::uint32_t> icosphere_frequency;
+  std::uint32_t relaxation_steps = 0;
   std::uint64_t seed = 0;
 
-  /// Adds --manifold, --radius, --points (if `with_file`), --lattice, --centred, --displace, --seed.
+  /// Adds --manifold, --radius, --points (if `with_file`), --lattice, --centred, --displace, --icosphere, --relax,
+  /// --seed.
   void add_options(CLI::App& command, bool with_file);
 
   /// Makes or reads the points. Throws what sampling and reading throw.
   template <int m>
   [[nodiscard]] std::vector<Vector<Rational, m>> points(const FlatSpace<m>& space, const Progress& progress) const;
+
+  /// The same on a space form: conformal coordinates, and the radius in which the run is measured: that of the
+  /// Poisson-disk net, the nominal one of given points, otherwise about the covering radius.
+  template <int m>
+  [[nodiscard]] std::pair<std::vector<Vector<Rational, m>>, Rational> net_of(const SpaceForm& form,
+                                                                             const Progress& progress) const;
 };
 
 }  // namespace delcert

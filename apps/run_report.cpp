@@ -1,22 +1,16 @@
 #include "apps/run_report.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <nlohmann/json.hpp>
 
+#include "apps/report_parts.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "proofs/certificate/writer.hpp"
 
 namespace delcert {
 
 namespace {
-
-/// Four significant digits, rounded down or up.
-std::string decimal_lower(const Rational& x) { return fmt::format("{:.3e}", approximate_double(x) * (1 - 0.0005)); }
-std::string decimal_upper(const Rational& x) { return fmt::format("{:.3e}", approximate_double(x) * (1 + 0.0005)); }
-
-constexpr std::array<const char*, rung_count> rung_names{"interval", "big interval", "rational", "algebraic"};
 
 std::string level_line(const RunReport& report, const std::string& level) {
   const Claims& claims = report.claims;
@@ -30,24 +24,15 @@ std::string level_line(const RunReport& report, const std::string& level) {
                        decimal_upper(claims.stars->circumradius / unit));
   }
   if (level == "2") {
-    return fmt::format("manifold: {} simplices, Euler characteristic {}{}", claims.manifold->simplices,
-                       claims.manifold->euler_characteristic,
-                       claims.manifold->closed ? ", closed" : ", of the stars of interior labels");
+    return fmt::format("manifold: {} simplices, Euler characteristic {}, homology {}{}", claims.manifold->simplices,
+                       claims.manifold->euler_characteristic, fmt::join(homology_texts(*claims.manifold), ", "),
+                       claims.manifold->closed ? "; closed" : "; of the stars of interior labels");
   }
   if (level == "2s") return "stable stars: every star is the same in the chart of each of its vertices";
   if (level == "3") return "no forbidden configuration: " + claims.no_forbidden.value();
   if (level == "4") return "Delaunay: the complex is the Delaunay complex of the points in the manifold";
   if (level == "5") return "triangulation: it is homeomorphic to the manifold, by straight simplices";
   return "metric: isometric to the manifold, self-Delaunay";
-}
-
-std::string tries_line(const RunReport& report) {
-  const PerturbationStatistics& s = report.statistics;
-  const double placements = static_cast<double>(s.placements == 0 ? 1 : s.placements);
-  return fmt::format("{:.2f} candidates a point (most {}), {:.3f} tries (most {}), {:.0f} simplices looked at",
-                     static_cast<double>(s.candidates) / placements, s.most_candidates,
-                     static_cast<double>(s.tries) / placements, s.most_tries,
-                     static_cast<double>(s.visited) / placements);
 }
 
 }  // namespace
@@ -64,7 +49,7 @@ std::string report_text(const RunReport& report) {
   if (report.perturbed) {
     out += fmt::format("perturbation ρ₀ = {}, tolerance 2α̃₀ = {}, Γ₀² = {}\n", exact_text(algorithm.perturbation),
                        exact_text(algorithm.tolerance), exact_text(report.parameters.squared_flake_parameter));
-    out += "             " + tries_line(report) + "\n";
+    out += "             " + tries_text(report.statistics) + "\n";
     out += fmt::format("             {} repair rounds, {} points placed anew\n", report.repair_rounds,
                        report.repaired_points);
   } else {
@@ -75,20 +60,7 @@ std::string report_text(const RunReport& report) {
     out += fmt::format("  {:<3} {}\n", level, level_line(report, level));
   }
   for (const std::string& reason : report.reasons) out += "  not reached: " + reason + "\n";
-  out += "stages\n";
-  double total = 0;
-  LadderStatistics decisions;
-  for (const StageClock::Stage& stage : report.stages) {
-    out += fmt::format("  {:<34} {:8.3f} s   {:>12} decisions\n", stage.name, stage.seconds, stage.decisions.total());
-    total += stage.seconds;
-    decisions += stage.decisions;
-  }
-  out += fmt::format("  {:<34} {:8.3f} s   {:>12} decisions\n", "all", total, decisions.total());
-  for (std::size_t rung = 0; rung < rung_count; ++rung) {
-    if (decisions.settled[rung] == 0) continue;
-    out += fmt::format("  settled by {:<23} {:10.6f} %\n", rung_names[rung],
-                       100.0 * static_cast<double>(decisions.settled[rung]) / static_cast<double>(decisions.total()));
-  }
+  out += stages_text(report.stages);
   out += fmt::format("peak memory  {:.0f} MiB\ncertificate  {}\n", report.peak_memory_mib, report.certificate);
   return out;
 }
@@ -125,23 +97,15 @@ std::string report_json(const RunReport& report) {
                        {"thickness", exact_text(report.claims.stars->thickness)},
                        {"circumradius", exact_text(report.claims.stars->circumradius)}};
   }
-  if (report.claims.manifold) json["euler_characteristic"] = report.claims.manifold->euler_characteristic;
-  json["not_reached"] = report.reasons;
-  for (const StageClock::Stage& stage : report.stages) {
-    Json rungs;
-    for (std::size_t rung = 0; rung < rung_count; ++rung) rungs[rung_names[rung]] = stage.decisions.settled[rung];
-    rungs["undecided"] = stage.decisions.undecided;
-    json["stages"].push_back({{"stage", stage.name}, {"seconds", stage.seconds}, {"decisions", rungs}});
+  if (report.claims.manifold) {
+    json["euler_characteristic"] = report.claims.manifold->euler_characteristic;
+    json["homology"] = homology_texts(*report.claims.manifold);
   }
+  json["not_reached"] = report.reasons;
+  json["stages"] = stages_json(report.stages);
   json["peak_memory_mib"] = report.peak_memory_mib;
   json["certificate"] = report.certificate;
   return json.dump(2) + "\n";
-}
-
-double peak_memory_in_mib() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
 }  // namespace delcert

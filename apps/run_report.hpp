@@ -35,7 +35,4 @@ struct RunReport {
 /// The same as JSON; exact numbers are strings.
 [[nodiscard]] std::string report_json(const RunReport& report);
 
-/// The highest memory use of this process so far.
-[[nodiscard]] double peak_memory_in_mib();
-
 }  // namespace delcert

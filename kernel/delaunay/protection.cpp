@@ -98,7 +98,8 @@ class Measurement {
   }
   template <class S>
   Vector<S, m> position(const Lift<m>& lift) const {
-    return atlas_.carry(lift, points_.template coordinates<S>(Label(lift.index)));
+    const Label label(lift.index);
+    return atlas_.carry(label, lift, points_.template coordinates<S>(label));
   }
 
   /// Pushes the vertices in the given order of corners; proved if the simplex is certainly non-degenerate.

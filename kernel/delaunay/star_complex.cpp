@@ -77,6 +77,16 @@ long StarComplex<m>::euler_characteristic() const {
 }
 
 template <int m>
+PureComplex StarComplex<m>::label_complex() const {
+  std::vector<std::uint32_t> labels;
+  labels.reserve(simplices_.size() * corners<m>);
+  for (const auto& simplex : simplices_) {
+    for (const auto& vertex : simplex) labels.push_back(vertex.index);
+  }
+  return {Dimension(m), labels};
+}
+
+template <int m>
 std::vector<StarFailure> StarComplex<m>::combinatorial_failures() const {
   std::vector<StarFailure> failures;
   for (const auto& simplex : simplices_) {

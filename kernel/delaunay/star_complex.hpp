@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "kernel/delaunay/proposal.hpp"
+#include "kernel/topology/pure_complex.hpp"
 
 namespace delcert {
 
@@ -32,6 +33,8 @@ class StarComplex {
   [[nodiscard]] std::vector<std::array<std::uint32_t, static_cast<std::size_t>(m)>> star(Label i) const;
   /// Of the complex of all faces, a face being its set of labels.
   [[nodiscard]] long euler_characteristic() const;
+  /// The complex of all faces, a face being its set of labels. Throws InputError if a simplex meets itself.
+  [[nodiscard]] PureComplex label_complex() const;
   /// Stars that are empty, or in which a face of dimension m−1 at the label is not in exactly two simplices, and
   /// simplices that meet themselves.
   [[nodiscard]] std::vector<StarFailure> combinatorial_failures() const;

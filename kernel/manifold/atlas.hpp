@@ -9,8 +9,9 @@
 
 namespace delcert {
 
-/// A label as it is seen in a chart: the point of the label, carried there by one transition function.
-/// On a quotient the transition is named by a lift.
+/// A label as it is seen in a chart: the point of the label, carried there by one transition function. On a quotient
+/// that is named by m integers, the `shift`: of a torus, the lattice vector; of another space form, the number of the
+/// group element, and zeros.
 template <int m>
 using Sighting = Lift<m>;
 
@@ -34,7 +35,7 @@ class Atlas {
   [[nodiscard]] virtual const Rational& sampling_radius(Label i) const = 0;
   /// Whether B(p_i, 8ε_i) lies in the region that the net covers: only then is star(i) claimed.
   [[nodiscard]] virtual bool is_interior(Label i) const = 0;
-  /// The original points p_i, each in its home patch.
+  /// The original points p_i, each in its home patch: the centre of its chart.
   [[nodiscard]] virtual const PointSet<m>& net() const = 0;
 
   /// N_i with the transitions, i among them: the labels whose original point lies in the patch U_i, and possibly a
@@ -44,12 +45,16 @@ class Atlas {
   /// above). Precondition: distance is at most the radius of the patch.
   virtual void sightings(Label i, double distance, std::vector<Sighting<m>>& out) const = 0;
 
-  /// φ_ji for the sighted label: home coordinates of its patch to coordinates of the chart that sees it.
-  /// Enclosures on the first two rungs; exact on the last, which only families with exact transitions have.
-  [[nodiscard]] virtual Vector<Filter, m> carry(const Sighting<m>& seen, const Vector<Filter, m>& home) const = 0;
-  [[nodiscard]] virtual Vector<BigInterval, m> carry(const Sighting<m>& seen,
+  /// φ_ji for the sighted label j: home coordinates of its patch to coordinates of the chart i that sees it.
+  /// Enclosures on the first two rungs (the filter needs a `FilterGuard`). On the last exact, if the family has exact
+  /// transitions; else the midpoint of the filter's enclosure: good enough to choose by, and nothing may rest on it.
+  [[nodiscard]] virtual Vector<Filter, m> carry(Label i, const Sighting<m>& seen,
+                                                const Vector<Filter, m>& home) const = 0;
+  [[nodiscard]] virtual Vector<BigInterval, m> carry(Label i, const Sighting<m>& seen,
                                                      const Vector<BigInterval, m>& home) const = 0;
-  [[nodiscard]] virtual Vector<Rational, m> carry(const Sighting<m>& seen, const Vector<Rational, m>& home) const = 0;
+  [[nodiscard]] virtual Vector<Rational, m> carry(Label i, const Sighting<m>& seen,
+                                                  const Vector<Rational, m>& home) const = 0;
+  [[nodiscard]] virtual bool has_exact_transitions() const = 0;
 };
 
 }  // namespace delcert

@@ -56,17 +56,17 @@ void FlatAtlas<m>::sightings(Label i, double distance, std::vector<Sighting<m>>&
 }
 
 template <int m>
-Vector<Filter, m> FlatAtlas<m>::carry(const Sighting<m>& seen, const Vector<Filter, m>& home) const {
+Vector<Filter, m> FlatAtlas<m>::carry(Label, const Sighting<m>& seen, const Vector<Filter, m>& home) const {
   return translated<Filter, m>(home, seen.shift);
 }
 
 template <int m>
-Vector<BigInterval, m> FlatAtlas<m>::carry(const Sighting<m>& seen, const Vector<BigInterval, m>& home) const {
+Vector<BigInterval, m> FlatAtlas<m>::carry(Label, const Sighting<m>& seen, const Vector<BigInterval, m>& home) const {
   return translated<BigInterval, m>(home, seen.shift);
 }
 
 template <int m>
-Vector<Rational, m> FlatAtlas<m>::carry(const Sighting<m>& seen, const Vector<Rational, m>& home) const {
+Vector<Rational, m> FlatAtlas<m>::carry(Label, const Sighting<m>& seen, const Vector<Rational, m>& home) const {
   return translated<Rational, m>(home, seen.shift);
 }
 

@@ -42,10 +42,12 @@ class FlatAtlas final : public Atlas<m> {
   [[nodiscard]] const PointSet<m>& net() const override { return net_; }
   [[nodiscard]] std::vector<Sighting<m>> neighbours(Label i) const override;
   void sightings(Label i, double distance, std::vector<Sighting<m>>& out) const override;
-  [[nodiscard]] Vector<Filter, m> carry(const Sighting<m>& seen, const Vector<Filter, m>& home) const override;
-  [[nodiscard]] Vector<BigInterval, m> carry(const Sighting<m>& seen,
+  [[nodiscard]] Vector<Filter, m> carry(Label i, const Sighting<m>& seen, const Vector<Filter, m>& home) const override;
+  [[nodiscard]] Vector<BigInterval, m> carry(Label i, const Sighting<m>& seen,
                                              const Vector<BigInterval, m>& home) const override;
-  [[nodiscard]] Vector<Rational, m> carry(const Sighting<m>& seen, const Vector<Rational, m>& home) const override;
+  [[nodiscard]] Vector<Rational, m> carry(Label i, const Sighting<m>& seen,
+                                          const Vector<Rational, m>& home) const override;
+  [[nodiscard]] bool has_exact_transitions() const override { return true; }
 
  private:
   FlatSpace<m> space_;

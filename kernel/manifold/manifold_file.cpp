@@ -16,6 +16,7 @@
 
 #include "kernel/error.hpp"
 #include "kernel/manifold/builtin_manifolds.hpp"
+#include "kernel/manifold/space_form/space_form_file.hpp"
 #include "kernel/number/exact_text.hpp"
 
 namespace delcert {
@@ -303,8 +304,12 @@ ManifoldDescription find_manifold(const std::string& name_or_path) {
     if (builtin.name == name_or_path) return parse_manifold(builtin.text, builtin.name);
     names += (names.empty() ? "" : ", ") + builtin.name;
   }
-  if (!std::filesystem::exists(name_or_path))
-    throw InputError("no manifold \"" + name_or_path + "\": neither a file nor one of " + names);
+  if (!std::filesystem::exists(name_or_path)) {
+    std::string forms;
+    for (const BuiltinManifold& builtin : builtin_space_forms()) forms += (forms.empty() ? "" : ", ") + builtin.name;
+    throw InputError("no manifold \"" + name_or_path + "\": neither a file nor one of " + names +
+                     ", or of the space forms " + forms);
+  }
   return read_manifold(name_or_path);
 }
 

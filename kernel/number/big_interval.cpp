@@ -76,6 +76,13 @@ BigInterval BigInterval::between(const Rational& lower, const Rational& upper) {
   return result;
 }
 
+BigInterval BigInterval::copy_of(mpfi_srcptr value) {
+  BigInterval result(Unset{});
+  mpfi_set_prec(result.value_, mpfi_get_prec(value));
+  mpfi_set(result.value_, value);
+  return result;
+}
+
 Rational BigInterval::lower() const { return rational_of(&value_->left); }
 Rational BigInterval::upper() const { return rational_of(&value_->right); }
 bool BigInterval::is_bounded() const { return mpfi_bounded_p(value_) != 0; }

@@ -48,6 +48,9 @@ class BigInterval {
   /// The tightest enclosure of [lower, upper]. Precondition: lower <= upper.
   [[nodiscard]] static BigInterval between(const Rational& lower, const Rational& upper);
 
+  /// A copy, with its own precision. Precondition: no endpoint is NaN, and they are in order.
+  [[nodiscard]] static BigInterval copy_of(mpfi_srcptr value);
+
   /// Exactly the endpoints; throw std::domain_error where unbounded.
   [[nodiscard]] Rational lower() const;
   [[nodiscard]] Rational upper() const;

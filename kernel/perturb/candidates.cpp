@@ -18,7 +18,7 @@ struct CandidateTest<m>::Collector {
   std::optional<Filter> filter_squared_radius_bound;
   Vector<Rational, m> centre;  // the original point
   Vector<Filter, m> filter_centre;
-  Rational squared_reach;  // (ρ₀ + tolerance)²ε²
+  Rational squared_reach;  // (ρ₀ + tolerance)²ε², the tolerance being the larger of both
   Filter filter_squared_reach;
   double far_power = std::numeric_limits<double>::infinity();  // s(2ϱ + s), rounded up; infinite without a bound
 
@@ -130,33 +130,35 @@ void CandidateTest<m>::prepare(Label i) {
   const Rational drift = pruned ? parameters_.perturbation * unit : Rational(0);
   const Filter squared_reach = scalar_from<Filter>(square(reach));
   atlas_.sightings(i, approximate_double(reach + drift) * (1 + 0x1p-40), seen_);
-  view_.clear();
+  view_.clear(i);
   const auto& filter_centre = atlas_.net().enclosure(i);
   for (const Sighting<m>& sighting : seen_) {
     if (label_of<m>(sighting) == i) continue;
     if (pruned && !placed_[sighting.index]) continue;
     const PointSet<m>& measured = pruned ? points_ : atlas_.net();
-    const auto position = atlas_.carry(sighting, measured.enclosure(label_of<m>(sighting)));
+    const auto position = atlas_.carry(i, sighting, measured.enclosure(label_of<m>(sighting)));
     if (is_refuted(less(filter_.squared_norm(difference(position, filter_centre)), squared_reach))) continue;
     view_.add(sighting);
   }
   const Filter squared_edge_bound = scalar_from<Filter>(square(parameters_.edge_bound * unit));
   view_.connect(filter_, pruned ? &squared_edge_bound : nullptr);
 
+  // What is not tested against may be wanted to choose by.
+  const Rational reach_of_spheres =
+      (parameters_.perturbation + maximum(parameters_.tolerance, parameters_.clearance)) * unit;
   Collector collector;
   collector.test = this;
   collector.least_vertices = parameters_.candidates == CandidateRule::printed ? m + 1 : 2;
   if (pruned) {
     collector.squared_radius_bound = square(parameters_.circumradius_bound * unit);
     collector.filter_squared_radius_bound = scalar_from<Filter>(*collector.squared_radius_bound);
-    const Rational reach_of_spheres = (parameters_.perturbation + parameters_.tolerance) * unit;
     collector.far_power =
         scalar_from<Filter>(reach_of_spheres * (Rational(2) * parameters_.circumradius_bound * unit + reach_of_spheres))
             .upper();
   }
   collector.centre = atlas_.net().exact(i);
   collector.filter_centre = filter_centre;
-  collector.squared_reach = square((parameters_.perturbation + parameters_.tolerance) * unit);
+  collector.squared_reach = square(reach_of_spheres);
   collector.filter_squared_reach = scalar_from<Filter>(collector.squared_reach);
   candidates_.clear();
   visited_ = 0;

@@ -31,14 +31,14 @@ class Search {
   void look_at(Label i) {
     const FilterGuard guard;
     atlas_.sightings(i, reach_, seen_);
-    view_.clear();
+    view_.clear(i);
     // i itself first, at home; then the larger labels that are near enough to it.
     for (const Sighting<m>& sighting : seen_) {
       if (label_of<m>(sighting) == i && sighting.shift == Shift<m>{}) view_.add(sighting);
     }
     for (const Sighting<m>& sighting : seen_) {
       if (!(i < label_of<m>(sighting))) continue;
-      const auto position = atlas_.carry(sighting, points_.enclosure(label_of<m>(sighting)));
+      const auto position = atlas_.carry(i, sighting, points_.enclosure(label_of<m>(sighting)));
       const auto distance = filter_.squared_norm(difference(position, view_.position(0)));
       if (!is_refuted(less(distance, squared_edge_bound_))) view_.add(sighting);
     }

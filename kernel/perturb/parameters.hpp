@@ -27,6 +27,12 @@ struct PerturbationParameters {
   CandidateRule candidates = CandidateRule::pruned;
   std::uint64_t seed = 0;
   std::uint32_t most_tries = 100000;  ///< for one point, before the run is given up
+
+  /// A second tolerance, for the few candidates that can become Delaunay (`DelaunayCandidates`): of `choices` tries the
+  /// good perturbation farthest from their spheres is taken; if that is no farther than this, tries go on, up to 16
+  /// times as many. 0 and 1: the first good one.
+  Rational clearance{0};
+  std::uint32_t choices = 1;
 };
 
 }  // namespace delcert

@@ -16,17 +16,20 @@ using BitRow = std::vector<std::uint64_t>;
 template <int m>
 class PatchView {
  public:
+  /// Empty, in the chart of label 0.
   PatchView(const Atlas<m>& atlas, const PointSet<m>& points) : atlas_(&atlas), points_(&points) {}
 
-  /// Replaces the contents. Precondition: a `FilterGuard` is alive.
-  void clear() {
+  /// Empty again, in the chart of this label.
+  void clear(Label chart) {
+    chart_ = chart;
     seen_.clear();
     position_.clear();
     adjacency_.clear();
   }
+  /// Precondition: a `FilterGuard` is alive.
   void add(const Sighting<m>& sighting) {
     seen_.push_back(sighting);
-    position_.push_back(atlas_->carry(sighting, points_->enclosure(label_of<m>(sighting))));
+    position_.push_back(atlas_->carry(chart_, sighting, points_->enclosure(label_of<m>(sighting))));
   }
 
   /// Marks as adjacent all pairs but those certainly at squared distance ≥ the bound; without a bound all pairs.
@@ -59,13 +62,14 @@ class PatchView {
     if constexpr (std::same_as<S, Filter>) {
       return position_[at];
     } else {
-      return atlas_->carry(seen_[at], points_->template coordinates<S>(label_of<m>(seen_[at])));
+      return atlas_->carry(chart_, seen_[at], points_->template coordinates<S>(label_of<m>(seen_[at])));
     }
   }
 
  private:
   const Atlas<m>* atlas_;
   const PointSet<m>* points_;
+  Label chart_{0};
   std::vector<Sighting<m>> seen_;
   std::vector<Vector<Filter, m>> position_;
   BitRow adjacency_;

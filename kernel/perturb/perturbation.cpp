@@ -42,7 +42,8 @@ Perturbation<m>::Perturbation(const Atlas<m>& atlas, const PerturbationParameter
       points_(atlas.net()),
       placed_(atlas.size(), false),
       attempts_(atlas.size(), 0),
-      test_(atlas_, points_, placed_, parameters_) {}
+      test_(atlas_, points_, placed_, parameters_),
+      delaunay_(atlas_, points_, placed_, parameters_) {}
 
 template <int m>
 void Perturbation<m>::place_all(const Progress& progress) {
@@ -71,10 +72,10 @@ void Perturbation<m>::place(Label i) {
   statistics_.candidates += test_.candidate_count();
   statistics_.most_candidates = std::max<std::uint64_t>(statistics_.most_candidates, test_.candidate_count());
   statistics_.visited += test_.visited();
-  for (std::uint32_t tries = 1; tries <= parameters_.most_tries; ++tries) {
-    Vector<Rational, m> x = random_position(i, attempts_[i.value]++);
-    if (!test_.accepts(x)) continue;
-    points_.place(i, std::move(x));
+  const bool chooses = parameters_.choices > 1 || parameters_.clearance > Rational(0);
+  std::uint32_t tries = 0;
+  if (auto x = chooses ? best_good(i, tries) : first_good(i, tries)) {
+    points_.place(i, std::move(*x));
     placed_[i.value] = true;
     ++statistics_.placements;
     statistics_.tries += tries;
@@ -85,6 +86,35 @@ void Perturbation<m>::place(Label i) {
                   std::to_string(parameters_.most_tries) + " tries, with tolerance " +
                   exact_text(parameters_.tolerance) + " and " + std::to_string(test_.candidate_count()) +
                   " candidates");
+}
+
+template <int m>
+std::optional<Vector<Rational, m>> Perturbation<m>::first_good(Label i, std::uint32_t& tries) {
+  while (tries < parameters_.most_tries) {
+    ++tries;
+    Vector<Rational, m> x = random_position(i, attempts_[i.value]++);
+    if (test_.accepts(x)) return x;
+  }
+  return std::nullopt;
+}
+
+template <int m>
+std::optional<Vector<Rational, m>> Perturbation<m>::best_good(Label i, std::uint32_t& tries) {
+  delaunay_.prepare(i, test_);
+  const double enough = approximate_double(parameters_.clearance * atlas_.sampling_radius(i));
+  std::optional<Vector<Rational, m>> best;
+  double farthest = 0;
+  // Tests are dear, so they are for what would be better than the best so far.
+  for (std::uint32_t chosen = 0; tries < parameters_.most_tries; ++chosen) {
+    if (best && chosen >= parameters_.choices && (farthest >= enough || chosen >= 16 * parameters_.choices)) break;
+    ++tries;
+    Vector<Rational, m> x = random_position(i, attempts_[i.value]++);
+    const double clearance = delaunay_.clearance(x);
+    if ((best && clearance <= farthest) || !test_.accepts(x)) continue;
+    best = std::move(x);
+    farthest = clearance;
+  }
+  return best;
 }
 
 template <int m>

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
-#include "kernel/perturb/candidates.hpp"
+#include "kernel/perturb/delaunay_candidates.hpp"
 #include "kernel/progress.hpp"
 
 namespace delcert {
@@ -45,6 +46,10 @@ class Perturbation {
 
  private:
   void place(Label i);
+  /// The first perturbation that is good; none in `most_tries`.
+  [[nodiscard]] std::optional<Vector<Rational, m>> first_good(Label i, std::uint32_t& tries);
+  /// By the second tolerance.
+  [[nodiscard]] std::optional<Vector<Rational, m>> best_good(Label i, std::uint32_t& tries);
   [[nodiscard]] Vector<Rational, m> random_position(Label i, std::uint32_t attempt) const;
 
   const Atlas<m>& atlas_;
@@ -54,6 +59,7 @@ class Perturbation {
   std::vector<bool> placed_;
   std::vector<std::uint32_t> attempts_;
   CandidateTest<m> test_;
+  DelaunayCandidates<m> delaunay_;
   PerturbationStatistics statistics_;
 };
 

@@ -127,10 +127,10 @@ Rational measure_separation(const FlatAtlas<m>& atlas) {
     for (const Sighting<m>& other : seen) {
       if (other.index == index && other.shift == Shift<m>{}) continue;
       const auto offset =
-          difference(atlas.carry(other, atlas.net().enclosure(label_of<m>(other))), atlas.net().enclosure(i));
+          difference(atlas.carry(i, other, atlas.net().enclosure(label_of<m>(other))), atlas.net().enclosure(i));
       if (is_proved(less_equal(filter_squared_radius, filter.squared_norm(offset)))) continue;
       const auto exact_offset =
-          difference(atlas.carry(other, atlas.net().exact(label_of<m>(other))), atlas.net().exact(i));
+          difference(atlas.carry(i, other, atlas.net().exact(label_of<m>(other))), atlas.net().exact(i));
       const Rational squared = exact.squared_norm(exact_offset);
       if (squared < least) least = squared;
       if (squared < squared_radius * Rational::power_of_two(2 * separation_exponent)) {

@@ -6,6 +6,7 @@
 #include "kernel/number/exact_text.hpp"
 #include "kernel/perturb/forbidden_search.hpp"
 #include "kernel/simplex/dimensions.hpp"
+#include "kernel/topology/homology.hpp"
 
 namespace delcert {
 
@@ -57,7 +58,8 @@ Claims derive_claims(const FlatAtlas<m>& atlas, const RunParameters& parameters,
   if (selected("0")) claims.input = parameters.mode == RunMode::theory;
   if (selected("1") || selected("2")) {
     claims.stars = margins;
-    claims.manifold = ManifoldClaim{run.complex.simplices().size(), run.complex.euler_characteristic(), torus};
+    claims.manifold = ManifoldClaim{run.complex.simplices().size(), run.complex.euler_characteristic(), torus,
+                                    homology(run.complex.label_complex())};
   }
   const Rational shift = Rational(2) * parameters.algorithm.perturbation * atlas.sampling_radius();
   if (selected("2s") && claims.manifold && claims.input) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kernel/perturb/run.hpp"
+#include "kernel/topology/abelian_group.hpp"
 #include "proofs/certificate/run_parameters.hpp"
 
 namespace delcert {
@@ -14,6 +15,7 @@ struct ManifoldClaim {
   std::size_t simplices = 0;
   long euler_characteristic = 0;
   bool closed = true;
+  std::vector<AbelianGroup> homology;  ///< H₀ … H_m over ℤ; of the stars alone
 };
 
 /// The levels of docs/certificate-format.md that a run reaches, with their margins.

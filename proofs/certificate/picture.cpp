@@ -137,6 +137,8 @@ std::string picture_svg(const CertificateSummary& certificate) {
     throw InputError("pictures are of two-dimensional certificates; this one has dimension " +
                      std::to_string(certificate.manifold.dimension.value));
   }
+  if (certificate.family != "flat-torus" && certificate.family != "euclidean-ball")
+    throw InputError("pictures are of flat tori and Euclidean balls; this one is of the family " + certificate.family);
   return Drawing(certificate).svg();
 }
 

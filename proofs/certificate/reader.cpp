@@ -45,7 +45,13 @@ std::string decompressed(const std::string& bytes, const std::filesystem::path& 
   return result;
 }
 
-std::string text_of(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+/// Of a list, the texts of its elements with commas between.
+std::string text_of(const Json& value) {
+  if (!value.is_array()) return value.is_string() ? value.get<std::string>() : value.dump();
+  std::string result;
+  for (const Json& element : value) result += (result.empty() ? "" : ", ") + text_of(element);
+  return result;
+}
 
 std::vector<std::pair<std::string, std::string>> entries(const Json& object) {
   std::vector<std::pair<std::string, std::string>> result;
@@ -66,6 +72,7 @@ ManifoldDescription manifold_of(const Json& json) {
     for (std::size_t axis = 0; axis < size; ++axis) result.gram[axis][axis] = Rational(1);
     return result;
   }
+  if (family != name_of(ManifoldFamily::flat_torus)) return result;
   for (const Json& row : json.at("gram")) {
     result.gram.emplace_back();
     for (const Json& entry : row) result.gram.back().push_back(parse_exact(entry.get<std::string>()));
@@ -79,6 +86,7 @@ CertificateSummary summary_of(const Json& json) {
   result.parameters = entries(json.at("parameters"));
   for (const auto& [level, margins] : json.at("levels").items()) result.levels.emplace_back(level, entries(margins));
   result.manifold = manifold_of(json.at("manifold"));
+  result.family = json.at("manifold").at("family").get<std::string>();
   result.net_simplices = json.at("net_simplices").size();
   for (const Json& point : json.at("points")) {
     result.points.emplace_back();

@@ -18,8 +18,12 @@ struct CertificateSummary {
   std::vector<std::pair<std::string, std::string>> parameters;
   /// Level → its margins as (name, value).
   std::vector<std::pair<std::string, std::vector<std::pair<std::string, std::string>>>> levels;
+  /// "flat-torus", "euclidean-ball", "spherical", "flat", "hyperbolic".
+  std::string family;
+  /// Of a space form name and dimension alone.
   ManifoldDescription manifold;
   std::size_t net_simplices = 0;
+  /// Of a space form tangent vectors at the points of the net.
   std::vector<std::vector<Rational>> points;
   /// For each label the other labels of the simplices of its star.
   std::vector<std::vector<std::vector<std::uint32_t>>> stars;

@@ -7,6 +7,7 @@
 #include "kernel/perturb/run.hpp"
 #include "kernel/progress.hpp"
 #include "proofs/certificate/claims.hpp"
+#include "proofs/certificate/document.hpp"
 #include "proofs/certificate/run_parameters.hpp"
 
 namespace delcert {
@@ -28,9 +29,5 @@ struct CertificateContent {
 template <int m>
 void write_certificate(const std::filesystem::path& path, const CertificateContent<m>& content,
                        const Progress& progress = no_progress());
-
-/// "theory", "measured", "none"; "pruned", "whole", "printed": as in files.
-[[nodiscard]] std::string_view name_of(RunMode mode);
-[[nodiscard]] std::string_view name_of(CandidateRule rule);
 
 }  // namespace delcert

@@ -1,7 +1,6 @@
 #include "proofs/checker/certificate.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <set>
 
 #include "proofs/checker/input.hpp"
@@ -26,16 +25,17 @@ Certificate::Certificate(std::string_view text) {
   for (Label i = 0; i < n; ++i) interior.push_back(is_interior(i));
   require_parameters();
   require_levels();
+  if (space_form) require_space_form();
   require_stars();
 }
 
 /// On a Euclidean ball |p_i| <= radius - 8 epsilon.
 bool Certificate::is_interior(Label i) const {
-  return torus || decide([&]<class N>(In<N>) {
-           const N room = radius.as<N>() - N(8) * epsilon.as<N>();
-           return conjunction(less_equal(N(0), room),
-                              less_equal(metric.squared_length(net.position<N>({i, {}})), square(room)));
-         });
+  return !has_boundary() || decide([&]<class N>(In<N>) {
+    const N room = radius.as<N>() - N(8) * epsilon.as<N>();
+    return conjunction(less_equal(N(0), room),
+                       less_equal(metric.squared_length(net.position<N>({i, {}})), square(room)));
+  });
 }
 
 /// Without these no level can be looked at: no switch leaves them out.
@@ -58,7 +58,7 @@ void Certificate::require_parameters() const {
   const auto require = [](bool holds, const char* what) { Report::require("form.ranges", holds, what); };
   const auto at_most = [](const Rational& a, const Rational& b) { return less_equal(a, b) == Verdict::proved; };
   const auto positive = [](const Quantity& x) { return x.exact.sign() > 0; };
-  require(torus || positive(radius), "radius is not positive");
+  require(!has_boundary() || positive(radius), "radius is not positive");
   require(positive(epsilon), "sampling_radius is not positive");
   require(positive(mu) && at_most(mu.exact, Rational(1)), "separation is not in (0, 1]");
   require(radius_variation.exact.sign() == 0, "radius_variation is not 0");
@@ -77,14 +77,15 @@ void Certificate::require_levels() const {
   bool any = false;
   for (std::size_t level = 0; level < claimed.size(); ++level) {
     any = any || claimed[level];
-    for (const Level base : rests_on(level)) {
+    for (const Level base : rests_on(level, space_form != nullptr)) {
       Report::require(
           "form.levels", !claimed[level] || claimed[base],
           "level " + std::string(level_names[level]) + " is claimed without level " + std::string(level_names[base]));
     }
   }
   Report::require("form.levels", any, "no level is claimed");
-  Report::require("form.family", torus || !(claimed[level_5] || claimed[level_6]), "levels 5 and 6 are for flat tori");
+  Report::require("form.family", !has_boundary() || !(claimed[level_5] || claimed[level_6]),
+                  "levels 5 and 6 are for closed manifolds");
   Report::require("form.net-simplices", net_simplices.empty() || claimed[level_0],
                   "net_simplices is not empty although level 0 is not claimed");
   const auto size = static_cast<std::size_t>(m) + 1;
@@ -116,16 +117,16 @@ void Certificate::require_stars() const {
   }
 }
 
-std::vector<Level> rests_on(std::size_t level) {
+std::vector<Level> rests_on(std::size_t level, bool on_space_form) {
   switch (level) {
     case level_0:
-      return {};
+      return on_space_form ? std::vector{level_4} : std::vector<Level>{};
     case level_1:
       return {level_2};
     case level_2:
       return {level_1};
     case level_2s:
-      return {level_0, level_2};
+      return on_space_form ? std::vector{level_2} : std::vector{level_0, level_2};
     case level_3:
       return {level_0};
     default:
@@ -137,12 +138,6 @@ std::string label_set(const Label* begin, const Label* end) {
   std::string text = "{";
   for (const Label* j = begin; j != end; ++j) text += (j == begin ? "" : ", ") + std::to_string(*j);
   return text + "}";
-}
-
-std::string about(const Interval& x) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.6g", x.lower() / 2 + x.upper() / 2);
-  return text;
 }
 
 }  // namespace delcert::checker

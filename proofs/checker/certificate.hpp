@@ -1,19 +1,21 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "proofs/checker/cursor.hpp"
 #include "proofs/checker/point_set.hpp"
+#include "proofs/checker/space_form.hpp"
 
 namespace delcert::checker {
 
 inline constexpr std::array<std::string_view, 8> level_names = {"0", "1", "2", "2s", "3", "4", "5", "6"};
 enum Level : std::size_t { level_0, level_1, level_2, level_2s, level_3, level_4, level_5, level_6 };
 
-/// The levels with which a level must be claimed.
-std::vector<Level> rests_on(std::size_t level);
+/// The levels with which a level must be claimed, on flat families and on space forms.
+std::vector<Level> rests_on(std::size_t level, bool on_space_form);
 
 /// A certificate of the right form. Neither copied nor moved: the point sets refer to it, and it refers to the text.
 struct Certificate {
@@ -23,6 +25,7 @@ struct Certificate {
   Certificate& operator=(const Certificate&) = delete;
 
   bool torus = false;
+  std::unique_ptr<SpaceForm> space_form;  // of its families; otherwise none
   int m = 0;
   Label n = 0;
   std::vector<Rational> gram;  // m rows of m; empty on a Euclidean ball
@@ -30,10 +33,18 @@ struct Certificate {
   Quantity radius, epsilon, mu, radius_variation, distortion, rho, flake_squared, tolerance;
   std::array<bool, level_names.size()> claimed{};
   bool hypotheses_2 = false;                     // level 0
+  Quantity density;                              // level 0 on a space form
   Quantity protection, thickness, circumradius;  // level 1
   std::uint64_t simplices = 0;                   // level 2
   std::int64_t euler_characteristic = 0;
   bool closed = false;
+  std::vector<std::string> homology;   // m + 1 groups, or none
+  Quantity reach_2s;                   // level 2s on a space form
+  Quantity empty_margin, ball_radius;  // level 4
+  bool riemannian_simplices = false;   // level 5: whether the two that follow are there
+  Quantity riemannian_thickness, riemannian_radius;
+  bool self_delaunay = true;  // level 6
+  Quantity weight, least_stretch, greatest_stretch;
   std::vector<std::string_view> net_text, points_text;  // m to a point
   std::vector<Label> net_simplices;                     // m + 1 to a simplex
   std::vector<std::uint64_t> star_begin;                // star(i) is simplices star_begin[i] … star_begin[i + 1] - 1
@@ -42,6 +53,14 @@ struct Certificate {
   Metric metric;
   PointSet net, points;
   std::vector<bool> interior;
+
+  bool has_boundary() const { return !torus && !space_form; }
+  std::size_t m_size() const { return static_cast<std::size_t>(m); }
+  /// On a space form: within rho epsilon + 2 (circumradius) + protection of p_i is what levels 1 and 4 look at.
+  Rational reach_1() const;
+  Rational reach_4() const;
+  /// What any level looks at.
+  Rational reach() const;
 
   std::size_t star_size(Label i) const { return star_begin[i + 1] - star_begin[i]; }
   /// The m labels other than i of simplex number s of star(i), increasing.
@@ -56,15 +75,14 @@ struct Certificate {
   void parse_levels(Cursor& cursor);
   void require_lengths() const;
   void require_parameters() const;
+  void parse_space_form_level(Cursor& cursor, std::size_t level);
   void require_levels() const;
+  void require_space_form() const;
   void require_stars() const;
   bool is_interior(Label i) const;
 };
 
 /// "{3, 17, 90}".
 std::string label_set(const Label* begin, const Label* end);
-
-/// The number in decimal, approximately, for messages.
-std::string about(const Interval& x);
 
 }  // namespace delcert::checker

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 
 #include "proofs/checker/rational.hpp"
@@ -21,11 +23,13 @@ struct Quantity {
   explicit Quantity(Rational x) : exact(std::move(x)), filter(enclosure(exact)) {}
 
   template <class N>
-  const N& as() const {
+  decltype(auto) as() const {
     if constexpr (std::is_same_v<N, Interval>) {
-      return filter;
+      return (filter);
+    } else if constexpr (std::is_same_v<N, Rational>) {
+      return (exact);
     } else {
-      return exact;
+      return N(exact);
     }
   }
 };
@@ -34,6 +38,7 @@ struct Quantity {
 struct Decisions {
   std::uint64_t filtered = 0;
   std::uint64_t exact = 0;
+  std::uint64_t enclosed = 0;  // by balls
 };
 inline Decisions decisions;
 
@@ -51,6 +56,13 @@ bool decide(const Predicate& predicate) {
   const Verdict exact = predicate(In<Rational>{});
   if (exact == Verdict::undecided) throw std::logic_error("rational arithmetic left a question open");
   return exact == Verdict::proved;
+}
+
+/// The number in decimal, approximately, for messages.
+inline std::string about(const Interval& x) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.6g", x.lower() / 2 + x.upper() / 2);
+  return text;
 }
 
 template <class N>

@@ -71,6 +71,12 @@ class Interval {
     return -a.minus_lower_ >= b.upper_ ? Verdict::refuted : Verdict::undecided;
   }
 
+  /// Negative parts of the argument are known not to occur.
+  friend Interval square_root(const Interval& a) {
+    const double above = -a.minus_lower_ > 0 ? std::sqrt(-a.minus_lower_) : 0;  // rounded upwards: x / above <= sqrt x
+    return {above > 0 ? a.minus_lower_ / above : 0, upper_root(a)};
+  }
+
   /// An upper bound of the square root; negative parts of the argument are known not to occur.
   friend double upper_root(const Interval& a) { return a.upper_ > 0 ? std::sqrt(a.upper_) : 0; }
 

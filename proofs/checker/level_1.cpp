@@ -8,14 +8,6 @@
 namespace delcert::checker {
 namespace {
 
-/// |q - C| > R + delta for the point at x from the first vertex: with P = |q - C|^2 - R^2 this is
-/// P - delta^2 > sqrt(4 R^2 delta^2).
-template <class N>
-Verdict is_clear(const Certificate& c, const Simplex<N>& simplex, const Vector<N>& x) {
-  const N squared = square(c.protection.as<N>());
-  return negation(at_most_root(simplex.power(x) - squared, N(4) * simplex.radius_squared * squared));
-}
-
 /// One simplex of a star after the other; what they share is kept.
 class StarChecker {
  public:
@@ -25,7 +17,7 @@ class StarChecker {
   void check(Label i) {
     ++stars;
     lifts_.clear();
-    check_facets(i);
+    check_facets(c_, i, report_);
     for (std::size_t s = 0; s < c_.star_size(i); ++s) {
       const Label* labels = c_.star_simplex(i, s);
       // A simplex is looked at from its smallest interior label; 2.agreement says that it is listed there.
@@ -77,7 +69,8 @@ class StarChecker {
     grid_.visit(add(origin, Interval(1), filter.centre), reach, [&](const Vertex& q) {
       if (std::find(vertices.begin(), vertices.end(), q) != vertices.end()) return;
       const auto clear = [&]<class N>(In<N>) {
-        return is_clear<N>(c_, choose<N>(filter, exact), c_.points.position<N>(q) - c_.points.position<N>(vertices[0]));
+        return is_clear<N>(choose<N>(filter, exact), c_.points.position<N>(q) - c_.points.position<N>(vertices[0]),
+                           c_.protection.as<N>());
       };
       if (decide(clear)) return;
       reject("1.protection", [&] {
@@ -96,34 +89,11 @@ class StarChecker {
     }
   }
 
-  /// Every (m-1)-face of star(i) that contains i lies in exactly two simplices of star(i).
-  void check_facets(Label i) {
-    const auto m = static_cast<std::size_t>(c_.m);
-    facets_.clear();
-    for (std::size_t s = 0; s < c_.star_size(i); ++s) {
-      const Label* labels = c_.star_simplex(i, s);
-      for (std::size_t omitted = 0; omitted < m; ++omitted) {
-        auto& facet = facets_.emplace_back();
-        std::copy(labels + omitted + 1, labels + m, std::copy_n(labels, omitted, facet.begin()));
-      }
-    }
-    std::sort(facets_.begin(), facets_.end());
-    for (auto begin = facets_.begin(), end = begin; begin != facets_.end(); begin = end) {
-      end = std::upper_bound(begin, facets_.end(), *begin);
-      if (end - begin == 2) continue;
-      report_.reject("1.facets", [&] {
-        return "in the star of " + std::to_string(i) + ", " + std::to_string(end - begin) +
-               " simplices have the face " + label_set(begin->data(), begin->data() + m - 1) + " and the label";
-      });
-    }
-  }
-
   const Certificate& c_;
   Report& report_;
   const Grid grid_;
   const Quantity reach_;
   std::map<Label, std::vector<Lift>> lifts_;  // within 2 circumradius of the centre of the star at hand
-  std::vector<std::array<Label, 3>> facets_;
 };
 
 /// 2r + delta <= 8 epsilon, and every non-zero lattice vector is longer than 4r + 2 delta.
@@ -140,6 +110,28 @@ void check_patch(const Certificate& c, Report& report) {
 }
 
 }  // namespace
+
+/// Every (m-1)-face of star(i) that contains i lies in exactly two simplices of star(i).
+void check_facets(const Certificate& c, Label i, Report& report) {
+  const auto m = static_cast<std::size_t>(c.m);
+  std::vector<std::array<Label, 3>> facets;
+  for (std::size_t s = 0; s < c.star_size(i); ++s) {
+    const Label* labels = c.star_simplex(i, s);
+    for (std::size_t omitted = 0; omitted < m; ++omitted) {
+      auto& facet = facets.emplace_back();
+      std::copy(labels + omitted + 1, labels + m, std::copy_n(labels, omitted, facet.begin()));
+    }
+  }
+  std::sort(facets.begin(), facets.end());
+  for (auto begin = facets.begin(), end = begin; begin != facets.end(); begin = end) {
+    end = std::upper_bound(begin, facets.end(), *begin);
+    if (end - begin == 2) continue;
+    report.reject("1.facets", [&] {
+      return "in the star of " + std::to_string(i) + ", " + std::to_string(end - begin) + " simplices have the face " +
+             label_set(begin->data(), begin->data() + m - 1) + " and the label";
+    });
+  }
+}
 
 std::string check_level_1(const Certificate& c, Report& report) {
   check_patch(c, report);

@@ -1,12 +1,11 @@
 #include <algorithm>
 #include <array>
 
+#include "proofs/checker/homology.hpp"
 #include "proofs/checker/run.hpp"
 
 namespace delcert::checker {
 namespace {
-
-using LabelSet = std::array<Label, 5>;  // the first m + 1 count, increasing; the others are 0
 
 LabelSet joined(const Certificate& c, Label i, const Label* labels) {
   LabelSet set{};
@@ -58,54 +57,34 @@ std::vector<LabelSet> check_agreement(const Certificate& c, Report& report) {
   return different;
 }
 
-/// Sum of (-1)^dimension over all faces. A face is counted at its least label v, in the simplices that contain v.
-std::int64_t euler_characteristic(const Certificate& c, const std::vector<LabelSet>& simplices) {
-  const auto size = static_cast<std::size_t>(c.m) + 1;
-  std::vector<std::size_t> begin(c.n + 1, 0), around(simplices.size() * size);
-  for (const LabelSet& simplex : simplices) {
-    for (std::size_t k = 0; k < size; ++k) ++begin[simplex[k] + 1];
-  }
-  for (Label v = 0; v < c.n; ++v) begin[v + 1] += begin[v];
-  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  for (std::size_t s = 0; s < simplices.size(); ++s) {
-    for (std::size_t k = 0; k < size; ++k) around[next[simplices[s][k]]++] = s;
-  }
-  std::int64_t sum = 0;
-  std::vector<std::pair<bool, LabelSet>> faces;  // whether the dimension is odd, and the labels after v
-  for (Label v = 0; v < c.n; ++v) {
-    faces.clear();
-    for (std::size_t a = begin[v]; a < begin[v + 1]; ++a) {
-      const LabelSet& simplex = simplices[around[a]];
-      const auto place = static_cast<std::size_t>(std::find(simplex.begin(), simplex.end(), v) - simplex.begin());
-      for (unsigned subset = 0; subset < 1u << (size - place - 1); ++subset) {
-        auto& [odd, labels] = faces.emplace_back();
-        std::size_t length = 0;
-        for (std::size_t k = place + 1; k < size; ++k) {
-          if ((subset >> (k - place - 1) & 1) != 0) labels[length++] = simplex[k];
-        }
-        odd = length % 2 == 1;
-      }
-    }
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-    for (const auto& face : faces) sum += face.first ? -1 : 1;
-  }
-  return sum;
+std::string listed(const std::vector<std::string>& groups) {
+  std::string text;
+  for (const std::string& group : groups) text += (text.empty() ? "" : ", ") + group;
+  return text;
 }
 
 }  // namespace
 
 std::string check_level_2(const Certificate& c, Report& report) {
-  const std::vector<LabelSet> simplices = check_agreement(c, report);
-  const std::int64_t euler = euler_characteristic(c, simplices);
-  std::string found = std::to_string(simplices.size()) + " simplices, Euler characteristic " + std::to_string(euler) +
-                      (c.torus ? ", closed" : ", not closed");
-  if (c.simplices != simplices.size() || c.euler_characteristic != euler || c.closed != c.torus) {
+  std::vector<LabelSet> simplices = check_agreement(c, report);
+  const std::size_t count = simplices.size();
+  const FaceComplex complex(c.m, std::move(simplices));
+  const std::int64_t euler = complex.euler_characteristic();
+  std::string found = std::to_string(count) + " simplices, Euler characteristic " + std::to_string(euler) +
+                      (c.has_boundary() ? ", not closed" : ", closed");
+  if (c.simplices != count || c.euler_characteristic != euler || c.closed == c.has_boundary()) {
     report.reject("2.count", [&] {
       return "stated are " + std::to_string(c.simplices) + " simplices, Euler characteristic " +
              std::to_string(c.euler_characteristic) + (c.closed ? ", closed" : ", not closed") + "; found are " + found;
     });
   }
+  if (c.homology.empty()) return found;
+  const std::vector<std::string> groups = complex.homology();
+  if (c.homology != groups) {
+    report.reject("2.homology",
+                  [&] { return "stated is the homology " + listed(c.homology) + "; found is " + listed(groups); });
+  }
+  found += ", homology " + listed(groups);
   return found;
 }
 

@@ -37,11 +37,15 @@ void Certificate::parse_manifold(Cursor& cursor) {
   cursor.expect("{\"name\":");
   cursor.string();
   cursor.expect(",\"family\":");
-  torus = parse_word(cursor, {"flat-torus", "euclidean-ball"}) == 0;
+  const std::size_t family = parse_word(cursor, {"flat-torus", "euclidean-ball", "spherical", "flat", "hyperbolic"});
+  torus = family == 0;
   cursor.expect(",\"dimension\":");
   m = static_cast<int>(cursor.count(4));
   if (m == 0) cursor.fail("form.types", "a dimension from 1 to 4 before this");
-  if (torus) {
+  if (family > 1) {
+    if (m != 2 && m != 3) cursor.fail("form.types", "the dimension 2 or 3 before this");
+    space_form = std::make_unique<SpaceForm>(3 - static_cast<int>(family), m, cursor);
+  } else if (torus) {
     cursor.expect(",\"gram\":");
     cursor.row(m, [&] { cursor.row(m, [&] { gram.push_back(exact_value(cursor.number())); }); });
   } else {
@@ -80,7 +84,9 @@ void Certificate::parse_levels(Cursor& cursor) {
     claimed[level] = cursor.accept(separator + "\"" + std::string(level_names[level]) + "\":");
     if (!claimed[level]) continue;
     separator = ",";
-    if (level == level_0) {
+    if (space_form && level != level_1 && level != level_2 && level != level_3) {
+      parse_space_form_level(cursor, level);
+    } else if (level == level_0) {
       cursor.expect("{\"hypotheses_2\":");
       hypotheses_2 = cursor.boolean();
     } else if (level == level_1) {
@@ -97,6 +103,7 @@ void Certificate::parse_levels(Cursor& cursor) {
       euler_characteristic = cursor.integer();
       cursor.expect(",\"closed\":");
       closed = cursor.boolean();
+      if (cursor.accept(",\"homology\":")) cursor.row(m + 1, [&] { homology.emplace_back(cursor.string()); });
     } else if (level == level_3) {
       cursor.expect("{\"tested\":");
       cursor.string();
@@ -108,6 +115,35 @@ void Certificate::parse_levels(Cursor& cursor) {
     cursor.expect("}");
   }
   cursor.expect("}");
+}
+
+/// Without the brace at its end.
+void Certificate::parse_space_form_level(Cursor& cursor, std::size_t level) {
+  const auto number = [&](std::string_view key, Quantity& value) {
+    cursor.expect(key);
+    value = parse_quantity(cursor);
+  };
+  if (level == level_0) {
+    number("{\"density\":", density);
+  } else if (level == level_2s) {
+    number("{\"reach\":", reach_2s);
+  } else if (level == level_4) {
+    number("{\"protection\":", empty_margin);
+    number(",\"circumradius\":", ball_radius);
+  } else if (level == level_5) {
+    cursor.expect("{\"route\":\"space-form\"");
+    riemannian_simplices = cursor.accept(",\"thickness\":");
+    if (!riemannian_simplices) return;
+    riemannian_thickness = parse_quantity(cursor);
+    number(",\"radius\":", riemannian_radius);
+  } else {
+    cursor.expect("{\"self_delaunay\":");
+    self_delaunay = cursor.boolean();
+    if (self_delaunay) number(",\"weight\":", weight);
+    number(",\"bilipschitz\":[", least_stretch);
+    number(",", greatest_stretch);
+    cursor.expect("]");
+  }
 }
 
 void Certificate::parse(Cursor& cursor) {

@@ -42,7 +42,7 @@ class PointSet {
       if constexpr (std::is_same_v<N, Interval>) {
         x[k] = filter_[v.label * dimension_ + k] + N(v.lift[k]);
       } else {
-        x[k] = exact_value((*coordinates_)[v.label * dimension_ + k]) + N(v.lift[k]);
+        x[k] = N(exact_value((*coordinates_)[v.label * dimension_ + k])) + N(v.lift[k]);
       }
     }
     return x;

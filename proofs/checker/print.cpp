@@ -36,7 +36,9 @@ std::string as_text(const Outcome& outcome) {
   return text + status_name(outcome.status) + ": levels" + checked +
          (unchecked.empty() ? "" : "; claimed but not checked:" + unchecked) + " (" +
          std::to_string(outcome.decisions.filtered) + " decisions by intervals, " +
-         std::to_string(outcome.decisions.exact) + " by rationals)\n";
+         std::to_string(outcome.decisions.exact) + " by rationals" +
+         (outcome.decisions.enclosed == 0 ? "" : ", " + std::to_string(outcome.decisions.enclosed) + " by balls") +
+         ")\n";
 }
 
 std::string as_json(const std::string& file, const Outcome& outcome) {
@@ -54,7 +56,9 @@ std::string as_json(const std::string& file, const Outcome& outcome) {
   object["malformed"] = outcome.malformed ? as_object(*outcome.malformed) : nullptr;
   object["levels"] = levels;
   object["unchecked"] = outcome.unchecked;
-  object["decisions"] = {{"intervals", outcome.decisions.filtered}, {"rationals", outcome.decisions.exact}};
+  object["decisions"] = {{"intervals", outcome.decisions.filtered},
+                         {"rationals", outcome.decisions.exact},
+                         {"balls", outcome.decisions.enclosed}};
   return object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

@@ -2,17 +2,22 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <functional>
+#include <optional>
 #include <stdexcept>
+
+#include "proofs/checker/space_form_levels.hpp"
 
 namespace delcert::checker {
 namespace {
 
 using Levels = std::array<bool, level_names.size()>;
 
-void select(Levels& chosen, std::size_t level) {
+void select(Levels& chosen, std::size_t level, bool on_space_form) {
   if (chosen[level]) return;
   chosen[level] = true;
-  for (const Level base : rests_on(level)) select(chosen, base);
+  for (const Level base : rests_on(level, on_space_form)) select(chosen, base, on_space_form);
 }
 
 Levels selection(const Certificate& certificate, const std::vector<std::string>& selected) {
@@ -23,22 +28,20 @@ Levels selection(const Certificate& certificate, const std::vector<std::string>&
         static_cast<std::size_t>(std::find(level_names.begin(), level_names.end(), name) - level_names.begin());
     if (level == level_names.size() || !certificate.claimed[level])
       throw std::invalid_argument("level " + name + " is not claimed");
-    select(chosen, level);
+    select(chosen, level, certificate.space_form != nullptr);
   }
   return chosen;
 }
 
-LevelResult run_level(const Certificate& certificate, std::size_t level) {
-  using Check = std::string (*)(const Certificate&, Report&);
-  const Check follows = [](const Certificate&, Report&) -> std::string { return "follows from levels 1 and 2"; };
-  const std::array<Check, level_names.size()> checks = {check_level_0, check_level_1, check_level_2, check_level_2s,
-                                                        check_level_3, follows,       follows,       follows};
+using Check = std::function<std::string(Report&)>;
+
+LevelResult run_check(const std::string_view name, const Check& check) {
   const auto begin = std::chrono::steady_clock::now();
   LevelResult result;
-  result.level = level_names[level];
+  result.level = name;
   Report report;
   try {
-    result.summary = checks[level](certificate, report);
+    result.summary = check(report);
   } catch (const Undecided& reason) {
     result.status = 2;
     result.summary = reason.what();
@@ -49,6 +52,48 @@ LevelResult run_level(const Certificate& certificate, std::size_t level) {
   return result;
 }
 
+Check check_of_level(const Certificate& c, std::size_t level, const Lifts* lifts) {
+  using Flat = std::string (*)(const Certificate&, Report&);
+  using Curved = std::string (*)(const Certificate&, const Lifts&, Report&);
+  const Flat follows = [](const Certificate&, Report&) -> std::string { return "follows from levels 1 and 2"; };
+  const std::array<Flat, level_names.size()> flat = {check_level_0, check_level_1, check_level_2, check_level_2s,
+                                                     check_level_3, follows,       follows,       follows};
+  const std::array<Curved, level_names.size()> curved = {check_input_on_space_form,
+                                                         check_stars_in_charts,
+                                                         nullptr,
+                                                         check_stable_stars_in_charts,
+                                                         nullptr,
+                                                         check_delaunay_on_space_form,
+                                                         check_triangulation_of_space_form,
+                                                         check_metric_of_space_form};
+  if (lifts != nullptr && curved[level] != nullptr)
+    return [&c, lifts, check = curved[level]](Report& report) { return check(c, *lifts, report); };
+  return [&c, check = flat[level]](Report& report) { return check(c, report); };
+}
+
+/// An upper bound of the distances from o of all points.
+Rational spread(const Certificate& c) {
+  const SpaceForm& form = *c.space_form;
+  if (form.K > 0) return Rational(4);
+  const BallScope scope(128);
+  Ball most(0);
+  for (Label i = 0; i < c.n; ++i) {
+    Vector<Ball> a = c.net.position<Ball>({i, {}});
+    if (form.K == 0) {
+      const SquareMatrix<Ball> T = form.basis();
+      Vector<Ball> linear{};
+      for (std::size_t k = 0; k < form.m; ++k) linear[k + 1] = a[k];
+      linear = T * linear;
+      for (std::size_t k = 0; k < form.m; ++k) a[k] = linear[k + 1];
+    }
+    most = maximum(most, squared(a, form.m));
+  }
+  const Ball half = square_root(most) / Ball(2), distance = half * logarithm_factor(form.K, square(half));
+  const double sixteenths = 32 * distance.enclosure().upper();
+  if (!(sixteenths < 1e6)) throw Undecided("a point of the net is too far from the origin");
+  return Rational(static_cast<int>(std::ceil(sixteenths)) + 1) / Rational(16) + c.rho.exact * c.epsilon.exact;
+}
+
 }  // namespace
 
 Outcome check(std::string_view text, const std::vector<std::string>& selected) {
@@ -57,9 +102,21 @@ Outcome check(std::string_view text, const std::vector<std::string>& selected) {
   try {
     const Certificate certificate(text);
     const Levels chosen = selection(certificate, selected);
+    Group group;
+    std::optional<Lifts> lifts;
+    if (certificate.space_form) {
+      outcome.levels.push_back(run_check("group", [&](Report& report) {
+        const Rational far = spread(certificate), reach = certificate.reach();
+        group = check_group(*certificate.space_form, reach, far, report);
+        if (report.findings.empty()) lifts.emplace(certificate, group, reach, far);
+        return group.summary;
+      }));
+    }
+    const bool ready = !certificate.space_form || lifts;
     for (std::size_t level = 0; level < level_names.size(); ++level) {
-      if (chosen[level]) {
-        outcome.levels.push_back(run_level(certificate, level));
+      if (chosen[level] && ready) {
+        outcome.levels.push_back(
+            run_check(level_names[level], check_of_level(certificate, level, lifts ? &*lifts : nullptr)));
       } else if (certificate.claimed[level]) {
         outcome.unchecked.emplace_back(level_names[level]);
       }
@@ -67,6 +124,8 @@ Outcome check(std::string_view text, const std::vector<std::string>& selected) {
   } catch (const Malformed& reason) {
     outcome.status = 3;
     outcome.malformed = Finding{reason.rule, reason.what()};
+  } catch (const Undecided& reason) {
+    outcome.levels.push_back({"form", 2, reason.what(), {}, 0});
   }
   for (const LevelResult& result : outcome.levels) {
     if (result.status != 0 && outcome.status != 1) outcome.status = result.status;

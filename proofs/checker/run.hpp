@@ -21,6 +21,9 @@ std::string check_level_3(const Certificate& c, Report& report);
 void check_cycle(const Certificate& c, Report& report);
 void check_density(const Certificate& c, Report& report);
 
+/// The rule 1.facets for the star of i.
+void check_facets(const Certificate& c, Label i, Report& report);
+
 /// What became of one level: its exit status if it were alone, what was looked at, what is wrong.
 struct LevelResult {
   std::string level;

@@ -75,6 +75,13 @@ class Simplex {
   std::array<Vector<N>, 4> direction_{}, covector_{};  // u_k and G u_k / |u_k|^2
 };
 
+/// |q - C| > R + delta for the point at x from the first vertex: with P = |q - C|^2 - R^2 this is
+/// P - delta^2 > sqrt(4 R^2 delta^2).
+template <class N>
+Verdict is_clear(const Simplex<N>& simplex, const Vector<N>& x, const N& delta) {
+  return negation(at_most_root(simplex.power(x) - square(delta), N(4) * simplex.radius_squared * square(delta)));
+}
+
 /// thickness >= sqrt(threshold_squared): the least altitude / (dimension · longest edge), which is 1 for an edge.
 /// Precondition: at least two vertices, which are not degenerate.
 template <class N>

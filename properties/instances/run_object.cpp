@@ -29,7 +29,8 @@ std::vector<Rational> squared_edges_of(const FlatAtlas<m>& atlas, const PointSet
                                        const LiftedSimplex<m>& simplex) {
   const auto metric = atlas.metric().template on<Rational>();
   const auto position = [&](std::size_t at) {
-    return atlas.carry(simplex[at], points.exact(Label(simplex[at].index)));
+    const Label label(simplex[at].index);
+    return atlas.carry(label, simplex[at], points.exact(label));
   };
   std::vector<Rational> result;
   for (std::size_t i = 0; i < simplex.size(); ++i) {

@@ -16,7 +16,8 @@ namespace {
 
 std::vector<Forgery> all_forgeries() {
   std::vector<Forgery> all;
-  for (const auto& part : {form_forgeries(), level_0_forgeries(), star_forgeries(), configuration_forgeries()})
+  for (const auto& part :
+       {form_forgeries(), level_0_forgeries(), star_forgeries(), configuration_forgeries(), space_form_forgeries()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }
@@ -34,16 +35,18 @@ std::set<std::string> matches(const std::string& path, const std::regex& pattern
 std::set<std::string> rules_of_the_checker() {
   std::set<std::string> rules;
   for (const auto& file : std::filesystem::directory_iterator(DELCERT_SOURCE_DIR "/proofs/checker")) {
-    rules.merge(matches(file.path(), std::regex(R"re("((?:form|[0-6]s?)\.[a-z][a-z0-9-]*|seal)")re")));
+    rules.merge(matches(file.path(), std::regex(R"re("((?:form|group|[0-6]s?)\.[a-z][a-z0-9-]*|seal)")re")));
   }
   return rules;
 }
 
 TEST(Forgeries, are_made_from_certificates_that_the_checker_accepts) {
-  for (const auto& [name, bytes] : valid_certificates()) {
-    const CheckerRun run = run_checker(bytes);
-    EXPECT_EQ(run.status, 0) << name << "\n" << run.output;
-    EXPECT_TRUE(run.rules.empty()) << name << "\n" << run.output;
+  for (const auto& certificates : {valid_certificates(), valid_space_form_certificates()}) {
+    for (const auto& [name, bytes] : certificates) {
+      const CheckerRun run = run_checker(bytes);
+      EXPECT_EQ(run.status, 0) << name << "\n" << run.output;
+      EXPECT_TRUE(run.rules.empty()) << name << "\n" << run.output;
+    }
   }
 }
 
@@ -75,7 +78,7 @@ TEST(Forgeries, there_is_one_for_every_rule_that_only_this_rule_rejects) {
   }
   // Without these there is no document to look at; malformed_test.cpp has them.
   for (const char* structural :
-       {"form.bytes", "form.keys", "form.types", "form.numbers", "form.lengths", "form.labels"}) {
+       {"form.bytes", "form.keys", "form.types", "form.numbers", "form.lengths", "form.labels", "form.field"}) {
     EXPECT_FALSE(tested.contains(structural));
     tested.insert(structural);
   }
@@ -85,7 +88,8 @@ TEST(Forgeries, there_is_one_for_every_rule_that_only_this_rule_rejects) {
 /// The rules that the text of a page names: those of the form in a table, those of the levels anywhere.
 std::set<std::string> rules_of_the_page() {
   const std::string page = DELCERT_SOURCE_DIR "/docs/certificate-format.md";
-  std::set<std::string> rules = matches(page, std::regex(R"re((?:^|[^a-z0-9.])([0-6]s?\.[a-z][a-z0-9-]+))re"));
+  std::set<std::string> rules =
+      matches(page, std::regex(R"re((?:^|[^a-z0-9.])((?:group|[0-6]s?)\.[a-z][a-z0-9-]+))re"));
   rules.merge(matches(page, std::regex(R"re(\| (form\.[a-z][a-z0-9-]*|seal) \|)re")));
   return rules;
 }

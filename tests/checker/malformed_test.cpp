@@ -110,6 +110,7 @@ TEST(Malformed, keys_are_those_of_the_page_in_its_order_without_white_space) {
 }
 
 TEST(Malformed, values_have_the_types_of_the_page) {
+  const std::string closed = "\"closed\":true";
   expect_malformed(
       {{"mode", "form.types", with("\"measured\"", "\"guessed\"")},
        {"candidates", "form.types", with("\"pruned\"", "\"some\"")},
@@ -125,6 +126,12 @@ TEST(Malformed, values_have_the_types_of_the_page) {
        {"a count with an exponent", "form.keys", with("\"simplices\":30", "\"simplices\":3e1")},
        {"a count beyond 64 bits", "form.types", with("\"simplices\":30", "\"simplices\":18446744073709551646")},
        {"minus zero", "form.types", with("\"euler_characteristic\":0", "\"euler_characteristic\":-0")},
+       {"homology that is no list", "form.keys", with(closed, closed + ",\"homology\":\"Z\"")},
+       {"homology in numbers", "form.types", with(closed, closed + ",\"homology\":[1,1]")},
+       {"too few homology groups", "form.keys", with(closed, closed + ",\"homology\":[\"Z\"]")},
+       {"too many homology groups", "form.keys", with(closed, closed + ",\"homology\":[\"Z\",\"Z\",\"0\"]")},
+       {"no homology group", "form.types", with(closed, closed + ",\"homology\":[]")},
+       {"homology before its place", "form.keys", with("\"closed\"", "\"homology\":[\"Z\",\"Z\"],\"closed\"")},
        {"a label as a string", "form.types", with("[[1],[29]]", "[[\"1\"],[29]]")},
        {"a negative label", "form.types", with("[[1],[29]]", "[[-1],[29]]")},
        {"null", "form.keys", with("\"net\":[", "\"net\":null,\"x\":[")},
@@ -134,6 +141,7 @@ TEST(Malformed, values_have_the_types_of_the_page) {
        {"a surrogate", "form.bytes", with("a test", "a \xed\xa0\x80 test")},
        {"half a surrogate pair", "form.bytes", with("a test", "a \\ud800 test")},
        {"an unknown escape", "form.bytes", with("a test", "a \\x test")}});
+  EXPECT_EQ(run_checker(with(closed, closed + ",\"homology\":[\"Z\",\"Z\"]")).status, 0);
   EXPECT_EQ(run_checker(with("a test", "\\\"quotes\\\" \\u00e9 \\ud83d\\ude00 \xc3\xa9 \xf0\x9f\x98\x80")).status, 0);
 }
 

@@ -8,6 +8,7 @@
 #include "proofs/checker/run.hpp"
 #include "proofs/checker/self_test.hpp"
 #include "tests/checker/support/samples.hpp"
+#include "tests/checker/support/space_form_samples.hpp"
 
 namespace delcert::checker_tests {
 namespace {
@@ -90,6 +91,24 @@ TEST_F(Mutations, sealed_anew_never_crash) {
     ++count[status_of(other)];
   }
   std::cout << "5000 mutations sealed anew:";
+  for (const auto& [status, number] : count) std::cout << " " << number << " with status " << status;
+  std::cout << "\n";
+  EXPECT_GT(count[3], 0);
+  EXPECT_GT(count[1], 0);
+}
+
+/// In the manifold block, the parameters and the levels, and the first points.
+TEST_F(Mutations, of_the_head_of_a_space_form_sealed_anew_never_crash) {
+  std::mt19937_64 random(4);
+  std::map<int, int> count;
+  for (const SpaceFormSample* sample : {&projective_space(), &klein_bottle()}) {
+    const std::string text = sealed(sample->document());
+    const std::size_t head = text.find("\"net\":") + 200;
+    ASSERT_EQ(status_of(text), 0);
+    for (int k = 0; k < 400; ++k)
+      ++count[status_of(resealed(mutated(text.substr(0, head), random) + text.substr(head)))];
+  }
+  std::cout << "800 mutations of space forms sealed anew:";
   for (const auto& [status, number] : count) std::cout << " " << number << " with status " << status;
   std::cout << "\n";
   EXPECT_GT(count[3], 0);

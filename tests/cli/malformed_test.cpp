@@ -9,6 +9,7 @@
 
 #include "kernel/error.hpp"
 #include "kernel/manifold/manifold_file.hpp"
+#include "kernel/manifold/space_form/space_form_file.hpp"
 #include "kernel/sample/point_file.hpp"
 
 namespace delcert {
@@ -18,7 +19,9 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> files_in(const fs::path& folder) {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  }
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -70,6 +73,9 @@ TEST(WellFormed, examples_are_accepted) {
   const auto files = files_in(DELCERT_EXAMPLES "/manifolds");
   EXPECT_EQ(files.size(), 10U);
   for (const fs::path& file : files) EXPECT_NO_THROW(read(file)) << file;
+  const auto forms = files_in(DELCERT_EXAMPLES "/manifolds/space-forms");
+  EXPECT_EQ(forms.size(), 23U);
+  for (const fs::path& file : forms) EXPECT_NO_THROW((void)read_space_form(file)) << file;
 }
 
 }  // namespace

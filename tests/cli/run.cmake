@@ -60,9 +60,9 @@ delcert_cli_test(sample-negative-radius STATUS 3 OUTPUT "^$" ERROR "--radius -1/
 delcert_cli_test(sample-too-many STATUS 1 OUTPUT "^$" ERROR "more than 4000000 points"
   COMMAND ${delcert} sample --manifold torus-3 --radius 1/10000 --output never.txt)
 
-delcert_cli_test(info STATUS 0 OUTPUT "torus-2 .flat-torus, dimension 2.*levels claimed.*sha256 [0-9a-f]+" ERROR "^$"
+delcert_cli_test(info STATUS 0 OUTPUT "torus-2 .flat-torus, dimension 2.*levels claimed.*homology Z, Z.2, Z.*sha256 [0-9a-f]+" ERROR "^$"
   FIXTURES run-square COMMAND ${delcert} info run-square.json.zst --picture square.svg)
-delcert_cli_test(info-json STATUS 0 OUTPUT "\"levels_claimed\": " ERROR "^$" FIXTURES run-square
+delcert_cli_test(info-json STATUS 0 OUTPUT "\"levels_claimed\": .*\"homology\": \"Z, Z.2, Z\"" ERROR "^$" FIXTURES run-square
   COMMAND ${delcert} info run-square.json.zst --json)
 delcert_cli_test(info-picture-of-dimension-3 STATUS 3 ERROR "pictures are of two-dimensional" FIXTURES run-torus-3
   COMMAND ${delcert} info run-torus-3.json.zst --picture never.svg)

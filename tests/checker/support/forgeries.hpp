@@ -19,8 +19,10 @@ std::vector<Forgery> form_forgeries();
 std::vector<Forgery> level_0_forgeries();
 std::vector<Forgery> star_forgeries();  // levels 1, 2, 2s
 std::vector<Forgery> configuration_forgeries();
+std::vector<Forgery> space_form_forgeries();
 
 /// The certificates from which the forgeries are made, by name; they are valid.
 std::vector<std::pair<std::string, std::string>> valid_certificates();
+std::vector<std::pair<std::string, std::string>> valid_space_form_certificates();
 
 }  // namespace delcert::checker_tests

@@ -14,6 +14,17 @@ std::vector<std::pair<std::string, std::string>> valid_certificates() {
                                      {"four-torus", four_torus()}}) {
     result.emplace_back(name, sealed(sample.document()));
   }
+  using Groups = std::vector<std::string>;
+  for (const auto& [name, sample, groups] :
+       {std::tuple("circle with homology", circle(), Groups{"Z", "Z"}),
+        {"torus with homology", wide_torus(), {"Z", "Z^2", "Z"}},
+        {"cubic torus with homology", cubic_torus(), {"Z", "Z^3", "Z^3", "Z"}},
+        {"four-torus with homology", four_torus(), {"Z", "Z^4", "Z^6", "Z^4", "Z"}},
+        {"disc with homology", disc(), {"Z", "0", "0"}}}) {
+    Json document = sample.document();
+    document["levels"]["2"]["homology"] = groups;
+    result.emplace_back(name, sealed(document));
+  }
   return result;
 }
 

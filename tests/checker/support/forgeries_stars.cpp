@@ -142,6 +142,16 @@ std::vector<Forgery> star_forgeries() {
   forge("a closed disc", "2.count", changed(disc().document(), [](Json& j) { j["levels"]["2"]["closed"] = true; }));
   forge("an open torus", "2.count", changed(wide.document(), [](Json& j) { j["levels"]["2"]["closed"] = false; }));
 
+  const auto with_homology = [&](const Sample& sample, const std::vector<std::string>& groups) {
+    return changed(sample.document(), [&](Json& j) { j["levels"]["2"]["homology"] = groups; });
+  };
+  forge("the homology of a Klein bottle", "2.homology", with_homology(wide, {"Z", "Z + Z/2", "0"}));
+  forge("the homology of a sphere", "2.homology", with_homology(wide, {"Z", "0", "Z"}));
+  forge("two circles", "2.homology", with_homology(circle(), {"Z^2", "Z^2"}));
+  forge("torsion in a torus", "2.homology", with_homology(cubic_torus(), {"Z", "Z^3 + Z/2", "Z^3", "Z"}));
+  forge("a disc with a hole", "2.homology", with_homology(disc(), {"Z", "Z", "0"}));
+  forge("homology in another spelling", "2.homology", with_homology(wide, {"Z", "Z + Z", "Z"}));
+
   forge("stars that other charts do not see", "2s.patch", with_margin("circumradius", 2.4 * epsilon));
 
   // Classes of mistakes that several rules see.

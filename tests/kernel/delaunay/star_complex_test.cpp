@@ -1,5 +1,6 @@
 #include "kernel/delaunay/star_complex.hpp"
 
+#include "kernel/error.hpp"
 #include "kernel/simplex/faces.hpp"
 #include "tests/kernel/manifold/exhaustive.hpp"
 
@@ -67,6 +68,28 @@ TEST(StarComplex, has_the_euler_characteristic_of_its_manifold) {
   // 60 points are enough for a cube to be triangulated without meeting itself.
   EXPECT_EQ((characteristic.operator()<3>(torus_simplices<3>(cubic_torus<3>(), 120), 120)), 0);
   EXPECT_EQ((characteristic.operator()<2>({}, 3)), 0);
+}
+
+TEST(StarComplex, is_a_complex_of_labels) {
+  const StarComplex<3> torus(torus_simplices<3>(cubic_torus<3>(), 120), std::vector<bool>(120, true));
+  const PureComplex complex = torus.label_complex();
+  EXPECT_EQ(complex.dimension(), 3);
+  EXPECT_EQ(complex.count(3), torus.simplices().size());
+  EXPECT_EQ(complex.count(0), 120U);
+  EXPECT_EQ(complex.euler_characteristic(), torus.euler_characteristic());
+  std::vector<std::vector<std::uint32_t>> expected, found;
+  for (const auto& simplex : torus.simplices()) {
+    expected.emplace_back();
+    for (const auto& vertex : simplex) expected.back().push_back(vertex.index);
+  }
+  std::sort(expected.begin(), expected.end());
+  for (std::size_t at = 0; at < complex.count(3); ++at) {
+    const auto vertices = complex.vertices(3, at);
+    found.emplace_back(vertices.begin(), vertices.end());
+  }
+  EXPECT_EQ(found, expected);
+  const StarComplex<2> meets_itself({simplex_of_labels<2>({0, 1, 1})}, std::vector<bool>(2, true));
+  EXPECT_THROW((void)meets_itself.label_complex(), InputError);
 }
 
 TEST(StarComplex, of_a_closed_manifold_has_no_failures) {

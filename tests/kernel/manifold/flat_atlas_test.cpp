@@ -50,7 +50,7 @@ TEST(FlatAtlas, carries_points_by_whole_lattice_vectors_exactly) {
   const Vector<Rational, 2> home{ratio(1, 3), ratio(-5, 7)};
   const Sighting<2> seen{1, {3, -2}};
   const Vector<Rational, 2> there{ratio(10, 3), ratio(-19, 7)};
-  EXPECT_EQ(atlas.carry(seen, home), there);
+  EXPECT_EQ(atlas.carry(Label(0), seen, home), there);
   const FilterGuard guard;
   Vector<Filter, 2> on_intervals;
   Vector<BigInterval, 2> on_big_intervals;
@@ -59,10 +59,10 @@ TEST(FlatAtlas, carries_points_by_whole_lattice_vectors_exactly) {
     on_big_intervals[axis] = scalar_from<BigInterval>(home[axis]);
   }
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    EXPECT_TRUE(contains(atlas.carry(seen, on_intervals)[axis], there[axis]));
-    EXPECT_TRUE(contains(atlas.carry(seen, on_big_intervals)[axis], there[axis]));
+    EXPECT_TRUE(contains(atlas.carry(Label(0), seen, on_intervals)[axis], there[axis]));
+    EXPECT_TRUE(contains(atlas.carry(Label(0), seen, on_big_intervals)[axis], there[axis]));
     // Nothing is lost where nothing moves.
-    EXPECT_EQ(atlas.carry(Sighting<2>{1, {}}, on_intervals)[axis].lower(), on_intervals[axis].lower());
+    EXPECT_EQ(atlas.carry(Label(0), Sighting<2>{1, {}}, on_intervals)[axis].lower(), on_intervals[axis].lower());
   }
 }
 

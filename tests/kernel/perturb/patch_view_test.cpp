@@ -87,7 +87,7 @@ TEST(PatchView, is_empty_again_when_cleared) {
   const FilterGuard guard;
   PatchView<2> view(atlas, points);
   view.add({4, {1, 0}});
-  view.clear();
+  view.clear(Label(0));
   EXPECT_EQ(view.size(), 0U);
   view.connect(space.metric.on<Filter>(), nullptr);
   EXPECT_EQ(view.words(), 0U);

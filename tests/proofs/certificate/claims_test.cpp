@@ -79,6 +79,7 @@ TEST(DeriveClaims, of_a_torus_in_theory_mode_reach_every_level) {
   EXPECT_EQ(claims.manifold->simplices, 2 * small.atlas->size());
   EXPECT_EQ(claims.manifold->euler_characteristic, 0);
   EXPECT_TRUE(claims.manifold->closed);
+  EXPECT_EQ(claims.manifold->homology, (std::vector<AbelianGroup>{{1, {}}, {2, {}}, {1, {}}}));
   EXPECT_TRUE(mentions(*claims.no_forbidden, " sets of 3 to 4 points, "));
 }
 

@@ -36,5 +36,12 @@ TEST(Picture, IsOfDimensionTwoOnly) {
   EXPECT_THROW((void)picture_svg(certificate), InputError);
 }
 
+TEST(Picture, IsOfFlatFamiliesOnly) {
+  CertificateSummary certificate = small_certificate();
+  EXPECT_EQ(certificate.family, "flat-torus");
+  certificate.family = "spherical";
+  EXPECT_THROW((void)picture_svg(certificate), InputError);
+}
+
 }  // namespace
 }  // namespace delcert

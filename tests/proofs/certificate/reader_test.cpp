@@ -22,6 +22,8 @@ TEST(Reader, ReadsBackWhatWasWrittenBitForBit) {
       EXPECT_TRUE(std::equal(read.points[index].begin(), read.points[index].end(), exact.begin(), exact.end()));
     }
     EXPECT_EQ(read.levels.size(), all_levels().size());
+    const std::pair<std::string, std::string> homology("homology", "Z, Z^2, Z");
+    EXPECT_EQ(read.levels[2].second.back(), homology);
     EXPECT_EQ(read.net_simplices, small_run().density.simplices.size());
     EXPECT_EQ(read.seal.size(), 64U);
   }

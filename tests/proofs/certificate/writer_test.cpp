@@ -90,7 +90,7 @@ TEST(Writer, HasTheLevelsWithTheirMarginsInOrder) {
   EXPECT_EQ(number(levels.at("1").at("thickness")), margins.thickness);
   EXPECT_EQ(number(levels.at("1").at("circumradius")), margins.circumradius);
   EXPECT_EQ(levels.at("2").dump(), "{\"simplices\":" + std::to_string(small_run().run.complex.simplices().size()) +
-                                       R"(,"euler_characteristic":0,"closed":true})");
+                                       R"(,"euler_characteristic":0,"closed":true,"homology":["Z","Z^2","Z"]})");
   EXPECT_EQ(levels.at("2s").dump(), "{}");
   EXPECT_EQ(levels.at("3").at("tested"), small_run().claims().no_forbidden.value());
   EXPECT_EQ(levels.at("4").dump(), "{}");

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/net_source.hpp"
+#include "kernel/delaunay/star_complex.hpp"
+#include "proofs/certificate/claims.hpp"
+#include "proofs/certificate/run_parameters.hpp"
+
+namespace delcert {
+
+/// The command line of `delcert certify`.
+struct CertifyOptions {
+  NetSource source;
+  ParameterChoice choice;
+  bool mode_is_given = false;
+  bool no_perturbation = false;
+  std::optional<Rational> required_protection;
+  int repair_rounds = 20;
+  LevelSelection levels = all_levels();
+  std::string output;
+  bool json = false;
+};
+
+/// Why nothing is certified: how many failures, and the first ten of them.
+[[nodiscard]] std::string star_failures_text(const std::vector<StarFailure>& failures, int repair_rounds);
+
+}  // namespace delcert

@@ -1,0 +1,118 @@
+#include "apps/certify_space_form.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "apps/progress_line.hpp"
+#include "apps/report_parts.hpp"
+#include "apps/space_form_report.hpp"
+#include "kernel/error.hpp"
+#include "kernel/number/exact_text.hpp"
+#include "kernel/sample/space_form_separation.hpp"
+#include "proofs/constants/ledger.hpp"
+
+namespace delcert {
+
+namespace {
+
+/// What the theorems of the paper ask of a curved manifold, in place of a run.
+[[noreturn]] void refuse_theory(const Rational& separation, int dimension) {
+  const Ledger ledger = constants_for(Dimension(dimension), separation, separation / Rational(4));
+  throw Rejection("mode theory on a curved manifold: Theorem 3 asks for a sampling radius of " +
+                  ledger.riemannian_sampling_radius.text() +
+                  " at most where curvatures are at most 1 (delcert constants has all of it); use --mode measured");
+}
+
+/// The options of the command line in measured mode, completed for this dimension.
+RunParameters parameters_of(const CertifyOptions& options, int dimension, const Rational& separation) {
+  const PerturbationParameters usual = measured_parameters(Dimension(dimension), options.choice.seed);
+  ParameterChoice choice = options.choice;
+  choice.mode = options.no_perturbation ? RunMode::none : RunMode::measured;
+  if (!options.no_perturbation && !choice.tolerance) choice.tolerance = usual.tolerance;
+  RunParameters result = parameters_for(Dimension(dimension), separation, choice);
+  result.algorithm.clearance = usual.clearance;
+  result.algorithm.choices = usual.choices;
+  return result;
+}
+
+template <int m>
+void require_certified(const SpaceFormRun<m>& run) {
+  if (run.is_certified()) return;
+  std::vector<StarFailure> failures = run.star_failures;
+  failures.insert(failures.end(), run.agreement.failures.begin(), run.agreement.failures.end());
+  failures.insert(failures.end(), run.model.failures.begin(), run.model.failures.end());
+  throw Rejection(star_failures_text(failures, run.repair_rounds));
+}
+
+template <int m>
+ExitStatus certify(const CertifyOptions& options, SpaceForm form, ProgressLine& line, StageClock& clock,
+                   const Progress& progress) {
+  SpaceFormReport report;
+  report.manifold = form.description.name;
+  report.curvature = form.form().curvature();
+  report.injectivity_radius = form.injectivity_radius.lower;
+  report.first_homology = group_text(form.first_homology);
+  clock.begin("read or sample the net");
+  auto [centres, sampling_radius] = options.source.template net_of<m>(form, progress);
+  const SpaceFormAtlas<m> atlas(std::move(form), std::move(centres), sampling_radius);
+  const Rational separation = measure_separation<m>(atlas);
+  report.points = atlas.size();
+  report.sampling_radius = sampling_radius;
+  if (options.mode_is_given && options.choice.mode == RunMode::theory && atlas.curvature() != Curvature::zero)
+    refuse_theory(separation, m);
+  report.parameters = parameters_of(options, m, separation);
+
+  RunRequest request;
+  request.perturb = !options.no_perturbation;
+  request.most_repair_rounds = options.repair_rounds;
+  if (options.required_protection) request.required_protection = *options.required_protection * sampling_radius;
+  const SpaceFormRun<m> run = run_on_space_form<m>(atlas, report.parameters.algorithm, request, progress);
+  line.clear();
+  require_certified<m>(run);
+
+  clock.begin("derive levels");
+  report.measures = measure_run<m>(atlas, run, progress);
+  report.claims = derive_claims<m>(atlas, report.parameters, run, report.measures, options.levels, report.reasons);
+  if (names_of(report.claims).empty())
+    throw Rejection("no level is reached: " + fmt::format("{}", fmt::join(report.reasons, "; ")));
+  clock.begin("write the certificate");
+  report.certificate = options.output.empty() ? report.manifold + ".delcert.json.zst" : options.output;
+  std::vector<Vector<Rational, m>> net;
+  std::vector<Vector<Rational, m>> vectors;
+  std::vector<std::vector<std::array<std::uint32_t, static_cast<std::size_t>(m)>>> stars;
+  for (std::uint32_t index = 0; index < atlas.size(); ++index) {
+    net.push_back(atlas.centre(Label(index)));
+    vectors.push_back(run.points.exact(Label(index)));
+    stars.push_back(run.complex.star(Label(index)));
+  }
+  write_space_form_certificate<m>(
+      report.certificate, {atlas.form(), report.parameters, report.sampling_radius, net, vectors, stars, report.claims},
+      progress);
+
+  report.simplices = run.complex.simplices().size();
+  report.statistics = run.statistics;
+  report.repair_rounds = run.repair_rounds;
+  report.repaired_points = run.repaired_points;
+  report.first_failures = run.first_failures;
+  report.first_disagreeing = run.first_agreement.stars;
+  report.stages = clock.finish();
+  report.peak_memory_mib = peak_memory_in_mib();
+  line.clear();
+  std::cout << (options.json ? report_json(report) : report_text(report));
+  return ExitStatus::verified;
+}
+
+}  // namespace
+
+ExitStatus certify_space_form(const CertifyOptions& options, const SpaceFormDescription& description) {
+  ProgressLine line;
+  StageClock clock;
+  const Progress progress = clock.callback(line.callback());
+  clock.begin("verify the group");
+  SpaceForm form = verify_space_form(description);
+  if (form.form().dimension() == 2) return certify<2>(options, std::move(form), line, clock, progress);
+  return certify<3>(options, std::move(form), line, clock, progress);
+}
+
+}  // namespace delcert

@@ -1,0 +1,68 @@
+#include "apps/report_parts.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <nlohmann/json.hpp>
+
+namespace delcert {
+
+namespace {
+
+constexpr std::array<const char*, rung_count> rung_names{"interval", "big interval", "rational", "algebraic"};
+
+}  // namespace
+
+std::string decimal_lower(const Rational& x) { return fmt::format("{:.3e}", approximate_double(x) * (1 - 0.0005)); }
+std::string decimal_upper(const Rational& x) { return fmt::format("{:.3e}", approximate_double(x) * (1 + 0.0005)); }
+
+std::vector<std::string> homology_texts(const ManifoldClaim& manifold) {
+  std::vector<std::string> result;
+  for (const AbelianGroup& group : manifold.homology) result.push_back(group_text(group));
+  return result;
+}
+
+std::string tries_text(const PerturbationStatistics& statistics) {
+  const double placements = static_cast<double>(statistics.placements == 0 ? 1 : statistics.placements);
+  return fmt::format("{:.2f} candidates a point (most {}), {:.3f} tries (most {}), {:.0f} simplices looked at",
+                     static_cast<double>(statistics.candidates) / placements, statistics.most_candidates,
+                     static_cast<double>(statistics.tries) / placements, statistics.most_tries,
+                     static_cast<double>(statistics.visited) / placements);
+}
+
+std::string stages_text(const std::vector<StageClock::Stage>& stages) {
+  std::string out = "stages\n";
+  double total = 0;
+  LadderStatistics decisions;
+  for (const StageClock::Stage& stage : stages) {
+    out += fmt::format("  {:<34} {:8.3f} s   {:>12} decisions\n", stage.name, stage.seconds, stage.decisions.total());
+    total += stage.seconds;
+    decisions += stage.decisions;
+  }
+  out += fmt::format("  {:<34} {:8.3f} s   {:>12} decisions\n", "all", total, decisions.total());
+  for (std::size_t rung = 0; rung < rung_count; ++rung) {
+    if (decisions.settled[rung] == 0) continue;
+    out += fmt::format("  settled by {:<23} {:10.6f} %\n", rung_names[rung],
+                       100.0 * static_cast<double>(decisions.settled[rung]) / static_cast<double>(decisions.total()));
+  }
+  return out;
+}
+
+nlohmann::ordered_json stages_json(const std::vector<StageClock::Stage>& stages) {
+  nlohmann::ordered_json result;
+  for (const StageClock::Stage& stage : stages) {
+    nlohmann::ordered_json rungs;
+    for (std::size_t rung = 0; rung < rung_count; ++rung) rungs[rung_names[rung]] = stage.decisions.settled[rung];
+    rungs["undecided"] = stage.decisions.undecided;
+    result.push_back({{"stage", stage.name}, {"seconds", stage.seconds}, {"decisions", rungs}});
+  }
+  return result;
+}
+
+double peak_memory_in_mib() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+}  // namespace delcert

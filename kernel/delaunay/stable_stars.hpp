@@ -1,0 +1,26 @@
+#pragma once
+
+#include "kernel/delaunay/space_form_complex.hpp"
+#include "kernel/progress.hpp"
+
+namespace delcert {
+
+/// Level 2s: whether the star of every label is the same in the charts of all its vertices.
+struct StarStability {
+  std::size_t pairs = 0;              ///< stars times charts looked at
+  std::size_t differing = 0;          ///< pairs in which the star is not certified to be the same
+  std::size_t stars = 0;              ///< labels in such a pair
+  std::vector<StarFailure> failures;  ///< one for each such pair: which star, in which chart, why
+  LocalMargins margins;               ///< of all simplices in all these charts, where nothing fails
+};
+
+/// Checks star(i), as it is in the chart of i, in the chart of every other interior vertex j of it: with the points
+/// that chart j shows, every simplex has an empty circumball with a margin in the patch. As the faces at i are in
+/// exactly two simplices each, these are then the simplices of the star in chart j too (docs/levels/space-forms.md).
+/// Precondition: rounding to nearest.
+template <int m>
+[[nodiscard]] StarStability check_stability(const Atlas<m>& atlas, const PointSet<m>& points,
+                                            const ModelGeometry& geometry, const SpaceFormComplex<m>& complex,
+                                            const Progress& progress);
+
+}  // namespace delcert

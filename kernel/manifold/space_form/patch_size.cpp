@@ -1,0 +1,36 @@
+#include "kernel/manifold/space_form/patch_size.hpp"
+
+#include <string>
+
+#include "kernel/error.hpp"
+
+namespace delcert {
+
+namespace {
+
+std::string about(const Rational& x) { return std::to_string(approximate_double(x)); }
+
+}  // namespace
+
+void require_small_patches(const SpaceForm& form, int dimension, const Rational& sampling_radius, int factor) {
+  const std::string& name = form.description.name;
+  if (form.form().dimension() != dimension)
+    throw InputError(name + " has dimension " + std::to_string(form.form().dimension()) + ", expected " +
+                     std::to_string(dimension));
+  if (sampling_radius <= Rational(0)) throw InputError(name + ": the sampling radius is not above 0");
+  const Rational& least = form.injectivity_radius.lower;
+  const Rational needed = Rational(factor + 3) * sampling_radius;
+  if (needed > least)
+    throw Rejection(name + ": " + std::to_string(factor + 3) + " sampling radii are about " + about(needed) +
+                    ", more than the injectivity radius, of which about " + about(least) +
+                    " is certified: take a sampling radius of at most " + about(least / Rational(factor + 3)));
+  if (form.form().curvature() != Curvature::positive) return;
+  const Rational quarter_turn = half_turn().lower() / Rational(2);
+  const Rational patch = Rational(factor) * sampling_radius;
+  if (patch >= quarter_turn)
+    throw Rejection(name + ": patches of radius about " + about(patch) +
+                    " are no smaller than half of the sphere: take a sampling radius below " +
+                    about(quarter_turn / Rational(factor)));
+}
+
+}  // namespace delcert

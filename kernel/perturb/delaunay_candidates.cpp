@@ -1,0 +1,66 @@
+#include "kernel/perturb/delaunay_candidates.hpp"
+
+#include <algorithm>
+
+#include "kernel/simplex/dimensions.hpp"
+
+namespace delcert {
+
+template <int m>
+DelaunayCandidates<m>::DelaunayCandidates(const Atlas<m>& atlas, const PointSet<m>& points,
+                                          const std::vector<bool>& placed, const PerturbationParameters& parameters)
+    : atlas_(atlas), points_(points), placed_(placed), parameters_(parameters), metric_([&] {
+        const FilterGuard guard;
+        return atlas.metric().template on<Filter>();
+      }()) {}
+
+template <int m>
+void DelaunayCandidates<m>::prepare(Label i, const CandidateTest<m>& test) {
+  const Rational& unit = atlas_.sampling_radius(i);
+  const Rational reach = (Rational(2) * parameters_.circumradius_bound + Rational(2) * parameters_.perturbation) * unit;
+  atlas_.sightings(i, approximate_double(reach), seen_);
+  std::vector<Vector<Filter, m>> others;
+  std::vector<bool> is_placed;
+  for (const Sighting<m>& seen : seen_) {
+    const Label label = label_of<m>(seen);
+    if (label == i) continue;
+    is_placed.push_back(placed_[label.value]);
+    const PointSet<m>& set = is_placed.back() ? points_ : atlas_.net();
+    others.push_back(atlas_.carry(i, seen, set.enclosure(label)));
+  }
+  const Filter clearance = scalar_from<Filter>(parameters_.clearance * unit);
+  const Filter drift = scalar_from<Filter>(parameters_.perturbation * unit);
+  const double largest = scalar_from<Filter>(Rational(2) * parameters_.circumradius_bound * unit).upper();
+  spheres_.clear();
+  for (const Candidate<m>& candidate : test.candidates()) {
+    if (!candidate.in_filter || candidate.vertex_count != m + 1) continue;
+    const Sphere sphere{sum(test.view().position(candidate.vertices[0]), candidate.centre),
+                        square_root(candidate.squared_radius)};
+    if (!(sphere.radius.upper() <= largest)) continue;  // nothing is known of it
+    // Vertices of the simplex are on the sphere, so none of them is inside by the clearance unless that is tiny.
+    bool is_empty = true;
+    for (std::size_t at = 0; at < others.size() && is_empty; ++at) {
+      const Filter depth = sphere.radius - distance(others[at], sphere.centre);
+      const Filter allowed = is_placed[at] ? clearance : clearance + drift;
+      is_empty = !is_proved(less(maximum(allowed, sphere.radius * Filter::exactly(0x1p-20)), depth));
+    }
+    if (is_empty) spheres_.push_back(sphere);
+  }
+}
+
+template <int m>
+double DelaunayCandidates<m>::clearance(const Vector<Rational, m>& x) const {
+  Vector<Filter, m> at;
+  for (std::size_t axis = 0; axis < m; ++axis) at[axis] = scalar_from<Filter>(x[axis]);
+  double result = std::numeric_limits<double>::infinity();
+  for (const Sphere& sphere : spheres_) {
+    result = std::min(result, absolute(distance(at, sphere.centre) - sphere.radius).lower());
+  }
+  return result;
+}
+
+#define DELCERT_INSTANTIATE(m) template class DelaunayCandidates<m>;
+DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
+#undef DELCERT_INSTANTIATE
+
+}  // namespace delcert

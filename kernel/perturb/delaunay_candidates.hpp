@@ -1,0 +1,49 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "kernel/perturb/candidates.hpp"
+
+namespace delcert {
+
+/// The spheres that decide about the protection of the outcome: of the m-simplices among the candidates of a label
+/// whose ball, made smaller by the clearance, holds no placed point, and made smaller by how far points move too, no
+/// original point that is not placed yet. Only such simplices can become Delaunay. A heuristic in doubles to choose by:
+/// nothing rests on it, but it is the same everywhere.
+template <int m>
+class DelaunayCandidates {
+ public:
+  /// References are kept.
+  DelaunayCandidates(const Atlas<m>& atlas, const PointSet<m>& points, const std::vector<bool>& placed,
+                     const PerturbationParameters& parameters);
+
+  /// Chooses among the candidates of a test that has been prepared for this label. Precondition: a `FilterGuard` is
+  /// alive.
+  void prepare(Label i, const CandidateTest<m>& test);
+
+  /// The least distance of x, in the chart of the label, from these spheres, a lower bound; infinite if there are none.
+  /// Precondition: a `FilterGuard` is alive.
+  [[nodiscard]] double clearance(const Vector<Rational, m>& x) const;
+
+  [[nodiscard]] std::size_t size() const { return spheres_.size(); }
+
+ private:
+  struct Sphere {
+    Vector<Filter, m> centre;
+    Filter radius;
+  };
+  [[nodiscard]] Filter distance(const Vector<Filter, m>& a, const Vector<Filter, m>& b) const {
+    return square_root(metric_.squared_norm(difference(a, b)));
+  }
+
+  const Atlas<m>& atlas_;
+  const PointSet<m>& points_;
+  const std::vector<bool>& placed_;
+  PerturbationParameters parameters_;
+  MetricOn<Filter, m> metric_;
+  std::vector<Sighting<m>> seen_;
+  std::vector<Sphere> spheres_;
+};
+
+}  // namespace delcert

@@ -1,0 +1,181 @@
+#include "kernel/perturb/space_form_run.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "kernel/simplex/dimensions.hpp"
+
+namespace delcert {
+
+namespace {
+
+std::vector<Label> concerned_by(const std::vector<StarFailure>& failures) {
+  std::vector<Label> result;
+  for (const StarFailure& failure : failures) {
+    result.insert(result.end(), failure.concerned.begin(), failure.concerned.end());
+  }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+/// The stars of all labels, kept up to date while points move.
+template <int m>
+class Stars {
+ public:
+  Stars(const Atlas<m>& atlas, const ModelGeometry& geometry, double required_protection)
+      : atlas_(atlas),
+        geometry_(geometry),
+        required_protection_(required_protection),
+        stars_(atlas.size()),
+        outdated_(atlas.size(), true) {
+    for (std::uint32_t index = 0; index < atlas.size(); ++index) interior_.push_back(atlas.is_interior(Label(index)));
+  }
+
+  /// Computes what is out of date.
+  void update(const PointSet<m>& points, const Progress& progress) {
+    ChartView<m> view(atlas_, points, geometry_);
+    for (std::uint32_t index = 0; index < stars_.size(); ++index) {
+      if (index % 256 == 0) progress("certify stars", index, stars_.size());
+      if (!outdated_[index]) continue;
+      outdated_[index] = false;
+      stars_[index].star.label = Label(index);
+      if (!interior_[index]) continue;
+      stars_[index] = chart_star<m>(view, Label(index), required_protection_);
+      farthest_reach_ = std::max(farthest_reach_, stars_[index].reach);
+    }
+    progress("certify stars", stars_.size(), stars_.size());
+  }
+
+  /// The stars in whose charts one of these labels had a say.
+  void outdate(const std::vector<Label>& moved) {
+    std::vector<Sighting<m>> seen;
+    for (const Label label : moved) {
+      // The distance of original points is the same from both sides; a little more for its rounding.
+      atlas_.sightings(label, farthest_reach_ * (1 + 0x1p-20), seen);
+      for (const auto& sighting : seen) outdated_[sighting.index] = true;
+      outdated_[label.value] = true;
+    }
+  }
+
+  [[nodiscard]] SpaceFormComplex<m> complex() const {
+    std::vector<ChartStar<m>> stars;
+    stars.reserve(stars_.size());
+    for (const auto& star : stars_) stars.push_back(star.star);
+    return SpaceFormComplex<m>(std::move(stars), interior_);
+  }
+  [[nodiscard]] std::vector<StarFailure> failures() const {
+    std::vector<StarFailure> result;
+    for (const auto& star : stars_) result.insert(result.end(), star.failures.begin(), star.failures.end());
+    return result;
+  }
+  [[nodiscard]] LocalMargins margins() const {
+    LocalMargins result;
+    bool is_first = true;
+    for (std::size_t index = 0; index < stars_.size(); ++index) {
+      if (!interior_[index] || !stars_[index].failures.empty()) continue;
+      if (is_first) result = stars_[index].margins;
+      result.include(stars_[index].margins);
+      is_first = false;
+    }
+    return result;
+  }
+
+ private:
+  const Atlas<m>& atlas_;
+  ModelGeometry geometry_;
+  double required_protection_;
+  std::vector<CertifiedStar<m>> stars_;
+  std::vector<bool> interior_;
+  std::vector<bool> outdated_;
+  double farthest_reach_ = 0;
+};
+
+std::size_t star_count(const std::vector<StarFailure>& failures) {
+  std::size_t result = 0;
+  for (std::size_t at = 0; at < failures.size(); ++at) {
+    if (at == 0 || failures[at].label != failures[at - 1].label) ++result;
+  }
+  return result;
+}
+
+}  // namespace
+
+template <int m>
+SpaceFormRun<m> run_on_space_form(const Atlas<m>& atlas, const ModelGeometry& geometry,
+                                  const PerturbationParameters& parameters, const RunRequest& request,
+                                  const Progress& progress) {
+  Perturbation<m> perturbation(atlas, parameters);
+  if (request.perturb) perturbation.place_all(progress);
+  const double required = request.required_protection ? approximate_double(*request.required_protection) : 0;
+  Stars<m> stars(atlas, geometry, required);
+  StarAgreement first_agreement;
+  std::size_t first_failures = 0;
+  std::size_t repaired = 0;
+  for (int round = 0;; ++round) {
+    stars.update(perturbation.points(), progress);
+    SpaceFormComplex<m> complex = stars.complex();
+    auto failures = stars.failures();
+    StarAgreement agreement = complex.agreement();
+    if (round == 0) {
+      first_agreement = agreement;
+      first_failures = star_count(failures);
+    }
+    ModelReport model;
+    std::vector<StarFailure> all = failures;
+    all.insert(all.end(), agreement.failures.begin(), agreement.failures.end());
+    if (all.empty()) {
+      model = check_model_delaunay<m>(atlas, perturbation.points(), geometry, complex, progress);
+      all = model.failures;
+    }
+    const auto labels = concerned_by(all);
+    if (labels.empty() || !request.perturb || round == request.most_repair_rounds) {
+      return {perturbation.points(),
+              std::move(complex),
+              stars.margins(),
+              std::move(agreement),
+              std::move(model),
+              std::move(failures),
+              first_agreement,
+              first_failures,
+              perturbation.statistics(),
+              round,
+              repaired};
+    }
+    repaired += labels.size();
+    perturbation.place_anew(labels, progress);
+    stars.outdate(labels);
+  }
+}
+
+template <int m>
+ModelGeometry geometry_of(const SpaceFormAtlas<m>& atlas) {
+  const Rational factor = atlas.patch_radius() / atlas.sampling_radius();
+  return {atlas.curvature(), atlas.form().injectivity_radius.lower, floor_of(factor).template convert_to<int>()};
+}
+template ModelGeometry geometry_of<2>(const SpaceFormAtlas<2>&);
+template ModelGeometry geometry_of<3>(const SpaceFormAtlas<3>&);
+
+PerturbationParameters measured_parameters(Dimension dimension, std::uint64_t seed) {
+  if (dimension != Dimension(2) && dimension != Dimension(3))
+    throw std::invalid_argument("parameters for runs on space forms exist in dimensions 2 and 3");
+  const bool is_surface = dimension == Dimension(2);
+  PerturbationParameters result;
+  result.separation = Rational(1);
+  result.perturbation = Rational(Integer(1), Integer(4));
+  result.tolerance = is_surface ? Rational(Integer(1), Integer(50)) : Rational(Integer(1), Integer(5000));
+  result.edge_bound = Rational(Integer(5), Integer(2));
+  result.circumradius_bound = Rational(2);
+  result.clearance = is_surface ? Rational(Integer(1), Integer(20)) : Rational(Integer(1), Integer(50));
+  result.choices = is_surface ? 20 : 100;
+  result.seed = seed;
+  return result;
+}
+
+#define DELCERT_INSTANTIATE(m)                                                                                        \
+  template SpaceFormRun<m> run_on_space_form<m>(const Atlas<m>&, const ModelGeometry&, const PerturbationParameters&, \
+                                                const RunRequest&, const Progress&);
+DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
+#undef DELCERT_INSTANTIATE
+
+}  // namespace delcert

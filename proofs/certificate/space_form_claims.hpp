@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kernel/delaunay/piecewise_flat.hpp"
+#include "kernel/delaunay/riemannian_simplices.hpp"
+#include "kernel/delaunay/stable_stars.hpp"
+#include "kernel/perturb/space_form_run.hpp"
+#include "proofs/certificate/space_form_writer.hpp"
+
+namespace delcert {
+
+/// What is measured of a certified run on a space form beyond levels 1, 2 and 4.
+struct SpaceFormMeasures {
+  StarStability stability;        ///< level 2s
+  RiemannianSimplices simplices;  ///< level 5, by the theorem of Dyer, Vegter and Wintraecken
+  PiecewiseFlatReport flat;       ///< level 6
+};
+
+/// Precondition: the run is certified. Needs rounding to nearest.
+template <int m>
+[[nodiscard]] SpaceFormMeasures measure_run(const SpaceFormAtlas<m>& atlas, const SpaceFormRun<m>& run,
+                                            const Progress& progress);
+
+/// Derives the levels from a certified run and its measures, checking the inequalities of docs/certificate-format.md
+/// on the way; reasons for levels that are not reached are appended to `reasons`. Bounds that the format asks to be
+/// strict are weaker than what was found by a relative 2⁻²⁰ at least: a reader with other enclosures finds them too.
+template <int m>
+[[nodiscard]] SpaceFormClaims derive_claims(const SpaceFormAtlas<m>& atlas, const RunParameters& parameters,
+                                            const SpaceFormRun<m>& run, const SpaceFormMeasures& measures,
+                                            const LevelSelection& selection, std::vector<std::string>& reasons);
+
+/// The parameters as certificates state them, of a run that perturbed or did not. Γ₀ is that for which the tolerance is
+/// 2α̃₀, as on flat manifolds; nothing is claimed of it.
+[[nodiscard]] RunParameters space_form_parameters(const PerturbationParameters& parameters, Dimension dimension,
+                                                  bool perturbed);
+
+/// The names of the levels claimed, in order.
+[[nodiscard]] std::vector<std::string> names_of(const SpaceFormClaims& claims);
+
+}  // namespace delcert

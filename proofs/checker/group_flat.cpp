@@ -1,0 +1,141 @@
+#include <cmath>
+#include <map>
+
+#include "proofs/checker/group.hpp"
+#include "proofs/checker/metric.hpp"
+
+namespace delcert::checker {
+namespace {
+
+constexpr std::size_t most = 200;
+
+/// The translation modulo 1.
+FieldMatrix reduced(const NumberField& field, FieldMatrix a) {
+  for (std::size_t i = 1; i < a.order(); ++i) {
+    Rational t = a(i, 0).constant_term();
+    fmpz_fdiv_r(fmpq_numref(t.raw()), fmpq_numref(t.raw()), fmpq_denref(t.raw()));
+    a(i, 0) = FieldElement(field, {t});
+  }
+  return a;
+}
+
+/// The squared length of the part of the translation that the linear part fixes, in the metric: the square of the least
+/// displacement. Precondition: the linear part has a finite order.
+FieldElement least_displacement_squared(const SpaceForm& form, const FieldMatrix& a) {
+  FieldMatrix linear(form.m), power = FieldMatrix::identity(form.m);
+  for (std::size_t i = 0; i < form.m; ++i) {
+    for (std::size_t k = 0; k < form.m; ++k) linear(i, k) = a(i + 1, k + 1);
+  }
+  std::vector<FieldElement> translation(form.m), sum(form.m);
+  for (std::size_t i = 0; i < form.m; ++i) translation[i] = a(i + 1, 0);
+  int order = 0;
+  do {
+    for (std::size_t i = 0; i < form.m; ++i) {
+      for (std::size_t k = 0; k < form.m; ++k) sum[i] = sum[i] + power(i, k) * translation[k];
+    }
+    power = power * linear;
+    ++order;
+  } while (!(power == FieldMatrix::identity(form.m)));
+  FieldElement result;
+  for (std::size_t i = 0; i < form.m; ++i) {
+    for (std::size_t k = 0; k < form.m; ++k) result = result + sum[i] * form.gram(i, k) * sum[k];
+  }
+  return result / FieldElement(order * order);
+}
+
+/// Calls f(shift) for all integer vectors between the bounds.
+template <class F>
+void for_each_shift(std::size_t m, const std::vector<long>& first, const std::vector<long>& last, const F& f) {
+  std::vector<long> z = first;
+  for (;;) {
+    f(z);
+    std::size_t k = 0;
+    while (k < m && z[k] == last[k]) {
+      z[k] = first[k];
+      ++k;
+    }
+    if (k == m) return;
+    ++z[k];
+  }
+}
+
+/// Whether the translation is certainly longer than this.
+bool is_longer(const SpaceForm& form, const FieldMatrix& a, double length) {
+  const BallScope scope(64);
+  Ball sum(0);
+  for (std::size_t i = 0; i < form.m; ++i) {
+    for (std::size_t k = 0; k < form.m; ++k) sum = sum + (a(i + 1, 0) * form.gram(i, k) * a(k + 1, 0)).enclosure();
+  }
+  return square_root(sum).enclosure().lower() > length;
+}
+
+}  // namespace
+
+/// Elements are z + the cosets found; a point x at most s from o, that is |x|_G <= s, has |gamma y - x| <= r only if
+/// the translation is at most r + 2s long, and its coordinates at most (r + 2s) sqrt((G^-1)_kk).
+Group flat_group(const SpaceForm& form, const Rational& reach, const Rational& spread, Report& report) {
+  const FieldMatrix identity = FieldMatrix::identity(form.m + 1);
+  std::vector<FieldMatrix> cosets{identity};
+  std::map<FieldMatrix, bool> known{{identity, true}};
+  for (std::size_t at = 0; at < cosets.size() && known.size() <= most; ++at) {
+    for (const FieldMatrix& generator : form.generators) {
+      const FieldMatrix product = reduced(*form.field, cosets[at] * generator);
+      if (known.emplace(product, true).second) cosets.push_back(product);
+    }
+  }
+  if (known.size() > most) throw Undecided("the group has too many elements modulo its lattice to look at");
+  // Every displacement less than twice the injectivity radius occurs at a point of the unit cell, which is at most
+  // `cell` from o: all such elements are looked at, too.
+  std::vector<double> stretch(form.m);
+  double cell = 0, room = 0, twice_injectivity = 0;
+  {
+    const BallScope scope(128);
+    const SquareMatrix<Ball> T = form.basis(), inverse = form.inverse_basis();
+    Ball sum(0);
+    for (std::size_t k = 0; k < form.m; ++k) {
+      Vector<Ball> row{}, column{};
+      for (std::size_t j = 0; j < form.m; ++j) {
+        row[j] = inverse(k + 1, j + 1);
+        column[j] = T(j + 1, k + 1);
+      }
+      const auto length = [&](const Vector<Ball>& x) {
+        Ball squares(0);
+        for (std::size_t j = 0; j < form.m; ++j) squares = squares + square(x[j]);
+        return square_root(squares);
+      };
+      stretch[k] = length(row).enclosure().upper();
+      sum = sum + length(column);
+    }
+    cell = sum.enclosure().upper();
+    room = (Ball(reach) + Ball(2) * Ball(spread)).enclosure().upper();
+    twice_injectivity = (Ball(2) * form.injectivity_radius.as<Ball>()).enclosure().upper();
+  }
+  const double most_translation = std::max(room, twice_injectivity + 2 * cell);
+  const FieldElement least(*form.field, {square(Rational(2) * form.injectivity_radius.exact)});
+  Group group{{identity}, "a crystallographic group, " + std::to_string(cosets.size()) + " cosets of its lattice"};
+  std::vector<long> first(form.m), last(form.m);
+  double number = static_cast<double>(cosets.size());
+  for (std::size_t k = 0; k < form.m; ++k) {
+    last[k] = static_cast<long>(std::ceil(std::min(most_translation * stretch[k], 1e6))) + 1;
+    first[k] = -last[k];
+    number *= 2.0 * static_cast<double>(last[k]) + 1;
+  }
+  if (!(number < 1e6)) throw Undecided("too many elements of the group to look at");
+  for (const FieldMatrix& coset : cosets) {
+    for_each_shift(form.m, first, last, [&](const std::vector<long>& z) {
+      FieldMatrix element = coset;
+      for (std::size_t k = 0; k < form.m; ++k)
+        element(k + 1, 0) = element(k + 1, 0) + FieldElement(static_cast<int>(z[k]));
+      if (element == identity) return;
+      if (!is_longer(form, element, room)) group.elements.push_back(element);
+      if (less(least_displacement_squared(form, element), least) != Verdict::proved) return;
+      report.reject("group.injectivity", [&] {
+        return "an element moves a point by less than twice the injectivity radius " +
+               about(form.injectivity_radius.filter);
+      });
+    });
+  }
+  return group;
+}
+
+}  // namespace delcert::checker

@@ -1,0 +1,83 @@
+#include <set>
+
+#include "proofs/checker/dirichlet.hpp"
+#include "proofs/checker/group.hpp"
+
+namespace delcert::checker {
+namespace {
+
+constexpr std::size_t most_tiles = 1000000;
+
+FieldElement trace(const FieldMatrix& a) {
+  FieldElement sum;
+  for (std::size_t k = 0; k < a.order(); ++k) sum = sum + a(k, k);
+  return sum;
+}
+
+/// The isometry moves every point by more than 2 inj. It has the eigenvalues e^l, e^-l, l > 0 the least displacement,
+/// and for m = 2 its determinant, for m = 3 either 1, -1 (determinant -1) or e^it, e^-it; then 2 cosh l is the larger
+/// root of u^2 - a u + b - 2, x^4 - a x^3 + b x^2 - a x + 1 the characteristic polynomial. One that has a fixed point
+/// in the space or at infinity alone has l = 0 in the same formulas.
+bool moves_far(const SpaceForm& form, const FieldMatrix& g) {
+  const FieldElement a = trace(g), determinant = g.leading_minor(g.order()),
+                     b = (a * a - trace(g * g)) / FieldElement(2);
+  return decide_with_balls([&] {
+    const Ball U = Ball(2) * Ball::apply(arb_cosh, Ball(2) * form.injectivity_radius.as<Ball>());
+    if (form.m == 2) return less(U, (a - determinant).enclosure());
+    if (determinant.sign() < 0) return less(U, a.enclosure());
+    return disjunction(less(U * U - a.enclosure() * U + b.enclosure(), Ball(2)), less(U + U, a.enclosure()));
+  });
+}
+
+}  // namespace
+
+/// Tiles gamma P are met by crossing sides from P. With D the greatest distance of a vertex of P from o: those with
+/// d(o, gamma o) <= R + D include all with d(o, gamma o) <= R, and those with d(o, gamma o) <= r + 2D all with
+/// d(x, gamma y) <= r for x and y in P (docs/space-forms.md).
+Group hyperbolic_group(const SpaceForm& form, const Rational& reach, const Rational& spread, Report& report) {
+  const Dirichlet polyhedron(form);
+  if (!polyhedron.fault.empty()) report.reject("group.polyhedron", [&] { return polyhedron.fault; });
+  if (!report.findings.empty()) return {};
+  double needed = 0, walked = 0;  // upper bounds of cosh d(o, gamma o)
+  {
+    const BallScope scope(128);
+    const Ball D = Ball::apply(arb_acosh, polyhedron.farthest_vertex());
+    const Ball R = Ball(reach) + Ball(2) * Ball(spread), r = Ball(2) * form.injectivity_radius.as<Ball>();
+    needed = Ball::apply(arb_cosh, R).enclosure().upper();
+    walked = Ball::apply(arb_cosh, maximum(R + D, r + D + D)).enclosure().upper();
+  }
+  const FieldMatrix identity = FieldMatrix::identity(form.m + 1);
+  std::vector<FieldMatrix> tiles{identity};
+  // o is inside of P alone: a tile is known by its centre, the first column of its element.
+  const auto first_column = [&](const FieldMatrix& a) {
+    FieldVector column;
+    for (std::size_t k = 0; k <= form.m; ++k) column.push_back(a(k, 0));
+    return column;
+  };
+  std::set<FieldVector> known{first_column(identity)};
+  Group group{{identity}, ""};
+  for (std::size_t at = 0; at < tiles.size(); ++at) {
+    if (tiles.size() > most_tiles) throw Undecided("too many tiles of the polyhedron about o to look at");
+    for (const Side& side : polyhedron.sides) {
+      const FieldVector centre = tiles[at] * first_column(side.element);
+      const double moved = [&] {
+        const BallScope scope(96);
+        return centre[0].enclosure().enclosure().lower();
+      }();
+      if (moved > walked || !known.insert(centre).second) continue;
+      const FieldMatrix next = tiles[at] * side.element;
+      tiles.push_back(next);
+      if (moved <= needed) group.elements.push_back(next);
+      if (moves_far(form, next)) continue;
+      report.reject("group.injectivity", [&] {
+        return "an element moves a point by at most twice the injectivity radius " +
+               about(form.injectivity_radius.filter);
+      });
+    }
+  }
+  group.summary = "a polyhedron with " + std::to_string(polyhedron.sides.size()) + " sides, " +
+                  std::to_string(tiles.size()) + " tiles around it";
+  return group;
+}
+
+}  // namespace delcert::checker

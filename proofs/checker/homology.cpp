@@ -1,0 +1,87 @@
+#include "proofs/checker/homology.hpp"
+
+#include <algorithm>
+
+#include "proofs/checker/smith_form.hpp"
+
+namespace delcert::checker {
+namespace {
+
+LabelSet without(LabelSet face, std::size_t omitted) {
+  const auto place = face.begin() + static_cast<std::ptrdiff_t>(omitted);
+  std::copy(place + 1, face.end(), place);
+  face.back() = 0;
+  return face;
+}
+
+std::string group(std::size_t free_rank, const std::vector<std::string>& torsion) {
+  std::string text;
+  const auto add = [&text](const std::string& summand) { text += (text.empty() ? "" : " + ") + summand; };
+  if (free_rank > 0) add(free_rank == 1 ? "Z" : "Z^" + std::to_string(free_rank));
+  for (auto first = torsion.begin(); first != torsion.end();) {
+    const auto last = std::find_if(first, torsion.end(), [&](const std::string& order) { return order != *first; });
+    add(last - first == 1 ? "Z/" + *first : "(Z/" + *first + ")^" + std::to_string(last - first));
+    first = last;
+  }
+  return text.empty() ? "0" : text;
+}
+
+}  // namespace
+
+FaceComplex::FaceComplex(int m, std::vector<LabelSet> simplices) : m_(m), faces_(static_cast<std::size_t>(m) + 1) {
+  const auto dimension = static_cast<std::size_t>(m);
+  faces_[dimension] = std::move(simplices);
+  for (std::size_t k = dimension + 1; k-- > 0;) {
+    std::vector<LabelSet>& faces = faces_[k];
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    for (std::size_t omitted = 0; k > 0 && omitted <= k; ++omitted) {
+      for (const LabelSet& face : faces) faces_[k - 1].push_back(without(face, omitted));
+    }
+  }
+}
+
+std::int64_t FaceComplex::euler_characteristic() const {
+  std::int64_t sum = 0;
+  for (std::size_t k = 0; k < faces_.size(); ++k) sum += k % 2 == 0 ? std::ssize(faces_[k]) : -std::ssize(faces_[k]);
+  return sum;
+}
+
+/// A face that owns a row or a column of one boundary matrix can be left out of the next one (docs/homology.md).
+std::vector<std::string> FaceComplex::homology() const {
+  const auto m = static_cast<std::size_t>(m_);
+  std::vector<std::vector<bool>> used;
+  for (const auto& faces : faces_) used.emplace_back(faces.size(), false);
+  std::vector<SmithForm> forms(m + 2);  // number k: the boundary of k-faces; the first and the last are 0
+  const auto find = [&](std::size_t k) {
+    // A facet of a manifold is in two simplices: transposed, the matrix for k = m has columns of two entries, and keeps
+    // them so. So has the matrix for k = 1 as it is.
+    const bool transposed = k == m;
+    std::vector<Column> columns(faces_[transposed ? k - 1 : k].size());
+    for (std::size_t face = faces_[k].size(); face-- > 0;) {
+      if (used[k][face]) continue;
+      for (std::size_t omitted = 0; omitted <= k; ++omitted) {
+        const auto place =
+            std::lower_bound(faces_[k - 1].begin(), faces_[k - 1].end(), without(faces_[k][face], omitted));
+        const auto at = static_cast<std::uint32_t>(place - faces_[k - 1].begin());
+        if (used[k - 1][at]) continue;
+        const std::int64_t sign = omitted % 2 == 0 ? 1 : -1;
+        if (transposed) {
+          columns[at].push_back({static_cast<std::uint32_t>(face), sign});
+        } else {
+          columns[face].push_back({at, sign});
+        }
+      }
+    }
+    forms[k] = transposed ? reduce(std::move(columns), faces_[k].size(), used[k], used[k - 1])
+                          : reduce(std::move(columns), faces_[k - 1].size(), used[k - 1], used[k]);
+  };
+  find(m);
+  for (std::size_t k = 1; k < m; ++k) find(k);
+  std::vector<std::string> result;
+  for (std::size_t k = 0; k <= m; ++k)
+    result.push_back(group(faces_[k].size() - forms[k].rank - forms[k + 1].rank, forms[k + 1].torsion));
+  return result;
+}
+
+}  // namespace delcert::checker

@@ -1,0 +1,104 @@
+#include "proofs/checker/smith_form.hpp"
+
+#include <flint/fmpz_mat.h>
+
+#include <algorithm>
+#include <map>
+
+#include "proofs/checker/report.hpp"
+
+namespace delcert::checker {
+namespace {
+
+/// Subtracts the multiple of b, which begins with 1 or -1, that rids a of its entry number `begin`.
+void subtract(Column& a, std::size_t begin, const Column& b) {
+  constexpr const char* too_large = "a coefficient of the homology is beyond 64 bits";
+  std::int64_t factor = 0;
+  if (__builtin_mul_overflow(a[begin].coefficient, b[0].coefficient, &factor)) throw Undecided(too_large);
+  Column result(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(begin));
+  std::size_t i = begin, j = 0;
+  while (i < a.size() || j < b.size()) {
+    const bool from_a = j == b.size() || (i < a.size() && a[i].face >= b[j].face);
+    const bool from_b = i == a.size() || (j < b.size() && b[j].face >= a[i].face);
+    Entry entry{from_a ? a[i].face : b[j].face, from_a ? a[i].coefficient : 0};
+    std::int64_t product = 0;
+    if (from_b && (__builtin_mul_overflow(factor, b[j].coefficient, &product) ||
+                   __builtin_sub_overflow(entry.coefficient, product, &entry.coefficient)))
+      throw Undecided(too_large);
+    if (entry.coefficient != 0) result.push_back(entry);
+    i += from_a ? 1 : 0;
+    j += from_b ? 1 : 0;
+  }
+  a.swap(result);
+}
+
+/// The form of a matrix of few columns, by FLINT.
+SmithForm smith_form(const std::vector<Column>& columns) {
+  std::map<std::uint32_t, slong> rows;
+  for (const Column& column : columns) {
+    for (const Entry& entry : column) rows.try_emplace(entry.face, static_cast<slong>(rows.size()));
+  }
+  SmithForm form;
+  if (rows.empty()) return form;
+  if (rows.size() > (std::size_t{1} << 26) / columns.size()) throw Undecided("the homology has too much torsion");
+  fmpz_mat_t matrix, diagonal;
+  for (fmpz_mat_struct* m : {matrix, diagonal})
+    fmpz_mat_init(m, static_cast<slong>(rows.size()), static_cast<slong>(columns.size()));
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    for (const Entry& entry : columns[c])
+      fmpz_set_si(fmpz_mat_entry(matrix, rows.at(entry.face), static_cast<slong>(c)), entry.coefficient);
+  }
+  fmpz_mat_snf(diagonal, matrix);
+  for (slong d = 0; d < std::min(fmpz_mat_nrows(diagonal), fmpz_mat_ncols(diagonal)); ++d) {
+    const fmpz* entry = fmpz_mat_entry(diagonal, d, d);
+    if (fmpz_is_zero(entry)) break;
+    ++form.rank;
+    if (fmpz_is_one(entry)) continue;
+    char* text = fmpz_get_str(nullptr, 10, entry);
+    form.torsion.emplace_back(text);
+    flint_free(text);
+  }
+  for (fmpz_mat_struct* m : {matrix, diagonal}) fmpz_mat_clear(m);
+  return form;
+}
+
+}  // namespace
+
+// Column operations: a column whose first entry is 1 or -1 in a row that no other column owns comes to own it. The
+// remaining columns are rid of the owned rows, so that the form is that of them in the other rows, and a 1 for each
+// owner.
+SmithForm reduce(std::vector<Column> columns, std::size_t rows, std::vector<bool>& used_rows,
+                 std::vector<bool>& used_columns) {
+  std::vector<Column> owner(rows), rest;
+  SmithForm form;
+  const auto eliminate = [&owner](Column& column, bool whole) {
+    for (std::size_t at = 0; at < column.size();) {
+      const Column& by = owner[column[at].face];
+      if (!by.empty()) {
+        subtract(column, at, by);
+      } else if (whole) {
+        ++at;
+      } else {
+        return;
+      }
+    }
+  };
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    Column& column = columns[c];
+    eliminate(column, false);
+    if (column.empty()) continue;
+    const auto [face, coefficient] = column[0];
+    if (coefficient == 1 || coefficient == -1) {
+      used_rows[face] = used_columns[c] = true;
+      owner[face] = std::move(column);
+      ++form.rank;
+    } else {
+      rest.push_back(std::move(column));
+    }
+  }
+  for (Column& column : rest) eliminate(column, true);
+  SmithForm of_rest = smith_form(rest);
+  return {form.rank + of_rest.rank, of_rest.torsion};
+}
+
+}  // namespace delcert::checker

@@ -1,0 +1,166 @@
+// The groups of all examples, written by the certificate's writer, verified by the checker; and wrong ones.
+
+#include <gtest/gtest.h>
+
+#include <cfenv>
+#include <nlohmann/json.hpp>
+
+#include "kernel/manifold/space_form/space_form_file.hpp"
+#include "proofs/certificate/space_form_writer.hpp"
+#include "proofs/checker/group.hpp"
+#include "proofs/checker/self_test.hpp"
+
+namespace delcert::checker_tests {
+namespace {
+
+struct Written {
+  int curvature, dimension;
+  std::string text;  // of the manifold block
+  std::size_t order = 0;
+};
+
+const std::vector<Written>& all_written() {
+  static const std::vector<Written> result = [] {
+    std::vector<Written> all;
+    for (const BuiltinManifold& file : builtin_space_forms()) {
+      const SpaceForm form = verify_space_form(find_space_form(std::string(file.name)));
+      all.push_back({sign_of(form.form().curvature()), form.form().dimension(), manifold_object(form),
+                     form.finite ? form.finite->elements.size() : 0});
+    }
+    return all;
+  }();
+  return result;
+}
+
+/// The checker computes with upward rounding.
+struct Upwards {
+  Upwards() { EXPECT_EQ(checker::self_test(), ""); }
+  ~Upwards() { std::fesetround(FE_TONEAREST); }
+};
+
+checker::SpaceForm read(const Written& written, const std::string& text) {
+  checker::Cursor cursor(std::string_view(text).substr(text.find(",\"field\":")));
+  return {written.curvature, written.dimension, cursor};
+}
+
+TEST(SpaceFormGroups, of_all_examples_are_verified) {
+  const std::vector<Written>& all = all_written();
+  ASSERT_GE(all.size(), 20U);
+  const Upwards upwards;
+  for (const Written& written : all) {
+    const checker::SpaceForm form = read(written, written.text);
+    checker::Report report;
+    const checker::Rational reach = checker::Rational(1) / checker::Rational(10);
+    const checker::Group group = check_group(form, reach, reach, report);
+    for (const checker::Finding& finding : report.findings) ADD_FAILURE() << written.text.substr(0, 60) << finding.what;
+    EXPECT_TRUE(!group.elements.empty()) << written.text;
+    if (written.curvature > 0) {
+      EXPECT_EQ(group.elements.size(), written.order);
+    }
+  }
+}
+
+/// A seventh more in one entry of a generator, for the first entries of each.
+TEST(SpaceFormGroups, with_one_wrong_entry_are_rejected) {
+  const std::vector<Written>& all = all_written();
+  const Upwards upwards;
+  int refused = 0;
+  for (const Written& written : all) {
+    const auto json = nlohmann::ordered_json::parse(written.text);
+    for (std::size_t row = 0; row < json["generators"].size() && row < 3; ++row) {
+      auto wrong = json;
+      auto& entry = wrong["generators"][0][row][1];
+      entry = entry == nlohmann::ordered_json::array({"1/7"}) ? nlohmann::ordered_json::array({"2/7"})
+                                                              : nlohmann::ordered_json::array({"1/7"});
+      const std::string text = wrong.dump();
+      const checker::SpaceForm form = read(written, text);
+      checker::Report report;
+      (void)check_group(form, checker::Rational(1), checker::Rational(1), report);
+      ASSERT_EQ(report.findings.size(), 1U) << text;
+      EXPECT_EQ(report.findings[0].rule, "group.generator");
+      ++refused;
+    }
+  }
+  EXPECT_GE(refused, 20);
+}
+
+/// The manifold block of a group over the rational numbers.
+std::string rational_group(int curvature, const std::string& generators, const std::string& injectivity_radius) {
+  return R"(,"field":["0","1"],"root":["-1","1"],"time":[")" + std::to_string(curvature) +
+         R"("],"gram":[[["1"],["0"]],[["0"],["1"]]],"generators":)" + generators + R"(,"injectivity_radius":")" +
+         injectivity_radius + "\"}";
+}
+
+std::string rule_against(int curvature, const std::string& generators,
+                         const std::string& injectivity_radius = "1/100") {
+  const checker::SpaceForm form = read({curvature, 2, {}}, rational_group(curvature, generators, injectivity_radius));
+  checker::Report report;
+  (void)check_group(form, checker::Rational(1), checker::Rational(1), report);
+  return report.findings.empty() ? "" : report.findings[0].rule + ": " + report.findings[0].what;
+}
+
+std::string matrix(const std::vector<std::string>& entries) {
+  std::string text;
+  for (std::size_t k = 0; k < 9; ++k)
+    text += (k % 3 == 0 ? (k == 0 ? "[[" : "],[") : ",") + ("[\"" + entries[k] + "\"]");
+  return text + "]]";
+}
+
+TEST(SpaceFormGroups, with_fixed_points_are_rejected) {
+  const Upwards upwards;
+  const std::string opposite = matrix({"-1", "0", "0", "0", "-1", "0", "0", "0", "-1"}),
+                    half_turn = matrix({"1", "0", "0", "0", "-1", "0", "0", "0", "-1"}),
+                    reflection = matrix({"1", "0", "0", "0", "1", "0", "0", "0", "-1"}),
+                    glide = matrix({"1", "0", "0", "1/2", "1", "0", "0", "0", "-1"}),
+                    other_glide = matrix({"1", "0", "0", "0", "-1", "0", "1/2", "0", "1"}),
+                    eighth = matrix({"1", "0", "0", "1/8", "1", "0", "0", "0", "-1"}),
+                    quarter_turn = matrix({"1", "0", "0", "1/2", "0", "-1", "0", "1", "0"});
+  EXPECT_EQ(rule_against(1, "[" + opposite + "]"), "");
+  EXPECT_EQ(rule_against(1, "[" + half_turn + "]").substr(0, 18), "group.injectivity:");
+  EXPECT_EQ(rule_against(1, "[" + reflection + "]").substr(0, 18), "group.injectivity:");
+  EXPECT_EQ(rule_against(1, "[" + opposite + "," + half_turn + "]").substr(0, 18), "group.injectivity:");
+  EXPECT_EQ(rule_against(0, "[" + glide + "]", "1/4"), "");
+  EXPECT_EQ(rule_against(0, "[" + glide + "]", "26/100").substr(0, 18), "group.injectivity:");
+  EXPECT_EQ(rule_against(0, "[" + reflection + "]").substr(0, 18), "group.injectivity:");
+  EXPECT_EQ(rule_against(0, "[" + half_turn + "]").substr(0, 18), "group.injectivity:");
+  // Each glide is free, their product is a half-turn; a quarter turn has a fixed point somewhere.
+  EXPECT_EQ(rule_against(0, "[" + other_glide + "]", "1/4"), "");
+  EXPECT_EQ(rule_against(0, "[" + glide + "," + other_glide + "]").substr(0, 18), "group.injectivity:");
+  EXPECT_EQ(rule_against(0, "[" + quarter_turn + "]").substr(0, 18), "group.injectivity:");
+  // Translations outside of the lattice count.
+  EXPECT_EQ(rule_against(0, "[" + eighth + "]", "1/16"), "");
+  EXPECT_EQ(rule_against(0, "[" + eighth + "]", "1/10").substr(0, 18), "group.injectivity:");
+}
+
+/// The Bolza surface without some of its generators, or with one replaced by its product with another.
+TEST(SpaceFormGroups, without_a_compact_polyhedron_that_closes_up_are_rejected) {
+  const Written* bolza = nullptr;
+  for (const Written& written : all_written()) {
+    if (written.text.find("\"bolza-surface\"") != std::string::npos) bolza = &written;
+  }
+  ASSERT_NE(bolza, nullptr);
+  const Upwards upwards;
+  const auto fault = [&](const nlohmann::ordered_json& json) {
+    const std::string text = json.dump();
+    const checker::SpaceForm form = read(*bolza, text);
+    checker::Report report;
+    (void)check_group(form, checker::Rational(1), checker::Rational(1), report);
+    return report.findings.empty() ? "" : report.findings[0].rule;
+  };
+  const auto json = nlohmann::ordered_json::parse(bolza->text);
+  EXPECT_EQ(fault(json), "");
+  for (std::size_t left_out = 0; left_out < 4; ++left_out) {
+    auto fewer = json;
+    fewer["generators"].erase(left_out);
+    EXPECT_EQ(fault(fewer), "group.polyhedron");
+  }
+  auto one = json;
+  one["generators"] = nlohmann::ordered_json::array({json["generators"][0]});
+  EXPECT_EQ(fault(one), "group.polyhedron");
+  auto none = json;
+  none["generators"] = nlohmann::ordered_json::array();
+  EXPECT_EQ(fault(none), "group.polyhedron");
+}
+
+}  // namespace
+}  // namespace delcert::checker_tests

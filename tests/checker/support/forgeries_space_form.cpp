@@ -1,0 +1,147 @@
+#include <algorithm>
+
+#include "tests/checker/support/forgeries.hpp"
+#include "tests/checker/support/space_form_samples.hpp"
+
+namespace delcert::checker_tests {
+
+std::vector<std::pair<std::string, std::string>> valid_space_form_certificates() {
+  std::vector<std::pair<std::string, std::string>> result;
+  for (const auto& [name, sample] : {std::pair("icosphere", icosphere()),
+                                     {"projective plane", projective_plane()},
+                                     {"600-cell", cell_600()},
+                                     {"projective space", projective_space()},
+                                     {"Bolza surface", bolza_surface()},
+                                     {"Klein bottle", klein_bottle()},
+                                     {"unstable Bolza surface", unstable_bolza_surface()}}) {
+    result.emplace_back(name, sealed(sample.document()));
+  }
+  using Groups = std::vector<std::string>;
+  for (const auto& [name, sample, groups] :
+       {std::tuple("sphere with homology", icosphere(), Groups{"Z", "0", "Z"}),
+        {"projective plane with homology", projective_plane(), {"Z", "Z/2", "0"}},
+        {"projective space with homology", projective_space(), {"Z", "Z/2", "0", "Z"}},
+        {"Bolza surface with homology", bolza_surface(), {"Z", "Z^4", "Z"}},
+        {"Klein bottle with homology", klein_bottle(), {"Z", "Z + Z/2", "0"}}}) {
+    Json document = sample.document();
+    document["levels"]["2"]["homology"] = groups;
+    result.emplace_back(name, sealed(document));
+  }
+  SpaceFormSample riemannian = klein_bottle();
+  riemannian.levels.insert("5r");
+  result.emplace_back("Klein bottle of Riemannian simplices", sealed(riemannian.document()));
+  return result;
+}
+
+namespace {
+
+std::vector<Forgery> forgeries_of_groups() {
+  std::vector<Forgery> result;
+  const auto forge = [&](const std::string& name, const std::string& rule, const SpaceFormSample& sample, auto change) {
+    Json document = sample.document();
+    change(document);
+    result.push_back({name, rule, sealed(document)});
+  };
+  const auto generators = [](Json& j) -> Json& { return j["manifold"]["generators"]; };
+  forge("the identity as a generator", "group.generator", icosphere(), [&](Json& j) {
+    generators(j).push_back(j["manifold"]["gram"]);
+    Json& g = generators(j).back();
+    for (Json& row : g) row.push_back(Json::array({"0"}));
+    g.push_back(Json::array({Json::array({"0"}), Json::array({"0"}), Json::array({"1"})}));
+  });
+  forge("a sphere wider than it is", "group.injectivity", icosphere(),
+        [](Json& j) { j["manifold"]["injectivity_radius"] = "22/7"; });
+  forge("a projective plane wider than it is", "group.injectivity", projective_plane(),
+        [](Json& j) { j["manifold"]["injectivity_radius"] = "11/7"; });
+  forge("a Klein bottle wider than it is", "group.injectivity", klein_bottle(),
+        [](Json& j) { j["manifold"]["injectivity_radius"] = "501/1000"; });
+  forge("a Bolza surface wider than it is", "group.injectivity", bolza_surface(),
+        [](Json& j) { j["manifold"]["injectivity_radius"] = "153/100"; });
+  // The square of the first generator: in the group, but no side of the octagon.
+  forge("a generator too many", "group.polyhedron", bolza_surface(), [&](Json& j) {
+    const auto entry = [](const std::string& a, const std::string& b) { return Json::array({a, b}); };
+    const Json zero = Json::array({"0"}), one = Json::array({"1"});
+    // cosh 2l = 2c^2 - 1 = 113 + 80t; sinh 2l = 2cS: 2c = 10 + 8t in the first row, times S^2 in the first column.
+    generators(j).push_back(
+        Json::array({Json::array({entry("113", "80"), entry("10", "8"), zero}),
+                     Json::array({entry("1200", "848"), entry("113", "80"), zero}), Json::array({zero, zero, one})}));
+  });
+  return result;
+}
+
+}  // namespace
+
+std::vector<Forgery> space_form_forgeries() {
+  std::vector<Forgery> result = forgeries_of_groups();
+  const auto forge = [&](const std::string& name, const std::string& rule, const SpaceFormSample& sample, auto change,
+                         int status = 1) {
+    Json document = sample.document();
+    change(document);
+    result.push_back({name, rule, sealed(document), status});
+  };
+  const auto level = [](const std::string& name, const std::string& key, double value) {
+    return [=](Json& j) { j["levels"][name][key] = at_most(value).text(); };
+  };
+  const auto parameter = [](const std::string& key, double value) {
+    return [=](Json& j) { j["parameters"][key] = at_most(value).text(); };
+  };
+  const SpaceFormMargins &sphere = icosphere().margins, &solid = cell_600().margins, &bolza = bolza_surface().margins,
+                         &klein = klein_bottle().margins;
+
+  forge("points closer than stated", "0.separation", bolza_surface(), parameter("separation", 0.92));
+  forge("a density too good", "0.density", icosphere(), level("0", "density", sphere.ball));
+  forge("charts too large for the Klein bottle", "0.patch", klein_bottle(), [](Json& j) {
+    j["parameters"]["sampling_radius"] = "42/1000";
+    j["parameters"]["separation"] = "8/9";
+    j["levels"]["0"]["density"] = "1";
+  });
+  forge("points moved farther than stated", "1.perturbation", klein_bottle(), parameter("perturbation", 0.19));
+  forge("points moved although none should be", "1.perturbation", projective_space(), parameter("perturbation", 0));
+  forge("protection too large in a chart", "1.protection", icosphere(),
+        level("1", "protection", 2.1 * sphere.protection));
+  forge("thickness too large in a chart", "1.thickness", cell_600(), level("1", "thickness", 1.6 * solid.thickness));
+  forge("a circumradius too small in a chart", "1.radius", bolza_surface(),
+        level("1", "circumradius", bolza.circumradius / 1.011));
+  forge("balls larger than a chart of the sphere", "1.patch", icosphere(), level("1", "circumradius", 0.49));
+  forge("a star that differs in another chart", "2s.protection", unstable_bolza_surface(), [](Json& j) {
+    Json levels = Json::object();
+    for (const auto& [name, value] : j["levels"].items()) {
+      if (name == "4") levels["2s"] = Json{{"reach", "0x1p-1"}};
+      levels[name] = value;
+    }
+    j["levels"] = levels;
+  });
+  forge("charts that need not show so much", "2s.reach", bolza_surface(), level("2s", "reach", bolza.reach / 1.02));
+  forge("charts that show too much", "2s.patch", icosphere(), level("2s", "reach", 1));
+  forge("balls that go around the projective space", "4.lifts", projective_space(), level("4", "circumradius", 0.757));
+  forge("circumballs larger than stated", "4.ball", cell_600(), level("4", "circumradius", solid.ball / 1.011));
+  forge("circumballs of the Bolza surface larger than stated", "4.ball", bolza_surface(),
+        level("4", "circumradius", bolza.ball / 1.011));
+  forge("circumballs less empty than stated", "4.empty", cell_600(), level("4", "protection", 8 * solid.empty));
+  forge("circumballs of the Klein bottle less empty than stated", "4.empty", klein_bottle(),
+        level("4", "protection", 8 * klein.empty));
+
+  SpaceFormSample riemannian = klein_bottle(), curved = icosphere();
+  riemannian.levels.insert("5r");
+  curved.levels.insert("5r");
+  forge("thickness too large for Riemannian simplices", "5.thickness", riemannian,
+        level("5", "thickness", 1.02 * klein.riemannian_thickness));
+  forge("Riemannian simplices larger than stated", "5.radius", riemannian,
+        level("5", "radius", klein.riemannian_radius / 1.02));
+  forge("simplices too large for the curvature", "5.radius", curved, [](Json&) {});
+  forge("cotangents greater than stated", "6.self-delaunay", bolza_surface(),
+        level("6", "weight", 1.002 * bolza.weight + 1e-4));
+  forge("distances stretched more than stated", "6.bilipschitz", icosphere(),
+        [](Json& j) { j["levels"]["6"]["bilipschitz"][0] = "1"; });
+  forge("distances of the Bolza surface stretched more than stated", "6.bilipschitz", bolza_surface(),
+        [](Json& j) { j["levels"]["6"]["bilipschitz"][1] = "1"; });
+  forge("an isometry that shrinks", "6.bilipschitz", klein_bottle(),
+        [](Json& j) { j["levels"]["6"]["bilipschitz"][1] = "0x1.fffp-1"; });
+
+  forge(
+      "the mode theory on a sphere", "form.family", icosphere(), [](Json& j) { j["parameters"]["mode"] = "theory"; },
+      3);
+  return result;
+}
+
+}  // namespace delcert::checker_tests

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "kernel/error.hpp"
+#include "kernel/manifold/space_form/field_matrix.hpp"
+#include "kernel/manifold/space_form/polynomial_text.hpp"
+
+namespace delcert::test {
+
+inline Rational ratio(long a, long b) { return Rational(a) / Rational(b); }
+
+/// ℚ(√5), t the golden ratio.
+inline FieldElement::Field golden_field() {
+  return std::make_shared<const NumberField>(std::vector<Rational>{Rational(-1), Rational(-1), Rational(1)},
+                                             Rational(1), Rational(2));
+}
+
+inline FieldElement element(const FieldElement::Field& field, const std::string& text) {
+  return {field, parse_polynomial(text)};
+}
+
+/// A matrix of polynomials in t.
+inline FieldMatrix matrix(const FieldElement::Field& field, const std::vector<std::vector<std::string>>& rows) {
+  FieldMatrix result(rows.size());
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    for (std::size_t column = 0; column < rows.size(); ++column) {
+      const auto coefficients = parse_polynomial(rows[row][column]);
+      result(row, column) = field ? FieldElement(field, coefficients) : FieldElement(coefficients.front());
+    }
+  }
+  return result;
+}
+
+/// The message of the exception, "accepted" if there is none.
+template <class Exception, class Action>
+std::string message_of(const Action& action) {
+  try {
+    action();
+  } catch (const Exception& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+inline bool mentions(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace delcert::test

@@ -1,0 +1,26 @@
+#include "kernel/topology/components.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/kernel/topology/known_complexes.hpp"
+
+namespace delcert::test {
+namespace {
+
+TEST(Components, are_as_many_as_homology_says) {
+  for (const KnownComplex& known : known_complexes()) {
+    const std::size_t components =
+        component_count(PureComplex(Dimension(known.complex.dimension), known.complex.labels));
+    EXPECT_EQ(known.homology[0], components == 1 ? "Z" : "Z^" + std::to_string(components)) << known.name;
+  }
+}
+
+TEST(Components, fall_apart_without_a_simplex) {
+  EXPECT_EQ(component_count(PureComplex(Dimension(1), {0, 1, 1, 2, 2, 3})), 1U);
+  EXPECT_EQ(component_count(PureComplex(Dimension(1), {0, 1, 2, 3})), 2U);
+  EXPECT_EQ(component_count(PureComplex(Dimension(0), {5, 6, 7})), 3U);
+  EXPECT_EQ(component_count(PureComplex(Dimension(3), {})), 0U);
+}
+
+}  // namespace
+}  // namespace delcert::test
