@@ -5,7 +5,7 @@ option(DELCERT_PRECOMPILED_HEADERS "Read the headers of libraries once a target:
 
 if(DELCERT_PRECOMPILED_HEADERS AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # From a precompiled header, GCC 12 takes the standard library's strings to be ours and warns of them, wrongly.
-  target_compile_options(delcert_warnings INTERFACE -Wno-stringop-overflow -Wno-array-bounds)
+  target_compile_options(delcert_warnings INTERFACE -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds)
 endif()
 
 # delcert_precompile(TARGET HEADER…): for all C++ sources of the target. Headers as in an #include, with <> or "".

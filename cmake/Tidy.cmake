@@ -1,6 +1,6 @@
 # The target `tidy`: clang-tidy over every source of our libraries and programs (their headers with them), one
 # command each, so that Ninja runs them in parallel and repeats only those whose object file is older than a change
-# of the source, of a header that it includes, or of .clang-tidy.
+# of the source, of a header that it includes, or of .clang-tidy. Not where sources are compiled together.
 
 # Sets `result` to the libraries and programs defined in `folder` and below.
 function(delcert_targets_below folder result)
@@ -15,7 +15,7 @@ endfunction()
 
 find_program(DELCERT_CLANG_TIDY clang-tidy)
 mark_as_advanced(DELCERT_CLANG_TIDY)
-if(NOT DELCERT_CLANG_TIDY)
+if(NOT DELCERT_CLANG_TIDY OR DELCERT_UNITED_SOURCES)
   return()
 endif()
 

@@ -5,11 +5,11 @@
 namespace delcert::checker {
 namespace {
 
-constexpr std::size_t most = 2000;
+constexpr std::size_t greatest_order = 2000;
 
 /// cos(2 rho) J - (J a + a^T J) / 2 is positive definite: no x has <x, a x> >= cos(2 rho), so a moves all points by
 /// more than 2 rho.
-bool moves_far(const SpaceForm& form, const FieldMatrix& a) {
+bool moves_all_far(const SpaceForm& form, const FieldMatrix& a) {
   const FieldMatrix J = form.form(), Ja = J * a, twice = Ja + Ja.transposed();
   return decide_with_balls([&] {
     const Ball cosine = Ball::apply(arb_cos, Ball(2) * form.injectivity_radius.as<Ball>());
@@ -28,7 +28,7 @@ Group spherical_group(const SpaceForm& form, Report& report) {
   const FieldMatrix identity = FieldMatrix::identity(form.m + 1);
   Group group{{identity}, ""};
   std::set<FieldMatrix> known{identity};
-  for (std::size_t at = 0; at < group.elements.size() && known.size() <= most; ++at) {
+  for (std::size_t at = 0; at < group.elements.size() && known.size() <= greatest_order; ++at) {
     for (const FieldMatrix& generator : form.generators) {
       const FieldMatrix product = group.elements[at] * generator;
       if (known.insert(product).second) group.elements.push_back(product);
@@ -42,14 +42,15 @@ Group spherical_group(const SpaceForm& form, Report& report) {
   if (!possible)
     report.reject("group.injectivity", [] { return "the injectivity radius is not below that of a sphere"; });
   for (std::size_t at = 1; at < group.elements.size() && possible; ++at) {
-    if (moves_far(form, group.elements[at])) continue;
+    if (moves_all_far(form, group.elements[at])) continue;
     report.reject("group.injectivity", [&] {
       return "element " + std::to_string(at) + " moves a point by at most twice the injectivity radius " +
              about(form.injectivity_radius.filter);
     });
   }
   // Of infinitely many some move points very little: that is found first.
-  if (known.size() > most && report.findings.empty()) throw Undecided("the group has too many elements to look at");
+  if (known.size() > greatest_order && report.findings.empty())
+    throw Undecided("the group has too many elements to look at");
   group.summary = "a finite group of order " + std::to_string(known.size());
   return group;
 }

@@ -7,7 +7,7 @@ namespace delcert::checker {
 namespace {
 
 /// Every non-zero lattice vector has length >= 24 epsilon; on a Euclidean ball some label is interior.
-void check_patch(const Certificate& c, Report& report) {
+void check_patch_size(const Certificate& c, Report& report) {
   if (std::find(c.interior.begin(), c.interior.end(), true) == c.interior.end()) {
     report.reject("0.patch", [] { return "no label is interior"; });
   }
@@ -66,7 +66,7 @@ void check_hypotheses_2(const Certificate& c, Report& report) {
 }  // namespace
 
 std::string check_level_0(const Certificate& c, Report& report) {
-  check_patch(c, report);
+  check_patch_size(c, report);
   check_separation(c, report);
   check_perturbation(c, report);
   if (c.hypotheses_2) check_hypotheses_2(c, report);

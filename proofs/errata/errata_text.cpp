@@ -11,7 +11,7 @@ namespace delcert {
 
 namespace {
 
-constexpr const char* introduction = R"(# Errata
+constexpr const char* head_of_page = R"(# Errata
 
 What is wrong in *Delaunay triangulation of manifolds* (Boissonnat, Dyer, Ghosh) as printed. Lines are those of its LaTeX
 source, places its labels. This page is what `delcert errata` prints, out of the files of `proofs/errata/`; a test compares
@@ -76,7 +76,7 @@ std::string counts(const std::vector<Erratum>& errata) {
 }  // namespace
 
 std::string errata_markdown(const std::vector<Erratum>& errata) {
-  std::string text = introduction + counts(errata);
+  std::string text = head_of_page + counts(errata);
   std::string read;
   for (const Erratum& erratum : errata) {
     if (erratum.judgement == Judgement::holds) {

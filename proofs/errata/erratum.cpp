@@ -14,7 +14,7 @@ namespace delcert {
 
 namespace {
 
-constexpr std::size_t largest_file = std::size_t{1} << 20U;
+constexpr std::size_t largest_errata_file = std::size_t{1} << 20U;
 constexpr std::array judgements{Judgement::falsehood, Judgement::needs_hypothesis, Judgement::gap, Judgement::wording,
                                 Judgement::holds};
 const std::vector<std::string> keys{"label",   "lines",  "kind",   "printed",   "wrong",
@@ -44,9 +44,9 @@ std::vector<LineRange> ranges_of(std::string_view text) {
   }
 }
 
-class Reader {
+class ErratumReader {
  public:
-  Reader(const std::string& text, const std::string& file) : toml_(text, file), table_(toml_.parse()) {}
+  ErratumReader(const std::string& text, const std::string& file) : toml_(text, file), table_(toml_.parse()) {}
 
   Erratum read() const {
     toml_.refuse_unknown(table_, keys);
@@ -99,15 +99,15 @@ class Reader {
 
 }  // namespace
 
-Erratum parse_erratum(const std::string& text, const std::string& file) { return Reader(text, file).read(); }
+Erratum parse_erratum(const std::string& text, const std::string& file) { return ErratumReader(text, file).read(); }
 
 Erratum read_erratum(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw InputError(file + ": cannot be read");
   std::string text;
-  for (char c = 0; text.size() <= largest_file && stream.get(c);) text += c;
+  for (char c = 0; text.size() <= largest_errata_file && stream.get(c);) text += c;
   if (stream.bad()) throw InputError(file + ": cannot be read");
-  if (text.size() > largest_file) throw InputError(file + ": larger than 1 MiB");
+  if (text.size() > largest_errata_file) throw InputError(file + ": larger than 1 MiB");
   return parse_erratum(text, file);
 }
 

@@ -5,7 +5,7 @@ namespace delcert {
 namespace {
 
 /// A rational lower or upper bound of the root: the root itself if it is rational.
-Rational root_bound(const Rational& x, bool upper) {
+Rational enclosed_root(const Rational& x, bool upper) {
   constexpr long precision = -30;
   const Rational scaled = x * Rational::power_of_two(-2 * precision) * square(Rational(x.denominator()));
   const Integer floor = sqrt(floor_of(scaled));
@@ -33,9 +33,9 @@ std::string FormalParameter::text() const {
 FormalVariable FormalParameter::variable() const {
   FormalVariable result{variable_name(), range.lower, range.upper, !range.has_lower, !range.has_upper};
   if (!is_squared) return result;
-  result.lower = range.lower ? root_bound(maximum(*range.lower, Rational(0)), false) : Rational(0);
+  result.lower = range.lower ? enclosed_root(maximum(*range.lower, Rational(0)), false) : Rational(0);
   if (!range.lower || *range.lower < Rational(0)) result.lower_open = false;
-  if (range.upper) result.upper = root_bound(*range.upper, true);
+  if (range.upper) result.upper = enclosed_root(*range.upper, true);
   return result;
 }
 

@@ -16,9 +16,9 @@ Rational inside(const FormalVariable& variable) {
   return Rational(0);
 }
 
-class Search {
+class SignSearch {
  public:
-  Search(const Polynomial& polynomial, bool strict)
+  SignSearch(const Polynomial& polynomial, bool strict)
       : polynomial_(polynomial), degrees_(polynomial.degrees()), strict_(strict) {}
 
   std::optional<std::string> script(const FormalVariables& variables, int depth) {
@@ -65,7 +65,7 @@ class Search {
 }  // namespace
 
 std::optional<std::string> sign_script(const Polynomial& polynomial, const FormalVariables& variables, bool strict) {
-  return Search(polynomial, strict).script(variables, 0);
+  return SignSearch(polynomial, strict).script(variables, 0);
 }
 
 int sign_at_some_point(const Polynomial& polynomial, const FormalVariables& variables) {

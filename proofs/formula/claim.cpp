@@ -15,11 +15,11 @@ namespace delcert {
 
 namespace {
 
-constexpr std::size_t largest_file = std::size_t{1} << 20U;
+constexpr std::size_t largest_claim_file = std::size_t{1} << 20U;
 
-class Reader : TomlReader {
+class ClaimReader : TomlReader {
  public:
-  Reader(const std::string& text, std::string file, const Vocabulary& vocabulary, const Signatures& signatures)
+  ClaimReader(const std::string& text, std::string file, const Vocabulary& vocabulary, const Signatures& signatures)
       : TomlReader(text, std::move(file)), vocabulary_(vocabulary), signatures_(signatures) {}
 
   Claim read() {
@@ -165,16 +165,16 @@ class Reader : TomlReader {
 
 Claim parse_claim(const std::string& text, const std::string& file, const Vocabulary& vocabulary,
                   const Signatures& signatures) {
-  return Reader(text, file, vocabulary, signatures).read();
+  return ClaimReader(text, file, vocabulary, signatures).read();
 }
 
 Claim read_claim(const std::string& file, const Vocabulary& vocabulary, const Signatures& signatures) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw InputError(file + ": cannot be read");
   std::string text;
-  for (char c = 0; text.size() <= largest_file && stream.get(c);) text += c;
+  for (char c = 0; text.size() <= largest_claim_file && stream.get(c);) text += c;
   if (stream.bad()) throw InputError(file + ": cannot be read");
-  if (text.size() > largest_file) throw InputError(file + ": larger than 1 MiB");
+  if (text.size() > largest_claim_file) throw InputError(file + ": larger than 1 MiB");
   return parse_claim(text, file, vocabulary, signatures);
 }
 

@@ -8,7 +8,7 @@ namespace delcert {
 namespace {
 
 template <class S>
-const SimplexObject& simplex_of(const Argument<S>& argument) {
+const SimplexObject& configuration_of(const Argument<S>& argument) {
   return object_of<SimplexObject>(argument);
 }
 
@@ -20,7 +20,7 @@ S number_of(const Argument<S>& argument) {
 /// Vertex p of a simplex against the spheres of its facet.
 template <class S>
 Partial<SphereOffset<S>> offset_of(Evaluation<S>& evaluation, Arguments<S> arguments) {
-  const SimplexObject& simplex = simplex_of(arguments[0]);
+  const SimplexObject& simplex = configuration_of(arguments[0]);
   const long p = integer_of(arguments[1]);
   if (p < 0 || static_cast<std::size_t>(p) >= simplex.vertex_count()) {
     throw InputError("a simplex of " + std::to_string(simplex.vertex_count()) + " vertices has no vertex " +
@@ -49,14 +49,14 @@ void add_distances(Vocabulary& vocabulary) {
       }));
 }
 
-void add_predicates(Vocabulary& vocabulary) {
+void add_configuration_predicates(Vocabulary& vocabulary) {
   vocabulary.add(truth_function(
       "is_forbidden_configuration", {types::simplex, types::integer, types::number, types::number, types::number},
       "In R^m (second argument): a flake for the third argument, of dimension at most m + 1, with a vertex p whose "
       "facet has a circumscribing ball B(C, R) with R below the fourth and | |p - C| - R | at most the fifth.",
       "#1\\text{ is a forbidden configuration in }\\mathbb{R}^{#2}\\text{ for }#3, #4, #5",
       []<class S>(Evaluation<S>& e, Arguments<S> a) {
-        const SimplexObject& s = simplex_of(a[0]);
+        const SimplexObject& s = configuration_of(a[0]);
         const long m = integer_of(a[1]);
         if (s.has_coordinates() && m != static_cast<long>(s.ambient_dimension())) {
           throw InputError("is_forbidden_configuration: the simplex does not lie in R^" + std::to_string(m));
@@ -73,7 +73,7 @@ void add_predicates(Vocabulary& vocabulary) {
       []<class S>(Evaluation<S>& e, Arguments<S> a) {
         const ForbiddenPropertiesParameters<S> parameters{S(square(number_of(a[1]))), S(square(number_of(a[2]))),
                                                           number_of(a[3]), number_of(a[4])};
-        return has_forbidden_properties(simplex_of(a[0]).gram(e), parameters);
+        return has_forbidden_properties(configuration_of(a[0]).gram(e), parameters);
       }));
 }
 
@@ -81,7 +81,7 @@ void add_predicates(Vocabulary& vocabulary) {
 
 void add_configuration_quantities(Vocabulary& vocabulary) {
   add_distances(vocabulary);
-  add_predicates(vocabulary);
+  add_configuration_predicates(vocabulary);
   vocabulary.add({"join",
                   {types::point, types::simplex},
                   types::simplex,

@@ -12,7 +12,7 @@ namespace delcert {
 namespace {
 
 // How tightly a piece of LaTeX holds together, the loosest first.
-enum class Level : unsigned char {
+enum class LatexLevel : unsigned char {
   statement,
   disjunction,
   conjunction,
@@ -27,12 +27,12 @@ enum class Level : unsigned char {
 
 struct Piece {
   std::string text;
-  Level level = Level::atom;
+  LatexLevel level = LatexLevel::atom;
 };
 
 std::string in_parentheses(const std::string& text) { return "\\left(" + text + "\\right)"; }
 
-std::string at_least(const Piece& piece, Level least) {
+std::string at_least(const Piece& piece, LatexLevel least) {
   return piece.level < least ? in_parentheses(piece.text) : piece.text;
 }
 
@@ -68,7 +68,7 @@ std::string filled(const std::string& pattern, const std::vector<Piece>& argumen
     } else if (is_place && std::isdigit(static_cast<unsigned char>(pattern[at + 1])) != 0) {
       const Piece& argument = arguments.at(static_cast<std::size_t>(pattern[at + 1] - '1'));
       const bool delimited = is_delimited(std::string_view(pattern).substr(0, at));
-      result += at_least(argument, delimited ? Level::statement : Level::fraction);
+      result += at_least(argument, delimited ? LatexLevel::statement : LatexLevel::fraction);
       ++at;
     } else {
       result += pattern[at];
@@ -96,12 +96,13 @@ Piece call_piece(const Expression& expression) {
   if (expression.definition != nullptr) {
     const std::string& pattern = expression.definition->latex;
     const bool has_places = pattern.find('#') != std::string::npos;
-    return {has_places ? filled(pattern, arguments) : pattern + listed(arguments), Level::atom};
+    return {has_places ? filled(pattern, arguments) : pattern + listed(arguments), LatexLevel::atom};
   }
-  if (expression.function == nullptr) return {"\\mathrm{" + expression.text + "}" + listed(arguments), Level::atom};
+  if (expression.function == nullptr)
+    return {"\\mathrm{" + expression.text + "}" + listed(arguments), LatexLevel::atom};
   const std::string& pattern = expression.function->latex;
-  Level level = is_closed(pattern) ? Level::atom : Level::product;
-  if (expression.type == types::truth) level = Level::comparison;
+  LatexLevel level = is_closed(pattern) ? LatexLevel::atom : LatexLevel::product;
+  if (expression.type == types::truth) level = LatexLevel::comparison;
   return {filled(pattern, arguments), level};
 }
 
@@ -121,14 +122,15 @@ std::string_view relation_of(Operation operation) {
 }
 
 Piece comparison_piece(const Expression& expression) {
-  return {at_least(piece_of(*expression.children[0]), Level::sum) + std::string(relation_of(expression.operation)) +
-              at_least(piece_of(*expression.children[1]), Level::sum),
-          Level::comparison};
+  return {at_least(piece_of(*expression.children[0]), LatexLevel::sum) +
+              std::string(relation_of(expression.operation)) +
+              at_least(piece_of(*expression.children[1]), LatexLevel::sum),
+          LatexLevel::comparison};
 }
 
 /// The last side of a comparison or of a chain of them; empty if there is none.
 std::string last_side(const Expression& expression) {
-  if (is_comparison(expression.operation)) return at_least(piece_of(*expression.children[1]), Level::sum);
+  if (is_comparison(expression.operation)) return at_least(piece_of(*expression.children[1]), LatexLevel::sum);
   const bool may_be_chain =
       expression.operation == Operation::conjunction && is_comparison(expression.children[1]->operation);
   return may_be_chain ? last_side(*expression.children[1]) : "";
@@ -139,22 +141,23 @@ Piece conjunction_piece(const Expression& expression) {
   const Expression& right = *expression.children[1];
   const Piece first = piece_of(left);
   const std::string middle = last_side(left);
-  if (is_comparison(right.operation) && !middle.empty() && first.level == Level::comparison &&
-      middle == at_least(piece_of(*right.children[0]), Level::sum)) {
-    return {first.text + std::string(relation_of(right.operation)) + at_least(piece_of(*right.children[1]), Level::sum),
-            Level::comparison};
+  if (is_comparison(right.operation) && !middle.empty() && first.level == LatexLevel::comparison &&
+      middle == at_least(piece_of(*right.children[0]), LatexLevel::sum)) {
+    return {first.text + std::string(relation_of(right.operation)) +
+                at_least(piece_of(*right.children[1]), LatexLevel::sum),
+            LatexLevel::comparison};
   }
-  return {at_least(first, Level::conjunction) + " \\land " + at_least(piece_of(right), Level::negation),
-          Level::conjunction};
+  return {at_least(first, LatexLevel::conjunction) + " \\land " + at_least(piece_of(right), LatexLevel::negation),
+          LatexLevel::conjunction};
 }
 
 Piece product_piece(const Expression& expression) {
-  const std::string left = at_least(piece_of(*expression.children[0]), Level::product);
-  const std::string right = at_least(piece_of(*expression.children[1]), Level::power);
+  const std::string left = at_least(piece_of(*expression.children[0]), LatexLevel::product);
+  const std::string right = at_least(piece_of(*expression.children[1]), LatexLevel::power);
   const bool begins_with_digit = std::isdigit(static_cast<unsigned char>(right[0])) != 0;
   // A name before a parenthesis would read like a function.
   const bool reads_like_call = right.starts_with("\\left(") && expression.children[0]->operation != Operation::literal;
-  return {left + (begins_with_digit || reads_like_call ? " \\cdot " : " ") + right, Level::product};
+  return {left + (begins_with_digit || reads_like_call ? " \\cdot " : " ") + right, LatexLevel::product};
 }
 
 bool is_half(const Expression& exponent) {
@@ -166,23 +169,23 @@ bool is_half(const Expression& exponent) {
 Piece power_piece(const Expression& expression) {
   const Piece base = piece_of(*expression.children[0]);
   const Expression& exponent = *expression.children[1];
-  if (is_half(exponent)) return {"\\sqrt{" + base.text + "}", Level::atom};
+  if (is_half(exponent)) return {"\\sqrt{" + base.text + "}", LatexLevel::atom};
   // A fraction above the line is hard to read.
   const std::string raised = exponent.operation == Operation::divide
-                                 ? at_least(piece_of(*exponent.children[0]), Level::product) + "/" +
-                                       at_least(piece_of(*exponent.children[1]), Level::power)
+                                 ? at_least(piece_of(*exponent.children[0]), LatexLevel::product) + "/" +
+                                       at_least(piece_of(*exponent.children[1]), LatexLevel::power)
                                  : piece_of(exponent).text;
-  return {at_least(base, Level::atom) + "^{" + raised + "}", Level::power};
+  return {at_least(base, LatexLevel::atom) + "^{" + raised + "}", LatexLevel::power};
 }
 
 Piece quantifier_piece(const Expression& expression) {
   return {(expression.operation == Operation::for_all ? "\\forall " : "\\exists ") + latex_name(expression.text) +
               " \\in " + piece_of(*expression.children[0]).text + "\\colon " +
-              at_least(piece_of(*expression.children[1]), Level::statement),
-          Level::statement};
+              at_least(piece_of(*expression.children[1]), LatexLevel::statement),
+          LatexLevel::statement};
 }
 
-Piece infix(const Expression& expression, std::string_view sign, Level level, Level left, Level right) {
+Piece infix(const Expression& expression, std::string_view sign, LatexLevel level, LatexLevel left, LatexLevel right) {
   return {at_least(piece_of(*expression.children[0]), left) + std::string(sign) +
               at_least(piece_of(*expression.children[1]), right),
           level};
@@ -198,26 +201,26 @@ Piece piece_of(const Expression& expression) {
     case Operation::call:
       return call_piece(expression);
     case Operation::negate:
-      return {"-" + at_least(part(0), Level::product), Level::sum};
+      return {"-" + at_least(part(0), LatexLevel::product), LatexLevel::sum};
     case Operation::add:
       // Of a sum, a sign would follow the sign.
-      return infix(expression, " + ", Level::sum, Level::sum, Level::product);
+      return infix(expression, " + ", LatexLevel::sum, LatexLevel::sum, LatexLevel::product);
     case Operation::subtract:
-      return infix(expression, " - ", Level::sum, Level::sum, Level::product);
+      return infix(expression, " - ", LatexLevel::sum, LatexLevel::sum, LatexLevel::product);
     case Operation::multiply:
       return product_piece(expression);
     case Operation::divide:
-      return {"\\frac{" + part(0).text + "}{" + part(1).text + "}", Level::fraction};
+      return {"\\frac{" + part(0).text + "}{" + part(1).text + "}", LatexLevel::fraction};
     case Operation::power:
       return power_piece(expression);
     case Operation::negation:
-      return {"\\lnot " + at_least(part(0), Level::atom), Level::negation};
+      return {"\\lnot " + at_least(part(0), LatexLevel::atom), LatexLevel::negation};
     case Operation::conjunction:
       return conjunction_piece(expression);
     case Operation::disjunction:
-      return infix(expression, " \\lor ", Level::disjunction, Level::disjunction, Level::conjunction);
+      return infix(expression, " \\lor ", LatexLevel::disjunction, LatexLevel::disjunction, LatexLevel::conjunction);
     case Operation::implication:
-      return infix(expression, " \\implies ", Level::statement, Level::disjunction, Level::statement);
+      return infix(expression, " \\implies ", LatexLevel::statement, LatexLevel::disjunction, LatexLevel::statement);
     case Operation::for_all:
     case Operation::exists:
       return quantifier_piece(expression);

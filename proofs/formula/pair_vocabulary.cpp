@@ -9,7 +9,7 @@ namespace delcert {
 namespace {
 
 template <class S>
-const SimplexObject& simplex_of(const Argument<S>& argument) {
+const SimplexObject& simplex_in_pair(const Argument<S>& argument) {
   return object_of<SimplexObject>(argument);
 }
 
@@ -46,8 +46,8 @@ struct AlignmentFrom {
 
 template <class S>
 Partial<Alignment<S>> known_alignment(Evaluation<S>& evaluation, Arguments<S> a) {
-  const SimplexObject& simplex = simplex_of(a[0]);
-  const SimplexObject& image = simplex_of(a[1]);
+  const SimplexObject& simplex = simplex_in_pair(a[0]);
+  const SimplexObject& image = simplex_in_pair(a[1]);
   require_pair(simplex, image);
   const auto& known = evaluation.template attached<AlignmentFrom<S>>(image, [&] {
     return AlignmentFrom<S>{&simplex, alignment(evaluation, simplex, image)};
@@ -62,8 +62,8 @@ void add_pair_quantities(Vocabulary& vocabulary) {
       number_function("gram_entry_difference", {types::simplex, types::simplex, types::integer, types::integer},
                       "E_ij of P̃ᵀP̃ = PᵀP + E, a squared length; i, j = 1 … k. The second simplex is the distorted one.",
                       "E_{#3#4}(#1, #2)", []<class S>(Evaluation<S>&, Arguments<S> a) -> Partial<S> {
-                        const SimplexObject& simplex = simplex_of(a[0]);
-                        const SimplexObject& image = simplex_of(a[1]);
+                        const SimplexObject& simplex = simplex_in_pair(a[0]);
+                        const SimplexObject& image = simplex_in_pair(a[1]);
                         require_pair(simplex, image);
                         const std::size_t i = index_of(simplex, integer_of(a[2]));
                         const std::size_t j = index_of(simplex, integer_of(a[3]));
@@ -72,8 +72,8 @@ void add_pair_quantities(Vocabulary& vocabulary) {
   vocabulary.add(number_function(
       "gram_difference_norm", {types::simplex, types::simplex}, "‖E‖ = s_1(E) for P̃ᵀP̃ = PᵀP + E, a squared length.",
       "\\lVert E(#1, #2)\\rVert", []<class S>(Evaluation<S>&, Arguments<S> a) -> Partial<S> {
-        require_pair(simplex_of(a[0]), simplex_of(a[1]));
-        const auto values = eigenvalues_by_scaling<S>(gram_difference(simplex_of(a[0]), simplex_of(a[1])));
+        require_pair(simplex_in_pair(a[0]), simplex_in_pair(a[1]));
+        const auto values = eigenvalues_by_scaling<S>(gram_difference(simplex_in_pair(a[0]), simplex_in_pair(a[1])));
         return values ? Partial<S>(norm_from_eigenvalues(*values)) : Partial<S>::absent(values.exists());
       }));
   vocabulary.add(number_function(

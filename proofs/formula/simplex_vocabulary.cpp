@@ -284,7 +284,7 @@ void add_singular_values(Vocabulary& vocabulary) {
       []<class S>(Evaluation<S>& e, Arguments<S> a) -> Partial<S> { return singular_value(e, simplex_of(a[0]), 1); }));
 }
 
-void add_predicates(Vocabulary& vocabulary) {
+void add_simplex_predicates(Vocabulary& vocabulary) {
   vocabulary.add(truth_function(
       "is_nondegenerate", {types::simplex}, "The vertices are affinely independent.", "#1\\text{ non-degenerate}",
       []<class S>(Evaluation<S>& e, Arguments<S> a) { return is_non_degenerate(simplex_of(a[0]).gram(e)); }));
@@ -318,7 +318,7 @@ void add_simplex_quantities(Vocabulary& vocabulary) {
   add_lengths(vocabulary);
   add_singular_values(vocabulary);
   add_dual_basis(vocabulary);
-  add_predicates(vocabulary);
+  add_simplex_predicates(vocabulary);
 }
 
 }  // namespace delcert

@@ -7,7 +7,7 @@ namespace delcert {
 namespace {
 
 /// The node with other children; the node itself if none has changed.
-ExpressionPointer with_children(const ExpressionPointer& node, std::vector<ExpressionPointer> children) {
+ExpressionPointer rebuilt_with(const ExpressionPointer& node, std::vector<ExpressionPointer> children) {
   if (children == node->children) return node;
   auto result = std::make_shared<Expression>(*node);
   result->children = std::move(children);
@@ -39,7 +39,7 @@ ExpressionPointer replaced(const ExpressionPointer& formula, const Replacements&
       children.push_back(replaced(child, replacements));
     }
   }
-  return with_children(formula, std::move(children));
+  return rebuilt_with(formula, std::move(children));
 }
 
 ExpressionPointer without_definitions(const ExpressionPointer& formula) {
@@ -52,7 +52,7 @@ ExpressionPointer without_definitions(const ExpressionPointer& formula) {
     }
     return replaced(without_definitions(formula->definition->body), arguments);
   }
-  return with_children(formula, std::move(children));
+  return rebuilt_with(formula, std::move(children));
 }
 
 ExpressionPointer number_expression(const Rational& value) {

@@ -11,7 +11,7 @@ namespace delcert {
 
 namespace {
 
-constexpr long greatest_exponent = 1000000;
+constexpr long greatest_literal_exponent = 1000000;
 /// A power of an integer is an integer up to this exponent.
 constexpr long greatest_integer_exponent = 64;
 
@@ -23,10 +23,10 @@ std::string described(const Type& type) {
 }
 
 /// The value of a term without names and functions; nothing for others, and for a division by 0 or huge powers.
-std::optional<Rational> constant_value(const Expression& expression) {
+std::optional<Rational> literal_value(const Expression& expression) {
   std::vector<Rational> parts;
   for (const auto& child : expression.children) {
-    const auto part = constant_value(*child);
+    const auto part = literal_value(*child);
     if (!part) return std::nullopt;
     parts.push_back(*part);
   }
@@ -46,7 +46,7 @@ std::optional<Rational> constant_value(const Expression& expression) {
       return parts[0] / parts[1];
     case Operation::power:
       if (parts[1].denominator() != 1 || parts[1] < Rational(0) || parts[1] > Rational(greatest_integer_exponent) ||
-          absolute(parts[0]) > Rational(greatest_exponent)) {
+          absolute(parts[0]) > Rational(greatest_literal_exponent)) {
         return std::nullopt;
       }
       return power(parts[0], static_cast<long>(parts[1].numerator()));
@@ -150,11 +150,11 @@ class Checker {
       throw FormulaError(exponent.offset, "an exponent must be made of integers and halves of them");
     }
     if (!has_leaves_of_numbers_only(exponent)) return;
-    const auto value = constant_value(exponent);
+    const auto value = literal_value(exponent);
     if (!value || (value->denominator() != 1 && value->denominator() != 2)) {
       throw FormulaError(exponent.offset, "an exponent that is neither an integer nor half of one");
     }
-    if (absolute(*value) > Rational(greatest_exponent)) {
+    if (absolute(*value) > Rational(greatest_literal_exponent)) {
       throw FormulaError(exponent.offset, "an exponent beyond 1000000");
     }
   }

@@ -159,6 +159,15 @@ template <class T, class S>
   return object_of<T>(std::get<Item>(argument));
 }
 
+/// What a name is bound to, of which the instance class knows that it is an object of this class, or a number.
+template <class T>
+[[nodiscard]] const T& object_in(const Bindings& bindings, const std::string& name) {
+  return object_of<T>(std::get<ObjectPointer>(bindings.at(name)));
+}
+[[nodiscard]] inline const Rational& number_in(const Bindings& bindings, const std::string& name) {
+  return std::get<Rational>(bindings.at(name));
+}
+
 /// The integer of an argument, and as an index.
 template <class S>
 [[nodiscard]] long integer_of(const Argument<S>& argument) {

@@ -11,9 +11,9 @@ namespace delcert {
 
 namespace {
 
-class Reader {
+class RowReader {
  public:
-  Reader(const std::string& text, const std::string& file) : toml_(text, file), table_(toml_.parse()) {}
+  RowReader(const std::string& text, const std::string& file) : toml_(text, file), table_(toml_.parse()) {}
 
   ConstantRows read() const {
     toml_.refuse_unknown(table_, {"constant", "without"});
@@ -89,7 +89,9 @@ class Reader {
 
 }  // namespace
 
-ConstantRows parse_constant_rows(const std::string& text, const std::string& file) { return Reader(text, file).read(); }
+ConstantRows parse_constant_rows(const std::string& text, const std::string& file) {
+  return RowReader(text, file).read();
+}
 
 const ConstantRows& builtin_constant_rows() {
   static const ConstantRows rows = [] {

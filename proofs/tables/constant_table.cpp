@@ -122,7 +122,7 @@ std::string worst_text(const ConstantEntry& entry) {
 }
 
 /// In a cell of a table, where a bar would end it.
-std::string in_cell(const std::string& text) {
+std::string in_table_cell(const std::string& text) {
   std::string result;
   for (const char c : text) result += c == '|' ? std::string("\\|") : std::string(1, c);
   return result;
@@ -177,7 +177,7 @@ equality occurs, rounded downwards. This page is what
 )";
   std::string notes;
   for (const ConstantEntry& entry : entries) {
-    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", entry.row.label, in_cell(entry.row.statement),
+    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", entry.row.label, in_table_cell(entry.row.statement),
                         paper_text(entry), or_dash(provable_text(entry)), or_dash(refuted_text(entry, "> ", "< ")),
                         or_dash(worst_text(entry)), or_dash(entry.witness));
     if (!entry.row.note.empty())

@@ -8,13 +8,10 @@ namespace delcert {
 
 namespace {
 
-const SizingObject& sizing_in(const Bindings& bindings) {
-  return object_of<SizingObject>(std::get<ObjectPointer>(bindings.at("f")));
+const SizingObject& sizing_in(const Bindings& bindings) { return object_in<SizingObject>(bindings, "f"); }
+const std::vector<Rational>& coordinates_in(const Bindings& bindings, const char* name) {
+  return object_in<PointObject>(bindings, name).coordinates();
 }
-const std::vector<Rational>& point_in(const Bindings& bindings, const char* name) {
-  return object_of<PointObject>(std::get<ObjectPointer>(bindings.at(name))).coordinates();
-}
-const Rational& number_in(const Bindings& bindings, const char* name) { return std::get<Rational>(bindings.at(name)); }
 
 ObjectPointer on_axis(std::size_t dimension, const Rational& coordinate) {
   std::vector<Rational> point(dimension);
@@ -127,9 +124,11 @@ class AdaptiveSamplingClass : public InstanceClass {
       throw InputError("c and mu_hat are not above 0");
     }
     for (const char* name : {"a", "x", "y"}) {
-      if (point_in(bindings, name).size() != f.dimension()) throw InputError(std::string(name) + " is not in R^m");
+      if (coordinates_in(bindings, name).size() != f.dimension())
+        throw InputError(std::string(name) + " is not in R^m");
       for (std::size_t axis = 1; axis < f.dimension(); ++axis) {
-        if (point_in(bindings, name)[axis] != Rational(0)) throw InputError(std::string(name) + " is not on the axis");
+        if (coordinates_in(bindings, name)[axis] != Rational(0))
+          throw InputError(std::string(name) + " is not on the axis");
       }
     }
     for (const auto& cone : f.cones()) {
@@ -137,9 +136,9 @@ class AdaptiveSamplingClass : public InstanceClass {
         if (cone.apex[axis] != Rational(0)) throw InputError("an apex of f is not on the axis");
       }
     }
-    const Rational& x = point_in(bindings, "x")[0];
-    const Rational& y = point_in(bindings, "y")[0];
-    if (absolute(x - point_in(bindings, "a")[0]) != number_in(bindings, "d")) {
+    const Rational& x = coordinates_in(bindings, "x")[0];
+    const Rational& y = coordinates_in(bindings, "y")[0];
+    if (absolute(x - coordinates_in(bindings, "a")[0]) != number_in(bindings, "d")) {
       throw InputError("d is not the distance of x from a");
     }
     const Rational distance = absolute(x - y);

@@ -7,18 +7,13 @@
 #include "kernel/number/exact_text.hpp"
 #include "kernel/simplex/matrix_norm.hpp"
 #include "properties/instances/configuration_geometry.hpp"
+#include "properties/instances/exact_point.hpp"
 
 namespace delcert {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Rational product(const std::vector<Rational>& a, const std::vector<Rational>& b) {
-  Rational result(0);
-  for (std::size_t axis = 0; axis < a.size(); ++axis) result += a[axis] * b[axis];
-  return result;
-}
 
 SymmetricMatrix<Rational> matrix_of(const std::vector<std::vector<Rational>>& rows) {
   SymmetricMatrix<Rational> result(rows.size());
@@ -41,7 +36,7 @@ ConfigurationMap::ConfigurationMap(Data data) : data_(std::move(data)) {
     throw InputError("a configuration map: stretching has a norm above stretch");
   }
   const Rational squared =
-      product(data_.fold_direction, data_.fold_direction) * product(data_.fold_normal, data_.fold_normal);
+      pairing(data_.fold_direction, data_.fold_direction) * pairing(data_.fold_normal, data_.fold_normal);
   if (data_.fold < Rational(0) || square(data_.fold) < squared) {
     throw InputError("a configuration map: its fold has a Lipschitz constant above fold");
   }
@@ -53,7 +48,7 @@ SimplexObject::Points ConfigurationMap::image(const SimplexObject::Points& point
   SimplexObject::Points result = points;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (points[i].size() != dimension()) throw InputError("a configuration map: a point of another dimension");
-    const Rational folded = absolute(product(data_.fold_normal, points[i]) - data_.fold_offset);
+    const Rational folded = absolute(pairing(data_.fold_normal, points[i]) - data_.fold_offset);
     for (std::size_t row = 0; row < dimension(); ++row) {
       for (std::size_t column = 0; column < dimension(); ++column) {
         result[i][row] += stretching(row, column) * points[i][column];

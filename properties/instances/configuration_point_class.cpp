@@ -73,8 +73,8 @@ class PointAndSimplexClass : public InstanceClass {
   }
 
   std::vector<Bindings> simpler(const Bindings& bindings) const override {
-    const auto& simplex = object_of<SimplexObject>(std::get<ObjectPointer>(bindings.at("s")));
-    const auto& x = object_of<PointObject>(std::get<ObjectPointer>(bindings.at("x")));
+    const auto& simplex = object_in<SimplexObject>(bindings, "s");
+    const auto& x = object_in<PointObject>(bindings, "x");
     Points all = simplex.points();
     all.push_back(x.coordinates());
     std::vector<Bindings> result;
@@ -92,8 +92,8 @@ class PointAndSimplexClass : public InstanceClass {
 
   void require(const Bindings& bindings) const override {
     require_signature(*this, bindings);
-    const auto& simplex = object_of<SimplexObject>(std::get<ObjectPointer>(bindings.at("s")));
-    const auto& x = object_of<PointObject>(std::get<ObjectPointer>(bindings.at("x")));
+    const auto& simplex = object_in<SimplexObject>(bindings, "s");
+    const auto& x = object_in<PointObject>(bindings, "x");
     const std::size_t m = simplex.ambient_dimension();
     if (!simplex.has_coordinates() || simplex.dimension() != m || m < 2 ||
         !is_proved(is_non_degenerate(simplex.exact_gram()))) {

@@ -13,47 +13,39 @@ namespace delcert {
 
 namespace {
 
-enum class Way : unsigned char { linear, smooth, inversion, transition, displaced, lifted, tilted };
+enum class MapKind : unsigned char { linear, smooth, inversion, transition, displaced, lifted, tilted };
 
-const SimplexObject& simplex_in(const Bindings& bindings, const std::string& name) {
-  return object_of<SimplexObject>(std::get<ObjectPointer>(bindings.at(name)));
-}
 const ExactPoint& point_in(const Bindings& bindings, const std::string& name) {
-  return object_of<PointObject>(std::get<ObjectPointer>(bindings.at(name))).coordinates();
+  return object_in<PointObject>(bindings, name).coordinates();
 }
-const MapObject& map_in(const Bindings& bindings) {
-  return object_of<MapObject>(std::get<ObjectPointer>(bindings.at("phi")));
-}
-const Rational& number_in(const Bindings& bindings, const std::string& name) {
-  return std::get<Rational>(bindings.at(name));
-}
+const MapObject& map_in(const Bindings& bindings) { return object_in<MapObject>(bindings, "phi"); }
 
-Way draw_way(Choices& choices) {
+MapKind draw_kind(Choices& choices) {
   const double kind = choices.unit();
-  if (kind < 0.2) return Way::linear;
-  if (kind < 0.35) return Way::smooth;
-  if (kind < 0.45) return Way::inversion;
-  if (kind < 0.5) return Way::transition;
-  if (kind < 0.75) return Way::displaced;
-  if (kind < 0.9) return Way::lifted;
-  return Way::tilted;
+  if (kind < 0.2) return MapKind::linear;
+  if (kind < 0.35) return MapKind::smooth;
+  if (kind < 0.45) return MapKind::inversion;
+  if (kind < 0.5) return MapKind::transition;
+  if (kind < 0.75) return MapKind::displaced;
+  if (kind < 0.9) return MapKind::lifted;
+  return MapKind::tilted;
 }
 
-MapObject::Form draw_map(const CentredSimplex& simplex, Way way, const Rational& xi, Choices& choices) {
+MapObject::Form draw_map(const CentredSimplex& simplex, MapKind way, const Rational& xi, Choices& choices) {
   switch (way) {
-    case Way::linear:
+    case MapKind::linear:
       return random_linear_map(simplex.centre.size(), xi, choices);
-    case Way::smooth:
+    case MapKind::smooth:
       return random_smooth_map(simplex, xi, choices);
-    case Way::inversion:
+    case MapKind::inversion:
       return random_inversion(simplex, minimum(xi, Rational(1) / Rational(2)), choices);
-    case Way::transition:
+    case MapKind::transition:
       if (auto map = random_transition(simplex.centre.size(), choices)) return *std::move(map);
       break;
-    case Way::lifted:
+    case MapKind::lifted:
       if (auto map = lifted_centre(simplex, xi, choices)) return *std::move(map);
       break;
-    case Way::tilted:
+    case MapKind::tilted:
       if (auto map = tilted_centre(simplex, xi, choices)) return *std::move(map);
       break;
     default:
@@ -84,7 +76,7 @@ class DistortionMapClass : public InstanceClass {
   std::optional<Instance> draw(const Shape& shape, const Bindings& given, const Limits& limits,
                                Choices& choices) const override {
     const double amount = choices.unit();
-    const Way way = draw_way(choices);
+    const MapKind way = draw_kind(choices);
     const bool exactly_at_limit = choices.happens(0.1);
     const bool wants_circumcentre = choices.happens(0.3);
     const bool wants_outside = choices.happens(0.1);
@@ -126,9 +118,9 @@ class DistortionMapClass : public InstanceClass {
 
   std::vector<Bindings> simpler(const Bindings& bindings) const override {
     // As a bare map of the same points, which has fewer numbers; these are then made simpler.
-    const SimplexObject& simplex = simplex_in(bindings, "s");
+    const SimplexObject& simplex = object_in<SimplexObject>(bindings, "s");
     const MapObject& map = map_in(bindings);
-    FiniteMap bare{simplex.points(), simplex_in(bindings, "t").points(), simplex.vertex_count()};
+    FiniteMap bare{simplex.points(), object_in<SimplexObject>(bindings, "t").points(), simplex.vertex_count()};
     bare.points.push_back(point_in(bindings, "c"));
     bare.images.push_back(point_in(bindings, "c_image"));
     if (map.is_in_domain(bare.points.back())) ++bare.domain_count;
@@ -185,7 +177,7 @@ class DistortionMapClass : public InstanceClass {
 
   void require(const Bindings& bindings) const override {
     require_signature(*this, bindings);
-    const SimplexObject& simplex = simplex_in(bindings, "s");
+    const SimplexObject& simplex = object_in<SimplexObject>(bindings, "s");
     if (!simplex.has_coordinates() || simplex.dimension() == 0 || !is_proved(is_non_degenerate(simplex.exact_gram()))) {
       throw InputError("distortion-map: s is not a non-degenerate simplex of at least two points");
     }
@@ -210,8 +202,8 @@ class DistortionMapClass : public InstanceClass {
       if (expected.at(name) != bindings.at(name))
         throw InputError(std::string("distortion-map: ") + name + " is not what it is called");
     }
-    const SimplexObject& image = simplex_in(bindings, "t");
-    if (image.points() != simplex_in(expected, "t").points() ||
+    const SimplexObject& image = object_in<SimplexObject>(bindings, "t");
+    if (image.points() != object_in<SimplexObject>(expected, "t").points() ||
         point_in(bindings, "c_image") != point_in(expected, "c_image")) {
       throw InputError("distortion-map: t and c_image are not the images of s and c");
     }
@@ -267,7 +259,7 @@ class DistortionMapClass : public InstanceClass {
 
   /// The same map on simpler vertices, with their circumcentre.
   static void propose_with_simpler_vertices(std::vector<Bindings>& result, const Bindings& bindings) {
-    const SimplexObject& simplex = simplex_in(bindings, "s");
+    const SimplexObject& simplex = object_in<SimplexObject>(bindings, "s");
     const auto map = std::make_shared<MapObject>(map_in(bindings));
     for (auto& points : simpler_points(simplex.points(), simplex.vertex_count(), simplex.ambient_dimension())) {
       const auto gram = edge_gram_from_points(points);
@@ -280,7 +272,7 @@ class DistortionMapClass : public InstanceClass {
   /// Linear maps with rounder entries, on the same points.
   static void propose_simpler_maps(std::vector<Bindings>& result, const Bindings& bindings, const LinearMap& map) {
     const auto propose_map = [&](LinearMap candidate) {
-      propose_if_fit(result, bindings, simplex_in(bindings, "s").points(), point_in(bindings, "c"),
+      propose_if_fit(result, bindings, object_in<SimplexObject>(bindings, "s").points(), point_in(bindings, "c"),
                      std::make_shared<MapObject>(std::move(candidate)));
     };
     for (const long bits : {1L, 3L, 7L, 15L, 30L}) {

@@ -10,23 +10,17 @@ namespace delcert {
 
 namespace {
 
-const Rational& number(const Bindings& bindings, const std::string& name) {
-  return std::get<Rational>(bindings.at(name));
-}
-
-const SimplexObject& configuration_of(const Bindings& bindings) {
-  return object_of<SimplexObject>(std::get<ObjectPointer>(bindings.at("t")));
-}
+const SimplexObject& configuration_of(const Bindings& bindings) { return object_in<SimplexObject>(bindings, "t"); }
 
 Configuration read_configuration(const Bindings& bindings) {
   return {configuration_of(bindings).points(),
-          number(bindings, "gamma0"),
-          number(bindings, "delta0"),
-          number(bindings, "mu0"),
-          number(bindings, "rho0"),
-          number(bindings, "epsilon"),
-          number(bindings, "perturbed_mu0"),
-          number(bindings, "perturbed_epsilon"),
+          number_in(bindings, "gamma0"),
+          number_in(bindings, "delta0"),
+          number_in(bindings, "mu0"),
+          number_in(bindings, "rho0"),
+          number_in(bindings, "epsilon"),
+          number_in(bindings, "perturbed_mu0"),
+          number_in(bindings, "perturbed_epsilon"),
           false};
 }
 

@@ -16,19 +16,6 @@ namespace {
 
 constexpr unsigned direction_bits = 10;
 
-Rational pairing_of(const ExactPoint& a, const ExactPoint& b) {
-  Rational result(0);
-  for (std::size_t axis = 0; axis < a.size(); ++axis) result += a[axis] * b[axis];
-  return result;
-}
-
-/// a + factor · b
-ExactPoint combined(const ExactPoint& a, const Rational& factor, const ExactPoint& b) {
-  ExactPoint result = a;
-  for (std::size_t axis = 0; axis < a.size(); ++axis) result[axis] += factor * b[axis];
-  return result;
-}
-
 ExactPoint random_direction(std::size_t dimension, Choices& choices) {
   ExactPoint result;
   for (std::size_t axis = 0; axis < dimension; ++axis) result.push_back(choices.symmetric(direction_bits));
@@ -45,7 +32,7 @@ std::optional<ExactPoint> normal_part(const SimplexObject& simplex, const ExactP
   const auto& points = simplex.points();
   std::vector<Rational> products;
   for (std::size_t i = 1; i < points.size(); ++i) {
-    products.push_back(pairing_of(direction, combined(points[i], Rational(-1), points[0])));
+    products.push_back(pairing(direction, combined(points[i], Rational(-1), points[0])));
   }
   const auto solution = GramElimination<Rational>(simplex.exact_gram().gram()).solve(std::move(products));
   if (!solution) return std::nullopt;
@@ -101,7 +88,7 @@ std::optional<CentredSimplex> with_centre(const SimplexObject& simplex, bool at_
   if (!normal) return std::nullopt;
   const Rational scale = size_of_root(sphere->squared_radius) * Rational::power_of_two(size);
   result.centre = combined(result.centre, scale, *normal);
-  result.squared_radius += square(scale) * pairing_of(*normal, *normal);
+  result.squared_radius += square(scale) * pairing(*normal, *normal);
   return result;
 }
 
@@ -131,7 +118,7 @@ SmoothMap random_smooth_map(const CentredSimplex& simplex, const Rational& xi, C
   for (long at = 0; at < count; ++at) {
     SmoothMap::Bump bump{random_direction(m, choices), random_direction(m, choices), choices.symmetric(direction_bits)};
     for (Rational& entry : bump.covector) entry /= unit;
-    bump.offset -= pairing_of(bump.covector, simplex.points[0]);
+    bump.offset -= pairing(bump.covector, simplex.points[0]);
     map.bumps.push_back(std::move(bump));
   }
   const Rational bound = lipschitz_bound(map);
@@ -210,10 +197,10 @@ FiniteMap displaced_points(const CentredSimplex& simplex, const Rational& xi, Ch
     for (std::size_t j = 0; j < i; ++j) {
       const ExactPoint edge = combined(map.points[i], Rational(-1), map.points[j]);
       const ExactPoint motion = combined(directions[i], Rational(-1), directions[j]);
-      const Rational squared = pairing_of(edge, edge);
+      const Rational squared = pairing(edge, edge);
       // The square of the length grows by the factor 1 + 2λa + λ²b.
-      const double a = approximate_double(pairing_of(edge, motion) * unit / squared);
-      const double b = approximate_double(pairing_of(motion, motion) * square(unit) / squared);
+      const double a = approximate_double(pairing(edge, motion) * unit / squared);
+      const double b = approximate_double(pairing(motion, motion) * square(unit) / squared);
       if (!(b > 0)) continue;
       const double most = bound * (2 + bound);
       const double longest = std::sqrt(a * a + b * most);
@@ -233,7 +220,7 @@ std::optional<FiniteMap> lifted_centre(const CentredSimplex& simplex, const Rati
   const SimplexObject object(simplex.points);
   const auto normal = normal_part(object, random_direction(simplex.centre.size(), choices));
   if (!normal) return std::nullopt;
-  const Rational squared_normal = pairing_of(*normal, *normal);
+  const Rational squared_normal = pairing(*normal, *normal);
   if (squared_normal == Rational(0) || xi >= Rational(1)) return std::nullopt;
   const Rational less = slightly_less(xi);
   FiniteMap map = shrunk_vertices(simplex, less);
@@ -249,7 +236,7 @@ std::optional<FiniteMap> lifted_centre(const CentredSimplex& simplex, const Rati
 std::optional<FiniteMap> tilted_centre(const CentredSimplex& simplex, const Rational& xi, Choices& choices) {
   if (simplex.points.size() != 2 || xi >= Rational(1)) return std::nullopt;
   const ExactPoint normal = combined(simplex.centre, Rational(-1), simplex.smallest);
-  const Rational squared_normal = pairing_of(normal, normal);
+  const Rational squared_normal = pairing(normal, normal);
   if (squared_normal == Rational(0)) return std::nullopt;
   const Rational less = slightly_less(xi);
   FiniteMap map = shrunk_vertices(simplex, less);

@@ -23,13 +23,7 @@ struct Overloaded : F... {
 template <class... F>
 Overloaded(F...) -> Overloaded<F...>;
 
-Rational pairing_of(const ExactPoint& a, const ExactPoint& b) {
-  Rational result(0);
-  for (std::size_t axis = 0; axis < a.size(); ++axis) result += a[axis] * b[axis];
-  return result;
-}
-
-ExactPoint sum(const ExactPoint& a, const ExactPoint& b) {
+ExactPoint translated(const ExactPoint& a, const ExactPoint& b) {
   ExactPoint result = a;
   for (std::size_t axis = 0; axis < a.size(); ++axis) result[axis] += b[axis];
   return result;
@@ -46,7 +40,7 @@ std::size_t dimension_of(const MapObject::Form& form) {
 
 std::optional<ExactPoint> image_under(const LinearMap& map, const ExactPoint& x) {
   ExactPoint result = map.translation;
-  for (std::size_t row = 0; row < result.size(); ++row) result[row] += pairing_of(map.rows[row], x);
+  for (std::size_t row = 0; row < result.size(); ++row) result[row] += pairing(map.rows[row], x);
   return result;
 }
 
@@ -63,13 +57,15 @@ std::optional<ExactPoint> image_under(const InversionMap& map, const ExactPoint&
 std::optional<ExactPoint> image_under(const SmoothMap& map, const ExactPoint& x) {
   ExactPoint result = x;
   for (const auto& bump : map.bumps) {
-    const Rational height = Rational(1) / (Rational(1) + square(pairing_of(bump.covector, x) + bump.offset));
+    const Rational height = Rational(1) / (Rational(1) + square(pairing(bump.covector, x) + bump.offset));
     for (std::size_t axis = 0; axis < x.size(); ++axis) result[axis] += height * bump.shift[axis];
   }
   return result;
 }
 
-std::optional<ExactPoint> image_under(const TransitionMap& map, const ExactPoint& x) { return sum(x, map.translation); }
+std::optional<ExactPoint> image_under(const TransitionMap& map, const ExactPoint& x) {
+  return translated(x, map.translation);
+}
 
 std::optional<ExactPoint> image_under(const FiniteMap& map, const ExactPoint& x) {
   const auto found = std::find(map.points.begin(), map.points.end(), x);
@@ -231,7 +227,7 @@ Rational lipschitz_bound(const SmoothMap& map) {
   constexpr unsigned bits = 60;
   Rational sum(0);
   for (const auto& bump : map.bumps) {
-    sum += square_root_upper(pairing_of(bump.shift, bump.shift) * pairing_of(bump.covector, bump.covector), bits);
+    sum += square_root_upper(pairing(bump.shift, bump.shift) * pairing(bump.covector, bump.covector), bits);
   }
   return Rational(13) / Rational(20) * sum;
 }

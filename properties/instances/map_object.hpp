@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "proofs/formula/simplex_object.hpp"
+#include "properties/instances/exact_point.hpp"
 
 namespace delcert {
 
@@ -13,7 +14,6 @@ namespace types {
 inline const Type map{"map", false};
 }  // namespace types
 
-using ExactPoint = std::vector<Rational>;
 
 /// x ↦ Ax + b on ℝᵐ; A by its rows.
 struct LinearMap {

@@ -20,15 +20,10 @@ const Rational& margin() {
   return result;
 }
 
-const NetObject& net_in(const Bindings& bindings, const char* name) {
-  return object_of<NetObject>(std::get<ObjectPointer>(bindings.at(name)));
-}
-const Rational& number_in(const Bindings& bindings, const char* name) { return std::get<Rational>(bindings.at(name)); }
-
 template <int m>
-class Draw {
+class NetDraw {
  public:
-  Draw(long factor, const Rational& slack, const Bindings& given, const Limits& limits, Choices& choices)
+  NetDraw(long factor, const Rational& slack, const Bindings& given, const Limits& limits, Choices& choices)
       : factor_(factor), slack_(slack), limits_(limits), choices_(choices) {
     result_.instance.bindings = given;
   }
@@ -238,8 +233,8 @@ class Draw {
 
 template <int m>
 void require_perturbed(const Bindings& bindings, long factor) {
-  const NetObject& p = net_in(bindings, "p");
-  const NetObject& q = net_in(bindings, "q");
+  const NetObject& p = object_in<NetObject>(bindings, "p");
+  const NetObject& q = object_in<NetObject>(bindings, "q");
   const Rational& epsilon = number_in(bindings, "epsilon");
   if (p.size() != q.size() || q.dimension() != m) throw InputError("p and q are nets of different sizes");
   const auto points = p.vectors<m>();
@@ -273,12 +268,13 @@ Signature net_signature() {
 
 std::optional<PerturbedNet> draw_perturbed_net(int dimension, long factor, const Rational& slack, const Bindings& given,
                                                const Limits& limits, Choices& choices) {
-  return with_net_dimension(dimension, [&]<int m>() { return Draw<m>(factor, slack, given, limits, choices).run(); });
+  return with_net_dimension(dimension,
+                            [&]<int m>() { return NetDraw<m>(factor, slack, given, limits, choices).run(); });
 }
 
 std::vector<Bindings> simpler_nets(const Bindings& bindings) {
-  const NetObject& p = net_in(bindings, "p");
-  const NetObject& q = net_in(bindings, "q");
+  const NetObject& p = object_in<NetObject>(bindings, "p");
+  const NetObject& q = object_in<NetObject>(bindings, "q");
   const auto rebound = [&](NetObject::Points first, NetObject::Points second) {
     Bindings result = bindings;
     auto net = std::make_shared<NetObject>(std::move(first), p.sampling_radius(), p.ball_radius());
@@ -305,7 +301,7 @@ std::vector<Bindings> simpler_nets(const Bindings& bindings) {
 }
 
 void require_perturbed_net(const Bindings& bindings, long factor) {
-  const NetObject& p = net_in(bindings, "p");
+  const NetObject& p = object_in<NetObject>(bindings, "p");
   if (std::get<long>(bindings.at("m")) != p.dimension()) throw InputError("m is not the dimension of p");
   with_net_dimension(p.dimension(), [&]<int m>() { require_perturbed<m>(bindings, factor); });
 }

@@ -10,10 +10,10 @@ namespace delcert {
 namespace {
 
 template <int m>
-class Search {
+class ForbiddenSearchInNet {
  public:
   /// Precondition: a `FilterGuard` is alive.
-  Search(const std::vector<Vector<Rational, m>>& points, const NetForbiddenParameters& parameters)
+  ForbiddenSearchInNet(const std::vector<Vector<Rational, m>>& points, const NetForbiddenParameters& parameters)
       : points_(points),
         filter_(FrameMetric<m>::cartesian().template on<Filter>()),
         exact_{square(parameters.flake_parameter), square(parameters.sampling_radius), square(parameters.protection)},
@@ -173,7 +173,7 @@ template <int m>
 std::optional<std::vector<std::uint32_t>> find_forbidden_configuration(const std::vector<Vector<Rational, m>>& points,
                                                                        const NetForbiddenParameters& parameters) {
   const FilterGuard guard;
-  return Search<m>(points, parameters).run();
+  return ForbiddenSearchInNet<m>(points, parameters).run();
 }
 
 template std::optional<std::vector<std::uint32_t>> find_forbidden_configuration<2>(

@@ -5,6 +5,7 @@
 
 #include "kernel/number/ladder.hpp"
 #include "kernel/simplex/realisability.hpp"
+#include "properties/instances/exact_point.hpp"
 #include "properties/instances/pair_distortion.hpp"
 
 namespace delcert {
@@ -15,12 +16,6 @@ using Points = SimplexObject::Points;
 using Point = std::vector<Rational>;
 
 constexpr unsigned share_bits = 10;
-
-Rational product(const Point& a, const Point& b) {
-  Rational result(0);
-  for (std::size_t axis = 0; axis < a.size(); ++axis) result += a[axis] * b[axis];
-  return result;
-}
 
 Point difference(const Point& a, const Point& b) {
   Point result = a;
@@ -41,7 +36,7 @@ Rational root_of_product(const Rational& a, const Rational& b) { return square_r
 }  // namespace
 
 Point reflected(const Point& point, const Point& normal) {
-  const Rational factor = Rational(2) * product(point, normal) / product(normal, normal);
+  const Rational factor = Rational(2) * pairing(point, normal) / pairing(normal, normal);
   Point result = point;
   for (std::size_t axis = 0; axis < point.size(); ++axis) result[axis] -= factor * normal[axis];
   return result;
@@ -50,7 +45,7 @@ Point reflected(const Point& point, const Point& normal) {
 Point random_normal(std::size_t dimension, Choices& choices) {
   Point result;
   for (std::size_t axis = 0; axis < dimension; ++axis) result.emplace_back(choices.between(-2, 2));
-  if (product(result, result) == Rational(0)) result[0] = Rational(1);
+  if (pairing(result, result) == Rational(0)) result[0] = Rational(1);
   return result;
 }
 
@@ -101,8 +96,8 @@ SimplexPointer displaced_image(const SimplexObject& simplex, const Points& direc
       const Point edge = difference(points[i], points[j]);
       const Point motion = difference(directions[i], directions[j]);
       const double length = std::sqrt(approximate_double(simplex.exact_gram().squared_edge(i, j) / square(unit)));
-      const double a = approximate_double(product(edge, motion) / unit);
-      const double b = approximate_double(product(motion, motion));
+      const double a = approximate_double(pairing(edge, motion) / unit);
+      const double b = approximate_double(pairing(motion, motion));
       if (b == 0) continue;
       step = std::min(step, largest_step(a, b, allowed * (2 * length + allowed)));
       const double least = allowed * (2 * length - allowed);

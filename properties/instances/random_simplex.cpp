@@ -6,6 +6,7 @@
 #include "kernel/number/ladder.hpp"
 #include "kernel/simplex/independence.hpp"
 #include "kernel/simplex/thickness.hpp"
+#include "properties/instances/exact_point.hpp"
 
 namespace delcert {
 
@@ -24,13 +25,6 @@ Point random_point(std::size_t dimension, Choices& choices) {
   Point point;
   for (std::size_t axis = 0; axis < dimension; ++axis) point.push_back(choices.symmetric(coordinate_bits));
   return point;
-}
-
-/// a + factor · b
-Point combined(const Point& a, const Rational& factor, const Point& b) {
-  Point result = a;
-  for (std::size_t axis = 0; axis < a.size(); ++axis) result[axis] += factor * b[axis];
-  return result;
 }
 
 /// The last vertex at a distance of about 2^−depth from the hull of the others, or of some of them.

@@ -8,9 +8,7 @@ namespace delcert {
 
 namespace {
 
-const RunObject& run_in(const Bindings& bindings) {
-  return object_of<RunObject>(std::get<ObjectPointer>(bindings.at("r")));
-}
+const RunObject& run_in(const Bindings& bindings) { return object_in<RunObject>(bindings, "r"); }
 
 RunRecipe draw_recipe(int dimension, const Rational& most_share, Choices& choices) {
   RunRecipe recipe;
@@ -98,8 +96,7 @@ class RunClass : public InstanceClass {
     require_signature(*this, bindings);
     const RunObject& run = run_in(bindings);
     const auto is = [&](const char* name, const Rational& value) {
-      if (std::get<Rational>(bindings.at(name)) != value)
-        throw InputError(std::string(name) + " is not that of the run");
+      if (number_in(bindings, name) != value) throw InputError(std::string(name) + " is not that of the run");
     };
     if (std::get<long>(bindings.at("m")) != run.dimension()) throw InputError("m is not the dimension of the run");
     is("epsilon", run.sampling_radius());

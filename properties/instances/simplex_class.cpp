@@ -29,7 +29,7 @@ class SimplexClass : public InstanceClass {
   }
 
   std::vector<Bindings> simpler(const Bindings& bindings) const override {
-    const auto& simplex = object_of<SimplexObject>(std::get<ObjectPointer>(bindings.at("s")));
+    const auto& simplex = object_in<SimplexObject>(bindings, "s");
     std::vector<Bindings> result;
     for (auto& points : simpler_points(simplex.points(), 2, 1)) {
       if (points.size() > points.front().size() + 1) continue;
@@ -43,7 +43,7 @@ class SimplexClass : public InstanceClass {
 
   void require(const Bindings& bindings) const override {
     require_signature(*this, bindings);
-    const auto& simplex = object_of<SimplexObject>(std::get<ObjectPointer>(bindings.at("s")));
+    const auto& simplex = object_in<SimplexObject>(bindings, "s");
     if (!simplex.has_coordinates() || simplex.dimension() == 0 || !is_proved(is_non_degenerate(simplex.exact_gram()))) {
       throw InputError("simplex: s is not a non-degenerate simplex of at least two points");
     }

@@ -15,10 +15,6 @@ using Points = SimplexObject::Points;
 
 enum class Way : unsigned char { linear, displaced, other, relengthened, star };
 
-const SimplexObject& simplex_in(const Bindings& bindings, const std::string& name) {
-  return object_of<SimplexObject>(std::get<ObjectPointer>(bindings.at(name)));
-}
-
 /// How large ξ shall be: the greatest that is allowed, or less.
 struct Aim {
   Rational greatest;
@@ -90,9 +86,9 @@ class SimplexPairClass : public InstanceClass {
   }
 
   std::vector<Bindings> simpler(const Bindings& bindings) const override {
-    const SimplexObject& simplex = simplex_in(bindings, "s");
-    const SimplexObject& image = simplex_in(bindings, "t");
-    const Rational& xi = std::get<Rational>(bindings.at("xi"));
+    const SimplexObject& simplex = object_in<SimplexObject>(bindings, "s");
+    const SimplexObject& image = object_in<SimplexObject>(bindings, "t");
+    const Rational& xi = number_in(bindings, "xi");
     std::vector<Bindings> result;
     const auto propose = [&](const SimplexPointer& s, const SimplexPointer& t) {
       if (!is_proved(is_non_degenerate(s->exact_gram())) || s->dimension() == 0) return;
@@ -145,8 +141,8 @@ class SimplexPairClass : public InstanceClass {
 
   void require(const Bindings& bindings) const override {
     require_signature(*this, bindings);
-    const SimplexObject& simplex = simplex_in(bindings, "s");
-    const SimplexObject& image = simplex_in(bindings, "t");
+    const SimplexObject& simplex = object_in<SimplexObject>(bindings, "s");
+    const SimplexObject& image = object_in<SimplexObject>(bindings, "t");
     if (simplex.dimension() == 0 || !is_proved(is_non_degenerate(simplex.exact_gram()))) {
       throw InputError("simplex-pair: s is not a non-degenerate simplex of at least two points");
     }
@@ -163,7 +159,7 @@ class SimplexPairClass : public InstanceClass {
         throw InputError("simplex-pair: m is not the dimension of the space");
       }
     }
-    const Rational& xi = std::get<Rational>(bindings.at("xi"));
+    const Rational& xi = number_in(bindings, "xi");
     if (xi < Rational(0) || !is_distortion_at_most(simplex, image, xi)) {
       throw InputError("simplex-pair: an edge differs by more than xi times the longest edge of s");
     }

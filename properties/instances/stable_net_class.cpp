@@ -15,12 +15,7 @@ namespace {
 constexpr long factor = 12;
 constexpr long chart_reach = 10;
 
-const NetObject& net_in(const Bindings& bindings, const char* name) {
-  return object_of<NetObject>(std::get<ObjectPointer>(bindings.at(name)));
-}
-const ChartMap& map_in(const Bindings& bindings) {
-  return object_of<PointObject>(std::get<ObjectPointer>(bindings.at("phi"))).coordinates();
-}
+const ChartMap& chart_map_in(const Bindings& bindings) { return object_in<PointObject>(bindings, "phi").coordinates(); }
 
 /// The other vertices of the star of the first point.
 std::vector<std::uint32_t> star_vertices(const NetObject& net, const Rational& distance) {
@@ -37,8 +32,8 @@ std::vector<std::uint32_t> star_vertices(const NetObject& net, const Rational& d
 
 /// What chart j sees: the images of the perturbed points whose originals are within 10ε of p_j, the point i first.
 NetObject::Points seen_from(const Bindings& bindings, std::size_t j) {
-  const NetObject& p = net_in(bindings, "p");
-  const NetObject& q = net_in(bindings, "q");
+  const NetObject& p = object_in<NetObject>(bindings, "p");
+  const NetObject& q = object_in<NetObject>(bindings, "q");
   const Rational reach = Rational(chart_reach) * p.sampling_radius();
   NetObject::Points points;
   for (std::size_t at = 0; at < q.size(); ++at) {
@@ -48,7 +43,7 @@ NetObject::Points seen_from(const Bindings& bindings, std::size_t j) {
     }
     if (squared <= square(reach)) points.push_back(q.points()[at]);
   }
-  return chart_image(map_in(bindings), points);
+  return chart_image(chart_map_in(bindings), points);
 }
 
 class StableNetClass : public InstanceClass {
@@ -78,8 +73,8 @@ class StableNetClass : public InstanceClass {
     auto drawn = draw_perturbed_net(shape.m, factor, slack, given, limits, choices);
     if (!drawn) return std::nullopt;
     Bindings& bindings = drawn->instance.bindings;
-    const auto& epsilon = std::get<Rational>(bindings.at("epsilon"));
-    const auto vertices = star_vertices(net_in(bindings, "q"), Rational(2) * epsilon);
+    const auto& epsilon = number_in(bindings, "epsilon");
+    const auto vertices = star_vertices(object_in<NetObject>(bindings, "q"), Rational(2) * epsilon);
     if (vertices.empty()) return std::nullopt;
     const std::uint32_t j =
         vertices[static_cast<std::size_t>(choices.between(0, static_cast<long>(vertices.size()) - 1))];
@@ -100,23 +95,23 @@ class StableNetClass : public InstanceClass {
   void require(const Bindings& bindings) const override {
     require_signature(*this, bindings);
     require_perturbed_net(bindings, factor);
-    const NetObject& p = net_in(bindings, "p");
-    const auto& xi = std::get<Rational>(bindings.at("xi"));
-    if (xi < Rational(0) || xi >= Rational(1) || !has_chart_distortion(map_in(bindings), p.dimension(), xi)) {
+    const NetObject& p = object_in<NetObject>(bindings, "p");
+    const auto& xi = number_in(bindings, "xi");
+    if (xi < Rational(0) || xi >= Rational(1) || !has_chart_distortion(chart_map_in(bindings), p.dimension(), xi)) {
       throw InputError("phi has a distortion above xi");
     }
     // The image is a net with the same parameters.
-    const auto& epsilon = std::get<Rational>(bindings.at("epsilon"));
+    const auto& epsilon = number_in(bindings, "epsilon");
     if (p.covering()->upper * (Rational(1) + xi) > epsilon) throw InputError("the image of p is not epsilon-dense");
     Bindings stretched = bindings;
-    stretched["mu0"] = std::get<Rational>(bindings.at("mu0")) / (Rational(1) - xi);
+    stretched["mu0"] = number_in(bindings, "mu0") / (Rational(1) - xi);
     require_perturbed_net(stretched, factor);
     const long j = std::get<long>(bindings.at("j"));
-    const auto vertices = star_vertices(net_in(bindings, "q"), Rational(2) * epsilon);
+    const auto vertices = star_vertices(object_in<NetObject>(bindings, "q"), Rational(2) * epsilon);
     if (j < 0 || !std::binary_search(vertices.begin(), vertices.end(), static_cast<std::uint32_t>(j))) {
       throw InputError("j is not a vertex of the star of q");
     }
-    if (net_in(bindings, "w").points() != seen_from(bindings, static_cast<std::size_t>(j))) {
+    if (object_in<NetObject>(bindings, "w").points() != seen_from(bindings, static_cast<std::size_t>(j))) {
       throw InputError("w is not what the chart of j sees");
     }
   }

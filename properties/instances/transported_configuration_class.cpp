@@ -11,15 +11,6 @@ namespace delcert {
 
 namespace {
 
-const Rational& number(const Bindings& bindings, const std::string& name) {
-  return std::get<Rational>(bindings.at(name));
-}
-
-template <class T>
-const T& object(const Bindings& bindings, const std::string& name) {
-  return object_of<T>(std::get<ObjectPointer>(bindings.at(name)));
-}
-
 /// The hypotheses of lem:prop.forbid.cfg beside those of the claim: with them a forbidden configuration has P1 … P4.
 class LemmaLimits : public Limits {
  public:
@@ -28,9 +19,9 @@ class LemmaLimits : public Limits {
     const auto given = given_.most(name, bound, exact);
     std::optional<Rational> own;
     if (name == "mu0") own = Rational(1);
-    if (name == "rho0") own = number(bound, "mu0") / Rational(4);
-    if (name == "gamma0") own = Rational(2) * square(number(bound, "mu0")) / Rational(75);
-    if (name == "delta0") own = power(number(bound, "gamma0"), std::get<long>(bound.at("m")) + 1);
+    if (name == "rho0") own = number_in(bound, "mu0") / Rational(4);
+    if (name == "gamma0") own = Rational(2) * square(number_in(bound, "mu0")) / Rational(75);
+    if (name == "delta0") own = power(number_in(bound, "gamma0"), std::get<long>(bound.at("m")) + 1);
     return given && own ? minimum(*given, *own) : given ? given : own;
   }
 
@@ -174,10 +165,10 @@ class TransportedConfigurationClass : public InstanceClass {
     bool at_boundary = configuration->at_boundary;
     bound["xi"] = draw_distortion(shape, limits, bound, choices, at_boundary);
     draw_radii(limits, bound, choices, at_boundary);
-    const Rational factor = number(bound, "epsilon_j") / configuration->epsilon;
+    const Rational factor = number_in(bound, "epsilon_j") / configuration->epsilon;
     *configuration = scaled(*std::move(configuration), factor);
     const auto map = std::make_shared<ConfigurationMap>(
-        random_map(static_cast<std::size_t>(shape.m), number(bound, "xi"), configuration->points, choices));
+        random_map(static_cast<std::size_t>(shape.m), number_in(bound, "xi"), configuration->points, choices));
     bound["f"] = ObjectPointer(map);
     bound["u"] = ObjectPointer(std::make_shared<SimplexObject>(map->image(configuration->points)));
     bound["t"] = ObjectPointer(std::make_shared<SimplexObject>(std::move(configuration->points)));
@@ -188,11 +179,11 @@ class TransportedConfigurationClass : public InstanceClass {
 
   std::vector<Bindings> simpler(const Bindings& bindings) const override {
     std::vector<Bindings> result;
-    const auto& map = object<ConfigurationMap>(bindings, "f");
+    const auto& map = object_in<ConfigurationMap>(bindings, "f");
     const auto keep = [&](const SimplexObject::Points& points, ConfigurationMap::Data data) {
       Bindings candidate = bindings;
       candidate["t"] = ObjectPointer(std::make_shared<SimplexObject>(points));
-      data.stretch = minimum(data.stretch, number(bindings, "xi"));
+      data.stretch = minimum(data.stretch, number_in(bindings, "xi"));
       try {
         const auto changed = std::make_shared<ConfigurationMap>(std::move(data));
         candidate["u"] = ObjectPointer(std::make_shared<SimplexObject>(changed->image(points)));
@@ -203,7 +194,7 @@ class TransportedConfigurationClass : public InstanceClass {
       }
       result.push_back(std::move(candidate));
     };
-    const auto& points = object<SimplexObject>(bindings, "t").points();
+    const auto& points = object_in<SimplexObject>(bindings, "t").points();
     const std::size_t m = map.dimension();
     const std::vector<Rational> zero(m, Rational(0));
     if (map.data().mirror != zero) {
@@ -231,9 +222,9 @@ class TransportedConfigurationClass : public InstanceClass {
   void require(const Bindings& bindings) const override {
     require_signature(*this, bindings);
     const auto refuse = [this](const std::string& why) { throw InputError(name() + ": " + why); };
-    const auto& t = object<SimplexObject>(bindings, "t");
-    const auto& u = object<SimplexObject>(bindings, "u");
-    const auto& map = object<ConfigurationMap>(bindings, "f");
+    const auto& t = object_in<SimplexObject>(bindings, "t");
+    const auto& u = object_in<SimplexObject>(bindings, "u");
+    const auto& map = object_in<ConfigurationMap>(bindings, "f");
     if (!t.has_coordinates() || !u.has_coordinates()) refuse("t or u has no coordinates");
     const std::size_t m = t.ambient_dimension();
     if (t.dimension() < 3 || std::get<long>(bindings.at("k")) + 1 != static_cast<long>(t.dimension()) ||
@@ -241,23 +232,24 @@ class TransportedConfigurationClass : public InstanceClass {
       refuse("k + 1 and m are not the dimensions of t and f");
     }
     for (const char* positive : {"gamma0", "mu0", "epsilon_i", "epsilon_j"}) {
-      if (number(bindings, positive) <= Rational(0)) refuse(std::string(positive) + " is not positive");
+      if (number_in(bindings, positive) <= Rational(0)) refuse(std::string(positive) + " is not positive");
     }
-    if (Rational(1) < number(bindings, "gamma0")) refuse("gamma0 is above 1");
-    if (number(bindings, "epsilon0") < Rational(0) || number(bindings, "delta0") < Rational(0)) {
+    if (Rational(1) < number_in(bindings, "gamma0")) refuse("gamma0 is above 1");
+    if (number_in(bindings, "epsilon0") < Rational(0) || number_in(bindings, "delta0") < Rational(0)) {
       refuse("epsilon0 or delta0 is negative");
     }
-    if ((Rational(1) + number(bindings, "epsilon0")) * number(bindings, "epsilon_j") < number(bindings, "epsilon_i")) {
+    if ((Rational(1) + number_in(bindings, "epsilon0")) * number_in(bindings, "epsilon_j") <
+        number_in(bindings, "epsilon_i")) {
       refuse("epsilon_i is above (1 + epsilon0)*epsilon_j");
     }
-    if (number(bindings, "xi") < map.distortion()) refuse("f has a distortion above xi");
+    if (number_in(bindings, "xi") < map.distortion()) refuse("f has a distortion above xi");
     if (map.image(t.points()) != u.points()) refuse("u is not the image of t under f");
     Configuration configuration;
     configuration.points = t.points();
-    configuration.gamma0 = number(bindings, "gamma0");
-    configuration.delta0 = number(bindings, "delta0");
-    configuration.mu0 = number(bindings, "mu0");
-    configuration.epsilon = number(bindings, "epsilon_j");
+    configuration.gamma0 = number_in(bindings, "gamma0");
+    configuration.delta0 = number_in(bindings, "delta0");
+    configuration.mu0 = number_in(bindings, "mu0");
+    configuration.epsilon = number_in(bindings, "epsilon_j");
     if (!has_forbidden_properties(configuration)) refuse("t has not the properties P1 ... P4");
   }
 
@@ -277,7 +269,7 @@ class TransportedConfigurationClass : public InstanceClass {
       return shortened_down(most * share * Rational::power_of_two(-choices.between(0, lowest_exponent)), 8);
     }
     // So small that it hardly matters: what is left is the hoop itself.
-    return shortened_down(minimum(most, power(number(bound, "gamma0"), 4L * shape.k + 2)) * share, 8);
+    return shortened_down(minimum(most, power(number_in(bound, "gamma0"), 4L * shape.k + 2)) * share, 8);
   }
 
   static void draw_radii(const Limits& limits, Bindings& bound, Choices& choices, bool& at_boundary) {
@@ -289,8 +281,8 @@ class TransportedConfigurationClass : public InstanceClass {
     bound["epsilon0"] = kind < 0.5 ? most : shortened_down(most * choices.fraction(6), 8);
     const Rational i = choices.happens(0.8) ? Rational(1) : Rational::power_of_two(choices.between(-30, 30));
     bound["epsilon_i"] = i;
-    const Rational widest = (Rational(1) + number(bound, "epsilon0")) * i;
-    const Rational narrowest = i / (Rational(1) + number(bound, "epsilon0"));
+    const Rational widest = (Rational(1) + number_in(bound, "epsilon0")) * i;
+    const Rational narrowest = i / (Rational(1) + number_in(bound, "epsilon0"));
     const Rational largest = limits.most("epsilon_j", bound, true).value_or(Rational(64) * widest);
     const double where = choices.unit();
     bound["epsilon_j"] = where < 0.6   ? largest

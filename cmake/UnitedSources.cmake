@@ -1,0 +1,12 @@
+# Half of what a compiler does for a source of ours, it does for others, too: it reads the same headers and instantiates
+# the same templates. So several sources are compiled as one where all is built once: ./run and ./test. It is off
+# otherwise, since a change of one source then compiles its neighbours, and clang-tidy wants them one by one.
+option(DELCERT_UNITED_SOURCES "Compile several sources as one: quicker clean builds" OFF)
+
+# delcert_unite(TARGET NUMBER): so many of the target's sources at a time, 0: all. What is in their unnamed namespaces
+# has different names. Not for what rounding is the essence of: the arithmetic is compiled as it is read.
+function(delcert_unite target number)
+  if(DELCERT_UNITED_SOURCES)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${number})
+  endif()
+endfunction()
