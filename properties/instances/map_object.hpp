@@ -14,7 +14,6 @@ namespace types {
 inline const Type map{"map", false};
 }  // namespace types
 
-
 /// x ↦ Ax + b on ℝᵐ; A by its rows.
 struct LinearMap {
   std::vector<ExactPoint> rows;
