@@ -15,13 +15,13 @@ namespace {
 
 constexpr int compression_level = 3;
 
-struct FreeCompressor {
-  void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
-};
-
 }  // namespace
 
 struct ByteSink::State {
+  struct FreeCompressor {
+    void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
+  };
+
   explicit State(const std::filesystem::path& path) : file(path) {
     sha256_init(&hash);
     if (path.extension() == ".zst") {

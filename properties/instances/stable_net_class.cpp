@@ -12,7 +12,7 @@ namespace delcert {
 
 namespace {
 
-constexpr long factor = 12;
+constexpr long net_factor = 12;
 constexpr long chart_reach = 10;
 
 const ChartMap& chart_map_in(const Bindings& bindings) { return object_in<PointObject>(bindings, "phi").coordinates(); }
@@ -70,7 +70,7 @@ class StableNetClass : public InstanceClass {
   std::optional<Instance> draw(const Shape& shape, const Bindings& given, const Limits& limits,
                                Choices& choices) const override {
     const Rational slack = Rational::power_of_two(choices.happens(0.5) ? -4 : -choices.between(5, 40));
-    auto drawn = draw_perturbed_net(shape.m, factor, slack, given, limits, choices);
+    auto drawn = draw_perturbed_net(shape.m, net_factor, slack, given, limits, choices);
     if (!drawn) return std::nullopt;
     Bindings& bindings = drawn->instance.bindings;
     const auto& epsilon = number_in(bindings, "epsilon");
@@ -94,7 +94,7 @@ class StableNetClass : public InstanceClass {
 
   void require(const Bindings& bindings) const override {
     require_signature(*this, bindings);
-    require_perturbed_net(bindings, factor);
+    require_perturbed_net(bindings, net_factor);
     const NetObject& p = object_in<NetObject>(bindings, "p");
     const auto& xi = number_in(bindings, "xi");
     if (xi < Rational(0) || xi >= Rational(1) || !has_chart_distortion(chart_map_in(bindings), p.dimension(), xi)) {
@@ -105,7 +105,7 @@ class StableNetClass : public InstanceClass {
     if (p.covering()->upper * (Rational(1) + xi) > epsilon) throw InputError("the image of p is not epsilon-dense");
     Bindings stretched = bindings;
     stretched["mu0"] = number_in(bindings, "mu0") / (Rational(1) - xi);
-    require_perturbed_net(stretched, factor);
+    require_perturbed_net(stretched, net_factor);
     const long j = std::get<long>(bindings.at("j"));
     const auto vertices = star_vertices(object_in<NetObject>(bindings, "q"), Rational(2) * epsilon);
     if (j < 0 || !std::binary_search(vertices.begin(), vertices.end(), static_cast<std::uint32_t>(j))) {

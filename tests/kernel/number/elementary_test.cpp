@@ -7,11 +7,10 @@
 
 #include "kernel/number/rounding_guard.hpp"
 #include "tests/kernel/number/arb_reference.hpp"
+#include "tests/support/ratio.hpp"
 
 namespace delcert::test {
 namespace {
-
-Rational ratio(long a, long b) { return Rational(a) / Rational(b); }
 
 template <class Ours, class Theirs>
 void expect_enclosure(const Ours& ours, const Theirs& theirs, const Rational& x) {

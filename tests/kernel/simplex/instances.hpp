@@ -11,6 +11,7 @@
 
 #include "kernel/number/ladder.hpp"
 #include "kernel/simplex/edge_gram.hpp"
+#include "tests/support/ratio.hpp"
 
 namespace delcert {
 
@@ -29,8 +30,6 @@ using Points = std::vector<std::vector<Rational>>;
 inline const int fixed_seed = setenv("RC_PARAMS", "seed=20240229 max_success=300", 0);
 
 inline const BigInterval::Precision precision{PrecisionBits{128}};
-
-inline Rational ratio(long numerator, long denominator) { return Rational(numerator) / Rational(denominator); }
 
 /// The points on another rung.
 template <class S>

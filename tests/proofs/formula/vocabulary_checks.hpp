@@ -9,6 +9,7 @@
 #include "proofs/formula/simplex_object.hpp"
 #include "proofs/formula/type_check.hpp"
 #include "properties/instances/instance_class.hpp"
+#include "tests/support/ratio.hpp"
 
 namespace delcert {
 
@@ -17,8 +18,6 @@ inline void PrintTo(Verdict verdict, std::ostream* stream) { *stream << name_of(
 }  // namespace delcert
 
 namespace delcert::test {
-
-inline Rational ratio(long a, long b) { return Rational(a) / Rational(b); }
 
 inline ObjectPointer simplex(SimplexObject::Points points) {
   return std::make_shared<SimplexObject>(std::move(points));

@@ -8,6 +8,7 @@
 #include "proofs/formula/arithmetic_vocabulary.hpp"
 #include "proofs/formula/claim.hpp"
 #include "proofs/prover/prover.hpp"
+#include "tests/support/ratio.hpp"
 
 namespace delcert {
 
@@ -39,7 +40,5 @@ inline StepOutcome outcome(const std::string& lines, const SearchLimits& limits 
 }
 
 inline Verdict verdict(const std::string& lines) { return outcome(lines).verdict; }
-
-inline Rational ratio(long a, long b) { return Rational(a) / Rational(b); }
 
 }  // namespace delcert::test

@@ -12,11 +12,9 @@
 namespace delcert {
 namespace {
 
-const InstanceClass& tested() { return configuration_point_class(); }
-
 std::optional<Instance> draw(int m, std::uint32_t number) {
   RandomChoices choices(9, static_cast<std::uint32_t>(m), number);
-  return tested().draw({m, m}, {}, NoLimits(), choices);
+  return configuration_point_class().draw({m, m}, {}, NoLimits(), choices);
 }
 
 Bindings thales() {
@@ -26,25 +24,25 @@ Bindings thales() {
 }
 
 TEST(ConfigurationPointClass, DrawsOfEveryShapeAreInstances) {
-  for (const Shape& shape : tested().shapes()) {
+  for (const Shape& shape : configuration_point_class().shapes()) {
     constexpr std::uint32_t count = 50;
     std::uint32_t kept = 0;
     for (std::uint32_t number = 0; number < count; ++number) {
       const auto instance = draw(shape.m, number);
       if (!instance) continue;
       ++kept;
-      EXPECT_NO_THROW(tested().require(instance->bindings));
+      EXPECT_NO_THROW(configuration_point_class().require(instance->bindings));
     }
     EXPECT_GE(kept * 5, count * 4);
   }
 }
 
 TEST(ConfigurationPointClass, WhatIsNoInstanceIsRefused) {
-  EXPECT_NO_THROW(tested().require(thales()));
+  EXPECT_NO_THROW(configuration_point_class().require(thales()));
   const auto refused = [](const std::string& name, const Binding& value) {
     Bindings bad = thales();
     bad[name] = value;
-    EXPECT_THROW(tested().require(bad), InputError) << name;
+    EXPECT_THROW(configuration_point_class().require(bad), InputError) << name;
   };
   refused("m", 3L);
   refused("x", ObjectPointer(std::make_shared<PointObject>(std::vector<Rational>{0, 1, 2})));
@@ -60,7 +58,7 @@ TEST(ConfigurationPointClass, ThePointOverTheMiddleOfAnEdgeRefutesThatTopSimplic
 }
 
 TEST(ConfigurationPointClass, SimplerInstancesAreInstancesAndReadBack) {
-  const auto simpler = tested().simpler(draw(3, 1).value().bindings);
+  const auto simpler = configuration_point_class().simpler(draw(3, 1).value().bindings);
   EXPECT_FALSE(simpler.empty());
   for (Bindings bindings : simpler) {
     for (const std::string name : {"s", "x"}) {
@@ -68,7 +66,7 @@ TEST(ConfigurationPointClass, SimplerInstancesAreInstancesAndReadBack) {
       bindings[name] = full_vocabulary().read(name == "s" ? "simplex" : "point", json);
       EXPECT_EQ(std::get<ObjectPointer>(bindings.at(name))->json(), json);
     }
-    EXPECT_NO_THROW(tested().require(bindings));
+    EXPECT_NO_THROW(configuration_point_class().require(bindings));
   }
 }
 

@@ -4,11 +4,10 @@
 
 #include "properties/instances/map_object.hpp"
 #include "tests/properties/instances/class_checks.hpp"
+#include "tests/support/ratio.hpp"
 
 namespace delcert::test {
 namespace {
-
-Rational ratio(long a, long b) { return Rational(a) / Rational(b); }
 
 std::string form_of(const Bindings& bindings) {
   return object_of<MapObject>(std::get<ObjectPointer>(bindings.at("phi"))).form_name();

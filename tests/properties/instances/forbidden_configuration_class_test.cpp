@@ -13,17 +13,15 @@
 namespace delcert {
 namespace {
 
-const InstanceClass& tested() { return forbidden_configuration_class(); }
-
 /// What the lemma's hypotheses, with μ₀ ≤ 1, leave.
 std::optional<Instance> draw(const Shape& shape, std::uint32_t number) {
   static const Claim claim = find_claim("properties-of-forbidden-configurations-mended");
   static const HypothesisLimits limits(claim);
   RandomChoices choices(3, static_cast<std::uint32_t>(shape.k * 16 + shape.m), number);
-  return tested().draw(shape, {}, limits, choices);
+  return forbidden_configuration_class().draw(shape, {}, limits, choices);
 }
 
-Instance some_instance(const Shape& shape = {2, 2}) {
+Instance some_configuration(const Shape& shape = {2, 2}) {
   for (std::uint32_t number = 0;; ++number) {
     if (auto instance = draw(shape, number)) return *instance;
   }
@@ -35,7 +33,7 @@ const SimplexObject& simplex_of(const Bindings& bindings) {
 
 TEST(ForbiddenConfigurationClass, DrawsOfEveryShapeAreInstancesAndFewAreDiscarded) {
   std::set<Trait> traits;
-  for (const Shape& shape : tested().shapes()) {
+  for (const Shape& shape : forbidden_configuration_class().shapes()) {
     constexpr std::uint32_t count = 20;
     std::uint32_t kept = 0;
     for (std::uint32_t number = 0; number < count; ++number) {
@@ -43,7 +41,7 @@ TEST(ForbiddenConfigurationClass, DrawsOfEveryShapeAreInstancesAndFewAreDiscarde
       if (!instance) continue;
       ++kept;
       traits.insert(instance->traits.begin(), instance->traits.end());
-      EXPECT_NO_THROW(tested().require(instance->bindings));
+      EXPECT_NO_THROW(forbidden_configuration_class().require(instance->bindings));
     }
     EXPECT_GE(kept * 5, count * 4);
   }
@@ -51,11 +49,11 @@ TEST(ForbiddenConfigurationClass, DrawsOfEveryShapeAreInstancesAndFewAreDiscarde
 }
 
 TEST(ForbiddenConfigurationClass, WhatIsNoForbiddenConfigurationIsRefused) {
-  const Bindings good = some_instance().bindings;
+  const Bindings good = some_configuration().bindings;
   const auto refused = [&good](const std::string& name, const Binding& value) {
     Bindings bad = good;
     bad[name] = value;
-    EXPECT_THROW(tested().require(bad), InputError) << name;
+    EXPECT_THROW(forbidden_configuration_class().require(bad), InputError) << name;
   };
   refused("gamma0", Rational(0));
   refused("gamma0", Rational(2));
@@ -78,22 +76,22 @@ TEST(ForbiddenConfigurationClass, WhatIsNoForbiddenConfigurationIsRefused) {
   refused("t", ObjectPointer(std::make_shared<SimplexObject>(squared_distance_matrix(simplex_of(good).exact_gram()))));
   Bindings without = good;
   without.erase("rho0");
-  EXPECT_THROW(tested().require(without), InputError);
+  EXPECT_THROW(forbidden_configuration_class().require(without), InputError);
 }
 
 TEST(ForbiddenConfigurationClass, AWitnessReadsBackBitForBit) {
-  const Instance instance = some_instance({3, 4});
+  const Instance instance = some_configuration({3, 4});
   const auto json = simplex_of(instance.bindings).json();
   Bindings again = instance.bindings;
   again["t"] = full_vocabulary().read("simplex", nlohmann::ordered_json::parse(json.dump()));
   EXPECT_EQ(simplex_of(again).points(), simplex_of(instance.bindings).points());
-  EXPECT_NO_THROW(tested().require(again));
+  EXPECT_NO_THROW(forbidden_configuration_class().require(again));
 }
 
 TEST(ForbiddenConfigurationClass, SimplerInstancesAreInstances) {
-  const auto simpler = tested().simpler(some_instance().bindings);
+  const auto simpler = forbidden_configuration_class().simpler(some_configuration().bindings);
   EXPECT_FALSE(simpler.empty());
-  for (const Bindings& bindings : simpler) EXPECT_NO_THROW(tested().require(bindings));
+  for (const Bindings& bindings : simpler) EXPECT_NO_THROW(forbidden_configuration_class().require(bindings));
 }
 
 TEST(ForbiddenConfigurationClass, ThePapersClaimIsRefutedByTheHexagonalNet) {
@@ -102,9 +100,9 @@ TEST(ForbiddenConfigurationClass, ThePapersClaimIsRefutedByTheHexagonalNet) {
   bool refuted = false;
   for (std::uint32_t number = 0; number < 60 && !refuted; ++number) {
     RandomChoices choices(1, 0, number);
-    const auto instance = tested().draw({2, 2}, {}, limits, choices);
+    const auto instance = forbidden_configuration_class().draw({2, 2}, {}, limits, choices);
     if (!instance || std::get<Rational>(instance->bindings.at("mu0")) <= Rational(1)) continue;
-    tested().require(instance->bindings);
+    forbidden_configuration_class().require(instance->bindings);
     const Attempt result = attempt(claim, instance->bindings);
     ASSERT_EQ(result.hypotheses, Verdict::proved);
     for (std::size_t i = 0; i < claim.conclusions.size(); ++i) {
@@ -118,8 +116,8 @@ TEST(ForbiddenConfigurationClass, ThePapersClaimIsRefutedByTheHexagonalNet) {
 
 RC_GTEST_PROP(ForbiddenConfigurationClass, TheMendedClaimHolds, ()) {
   static const Claim claim = find_claim("properties-of-forbidden-configurations-mended");
-  const auto shapes = tested().shapes();
-  const auto shape = shapes[*rc::gen::inRange<std::size_t>(0, shapes.size())];
+  const auto all_shapes = forbidden_configuration_class().shapes();
+  const auto shape = all_shapes[*rc::gen::inRange<std::size_t>(0, all_shapes.size())];
   const auto instance = draw(shape, *rc::gen::arbitrary<std::uint32_t>());
   RC_PRE(instance.has_value());
   const Attempt result = attempt(claim, instance->bindings);

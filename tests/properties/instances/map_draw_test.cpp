@@ -2,11 +2,10 @@
 
 #include "properties/instances/random_simplex.hpp"
 #include "tests/properties/instances/class_checks.hpp"
+#include "tests/support/ratio.hpp"
 
 namespace delcert::test {
 namespace {
-
-Rational ratio(long a, long b) { return Rational(a) / Rational(b); }
 
 CentredSimplex edge_and_centre() {
   // r² = 1 + 4.

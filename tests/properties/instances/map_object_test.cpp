@@ -6,11 +6,11 @@
 #include "kernel/manifold/manifold_file.hpp"
 #include "properties/instances/map_draw.hpp"
 #include "tests/properties/instances/class_checks.hpp"
+#include "tests/support/ratio.hpp"
 
 namespace delcert::test {
 namespace {
 
-Rational ratio(long a, long b) { return Rational(a) / Rational(b); }
 const Rational tiny = Rational::power_of_two(-200);
 
 MapObject stretching(const Rational& first, const Rational& second) {

@@ -54,13 +54,13 @@ TEST(NetForbidden, finds_exactly_what_all_subsets_have) {
 }
 
 TEST(NetForbidden, finds_cospherical_points_whatever_the_parameters) {
-  const Rational tiny = Rational::power_of_two(-60);
-  const auto found = find_forbidden_configuration<2>(square_vectors(2), {tiny, Rational(1), Rational(0)});
+  const Rational smallest = Rational::power_of_two(-60);
+  const auto found = find_forbidden_configuration<2>(square_vectors(2), {smallest, Rational(1), Rational(0)});
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->size(), 4U);
   // Circumradius √2/2 of the smallest squares.
   EXPECT_FALSE(
-      find_forbidden_configuration<2>(square_vectors(2), {tiny, Rational(Integer(7), Integer(10)), Rational(0)})
+      find_forbidden_configuration<2>(square_vectors(2), {smallest, Rational(Integer(7), Integer(10)), Rational(0)})
           .has_value());
 }
 

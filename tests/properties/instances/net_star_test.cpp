@@ -42,7 +42,7 @@ StarCells independent_cells(const std::vector<Vector<Rational, m>>& points) {
 }
 
 template <int m>
-void compare(std::uint32_t number, std::size_t count) {
+void compare_stars(std::uint32_t number, std::size_t count) {
   const auto points = random_points<m>(number, count);
   const auto cells = star_cells<m>(points, Rational::power_of_two(-2));
   ASSERT_TRUE(cells.has_value());
@@ -65,8 +65,8 @@ TEST(StarCells, of_the_square_lattice_are_four_squares) {
 
 TEST(StarCells, are_those_of_another_triangulation_for_random_points) {
   for (std::uint32_t number = 0; number < 12; ++number) {
-    compare<2>(number, 120);
-    compare<3>(number, 100);
+    compare_stars<2>(number, 120);
+    compare_stars<3>(number, 100);
   }
 }
 

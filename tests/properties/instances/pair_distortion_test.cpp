@@ -1,11 +1,10 @@
 #include "properties/instances/pair_distortion.hpp"
 
 #include "tests/properties/instances/class_checks.hpp"
+#include "tests/support/ratio.hpp"
 
 namespace delcert::test {
 namespace {
-
-Rational ratio(long a, long b) { return Rational(a) / Rational(b); }
 
 SimplexObject edge_of(const Rational& length) { return SimplexObject({{Rational(0)}, {length}}); }
 
@@ -27,10 +26,10 @@ TEST(PairDistortion, OfAnEdgeIsItsRelativeChange) {
 }
 
 TEST(PairDistortion, IsMeasuredAlsoWhereItIsTiny) {
-  const Rational tiny = Rational::power_of_two(-300);
-  const Rational measured = measured_distortion(edge_of(Rational(1)), edge_of(Rational(1) - tiny));
-  EXPECT_GE(measured, tiny);
-  EXPECT_LE(measured, tiny * (Rational(1) + Rational::power_of_two(-40)));
+  const Rational smallest = Rational::power_of_two(-300);
+  const Rational measured = measured_distortion(edge_of(Rational(1)), edge_of(Rational(1) - smallest));
+  EXPECT_GE(measured, smallest);
+  EXPECT_LE(measured, smallest * (Rational(1) + Rational::power_of_two(-40)));
   EXPECT_EQ(measured_distortion(edge_of(Rational(5)), edge_of(Rational(-5))), Rational(0));
 }
 

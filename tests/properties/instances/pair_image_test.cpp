@@ -3,11 +3,10 @@
 #include "properties/instances/pair_distortion.hpp"
 #include "properties/instances/random_simplex.hpp"
 #include "tests/properties/instances/class_checks.hpp"
+#include "tests/support/ratio.hpp"
 
 namespace delcert::test {
 namespace {
-
-Rational ratio(long a, long b) { return Rational(a) / Rational(b); }
 
 /// Not more than ξ, up to roundings of 2⁻⁴⁰.
 void expect_within(const SimplexObject& simplex, const SimplexObject& image, const Rational& xi) {

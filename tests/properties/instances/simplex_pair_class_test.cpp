@@ -2,11 +2,10 @@
 
 #include "proofs/formula/simplex_object.hpp"
 #include "tests/properties/instances/class_checks.hpp"
+#include "tests/support/ratio.hpp"
 
 namespace delcert::test {
 namespace {
-
-Rational ratio(long a, long b) { return Rational(a) / Rational(b); }
 
 TEST(SimplexPairClass, DrawsWhatItPromisesInEveryShape) {
   const auto traits = check_draws(simplex_pair_class(), FixedLimits({{"xi", ratio(2, 3)}}), 10);
@@ -15,12 +14,13 @@ TEST(SimplexPairClass, DrawsWhatItPromisesInEveryShape) {
 }
 
 TEST(SimplexPairClass, DrawsAlsoUnderATinyLimitAndWithout) {
-  const Rational tiny = Rational::power_of_two(-300);
-  check_draws(simplex_pair_class(), FixedLimits({{"xi", tiny}}), 3);
+  const Rational smallest = Rational::power_of_two(-300);
+  check_draws(simplex_pair_class(), FixedLimits({{"xi", smallest}}), 3);
   check_draws(simplex_pair_class(), NoLimits(), 3);
   for (std::uint32_t number = 0; number < 20; ++number) {
-    const Bindings bindings = some_instance(simplex_pair_class(), {2, 3}, FixedLimits({{"xi", tiny}}), 100 * number);
-    EXPECT_LE(std::get<Rational>(bindings.at("xi")), tiny);
+    const Bindings bindings =
+        some_instance(simplex_pair_class(), {2, 3}, FixedLimits({{"xi", smallest}}), 100 * number);
+    EXPECT_LE(std::get<Rational>(bindings.at("xi")), smallest);
   }
 }
 

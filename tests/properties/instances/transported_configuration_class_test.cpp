@@ -12,12 +12,10 @@
 namespace delcert {
 namespace {
 
-const InstanceClass& tested() { return transported_configuration_class(); }
-
 std::optional<Instance> draw(const Claim& claim, const Shape& shape, std::uint32_t number) {
   const HypothesisLimits limits(claim);
   RandomChoices choices(5, static_cast<std::uint32_t>(shape.k * 16 + shape.m), number);
-  return tested().draw(shape, {}, limits, choices);
+  return transported_configuration_class().draw(shape, {}, limits, choices);
 }
 
 const Claim& raw_claim() {
@@ -29,7 +27,7 @@ const Claim& hoop_claim() {
   return claim;
 }
 
-Instance some_instance() {
+Instance some_transported_configuration() {
   for (std::uint32_t number = 0;; ++number) {
     if (auto instance = draw(raw_claim(), {2, 3}, number)) return *instance;
   }
@@ -41,7 +39,7 @@ TEST(TransportedConfigurationClass, DrawsOfEveryShapeAreInstancesAndFewAreDiscar
   std::set<Trait> traits;
   bool is_tiny = false;
   for (const Claim* claim : {&raw_claim(), &hoop_claim()}) {
-    for (const Shape& shape : tested().shapes()) {
+    for (const Shape& shape : transported_configuration_class().shapes()) {
       constexpr std::uint32_t count = 20;
       std::uint32_t kept = 0;
       for (std::uint32_t i = 0; i < count; ++i) {
@@ -49,7 +47,7 @@ TEST(TransportedConfigurationClass, DrawsOfEveryShapeAreInstancesAndFewAreDiscar
         if (!instance) continue;
         ++kept;
         traits.insert(instance->traits.begin(), instance->traits.end());
-        EXPECT_NO_THROW(tested().require(instance->bindings));
+        EXPECT_NO_THROW(transported_configuration_class().require(instance->bindings));
         is_tiny = is_tiny || number(instance->bindings, "xi") < Rational::power_of_two(-400);
       }
       EXPECT_GE(kept * 5, count * 4);
@@ -60,13 +58,13 @@ TEST(TransportedConfigurationClass, DrawsOfEveryShapeAreInstancesAndFewAreDiscar
 }
 
 TEST(TransportedConfigurationClass, WhatIsNotTheImageOrHasNotTheFourPropertiesIsRefused) {
-  const Bindings good = some_instance().bindings;
+  const Bindings good = some_transported_configuration().bindings;
   const auto refused = [&good](const std::string& name, const Binding& value) {
     Bindings bad = good;
     bad[name] = value;
-    EXPECT_THROW(tested().require(bad), InputError) << name;
+    EXPECT_THROW(transported_configuration_class().require(bad), InputError) << name;
   };
-  EXPECT_NO_THROW(tested().require(good));
+  EXPECT_NO_THROW(transported_configuration_class().require(good));
   refused("xi", number(good, "xi") * (Rational(1) - Rational::power_of_two(-60)));
   refused("u", good.at("t"));
   refused("epsilon_j", number(good, "epsilon_j") / Rational(16));
@@ -85,11 +83,11 @@ TEST(TransportedConfigurationClass, WhatIsNotTheImageOrHasNotTheFourPropertiesIs
   refused("u", ObjectPointer(std::make_shared<SimplexObject>(points)));
   Bindings without = good;
   without.erase("f");
-  EXPECT_THROW(tested().require(without), InputError);
+  EXPECT_THROW(transported_configuration_class().require(without), InputError);
 }
 
 TEST(TransportedConfigurationClass, AWitnessReadsBackBitForBit) {
-  const Instance instance = some_instance();
+  const Instance instance = some_transported_configuration();
   Bindings again = instance.bindings;
   for (const auto& [name, kind] :
        std::map<std::string, std::string>{{"t", "simplex"}, {"u", "simplex"}, {"f", "configuration-map"}}) {
@@ -97,18 +95,18 @@ TEST(TransportedConfigurationClass, AWitnessReadsBackBitForBit) {
     again[name] = full_vocabulary().read(kind, nlohmann::ordered_json::parse(object->json().dump()));
     EXPECT_EQ(std::get<ObjectPointer>(again.at(name))->json(), object->json());
   }
-  EXPECT_NO_THROW(tested().require(again));
+  EXPECT_NO_THROW(transported_configuration_class().require(again));
 }
 
 TEST(TransportedConfigurationClass, SimplerInstancesAreInstances) {
-  const auto simpler = tested().simpler(some_instance().bindings);
+  const auto simpler = transported_configuration_class().simpler(some_transported_configuration().bindings);
   EXPECT_FALSE(simpler.empty());
-  for (const Bindings& bindings : simpler) EXPECT_NO_THROW(tested().require(bindings));
+  for (const Bindings& bindings : simpler) EXPECT_NO_THROW(transported_configuration_class().require(bindings));
 }
 
 void expect_to_hold(const Claim& claim) {
-  const auto shapes = tested().shapes();
-  const auto shape = shapes[*rc::gen::inRange<std::size_t>(0, shapes.size())];
+  const auto all_shapes = transported_configuration_class().shapes();
+  const auto shape = all_shapes[*rc::gen::inRange<std::size_t>(0, all_shapes.size())];
   const auto instance = draw(claim, shape, *rc::gen::arbitrary<std::uint32_t>());
   RC_PRE(instance.has_value());
   const Attempt result = attempt(claim, instance->bindings);

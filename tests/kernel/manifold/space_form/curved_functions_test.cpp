@@ -7,13 +7,12 @@
 #include "kernel/number/rounding_guard.hpp"
 #include "kernel/number/scalar.hpp"
 #include "tests/kernel/number/arb_reference.hpp"
+#include "tests/support/ratio.hpp"
 
 namespace delcert::test {
 namespace {
 
 constexpr std::array curvatures{Curvature::negative, Curvature::zero, Curvature::positive};
-
-Rational ratio(long a, long b) { return Rational(a) / Rational(b); }
 
 ArbReference square_root_of(const Rational& s) { return ArbReference(s).with(arb_sqrt); }
 

@@ -6,13 +6,12 @@
 
 #include "kernel/number/rounding_guard.hpp"
 #include "tests/kernel/number/arb_reference.hpp"
+#include "tests/support/ratio.hpp"
 
 namespace delcert::test {
 namespace {
 
 constexpr std::array curvatures{Curvature::negative, Curvature::zero, Curvature::positive};
-
-Rational ratio(long a, long b) { return Rational(a) / Rational(b); }
 
 /// Dyadic conformal coordinates of length below 2: in the ball of ℍᵐ.
 template <int m>

@@ -7,10 +7,9 @@
 #include "kernel/error.hpp"
 #include "kernel/manifold/space_form/field_matrix.hpp"
 #include "kernel/manifold/space_form/polynomial_text.hpp"
+#include "tests/support/ratio.hpp"
 
 namespace delcert::test {
-
-inline Rational ratio(long a, long b) { return Rational(a) / Rational(b); }
 
 /// ℚ(√5), t the golden ratio.
 inline FieldElement::Field golden_field() {
