@@ -5,7 +5,7 @@
 namespace delcert::checker {
 namespace {
 
-constexpr std::size_t greatest_order = 2000;
+constexpr std::size_t limit = 2000;
 
 /// cos(2 rho) J - (J a + a^T J) / 2 is positive definite: no x has <x, a x> >= cos(2 rho), so a moves all points by
 /// more than 2 rho.
@@ -28,7 +28,7 @@ Group spherical_group(const SpaceForm& form, Report& report) {
   const FieldMatrix identity = FieldMatrix::identity(form.m + 1);
   Group group{{identity}, ""};
   std::set<FieldMatrix> known{identity};
-  for (std::size_t at = 0; at < group.elements.size() && known.size() <= greatest_order; ++at) {
+  for (std::size_t at = 0; at < group.elements.size() && known.size() <= limit; ++at) {
     for (const FieldMatrix& generator : form.generators) {
       const FieldMatrix product = group.elements[at] * generator;
       if (known.insert(product).second) group.elements.push_back(product);
@@ -49,8 +49,7 @@ Group spherical_group(const SpaceForm& form, Report& report) {
     });
   }
   // Of infinitely many some move points very little: that is found first.
-  if (known.size() > greatest_order && report.findings.empty())
-    throw Undecided("the group has too many elements to look at");
+  if (known.size() > limit && report.findings.empty()) throw Undecided("the group has too many elements to look at");
   group.summary = "a finite group of order " + std::to_string(known.size());
   return group;
 }

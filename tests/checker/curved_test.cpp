@@ -2,10 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cfenv>
 #include <random>
 
-#include "proofs/checker/self_test.hpp"
+#include "tests/checker/upwards.hpp"
 
 namespace delcert::checker_tests {
 namespace {
@@ -16,8 +15,7 @@ using checker::Vector;
 
 class Curved : public testing::Test {
  protected:
-  void SetUp() override { ASSERT_EQ(checker::self_test(), ""); }
-  void TearDown() override { std::fesetround(FE_TONEAREST); }
+  const test::Upwards upwards;
 
   double uniform() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
   std::mt19937_64 random_{1};

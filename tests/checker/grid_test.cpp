@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "proofs/checker/self_test.hpp"
+#include "tests/checker/upwards.hpp"
 
 namespace delcert::checker_tests {
 namespace {
@@ -84,7 +84,7 @@ void compare(const Cloud& cloud, const char* distance, int bound) {
 
 class GridVisits : public testing::Test {
  protected:
-  void SetUp() override { ASSERT_EQ(self_test(), ""); }
+  const test::Upwards upwards;
 };
 
 TEST_F(GridVisits, all_lifts_within_the_distance_on_a_circle) { compare({1, {"1"}, true, 40, 1}, "3/10", 9); }
@@ -120,7 +120,7 @@ TEST_F(GridVisits, end_undecided_where_doubles_are_too_coarse) {
 }
 
 TEST(MetricOf, a_matrix_that_is_not_positive_definite_is_refused) {
-  ASSERT_EQ(self_test(), "");
+  const test::Upwards upwards;
   const auto matrix = [](std::initializer_list<int> entries) {
     std::vector<Rational> result;
     for (const int entry : entries) result.emplace_back(entry);

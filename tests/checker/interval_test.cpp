@@ -5,8 +5,8 @@
 #include <random>
 
 #include "proofs/checker/rational.hpp"
-#include "proofs/checker/self_test.hpp"
 #include "tests/checker/support/exact_double.hpp"
+#include "tests/checker/upwards.hpp"
 
 namespace delcert::checker_tests {
 namespace {
@@ -52,7 +52,7 @@ Sample sample(std::mt19937_64& random) {
 
 class IntervalOperations : public testing::Test {
  protected:
-  void SetUp() override { ASSERT_EQ(checker::self_test(), ""); }
+  const test::Upwards upwards;
 };
 
 TEST_F(IntervalOperations, contain_the_exact_results) {

@@ -6,9 +6,9 @@
 
 #include "proofs/checker/input.hpp"
 #include "proofs/checker/run.hpp"
-#include "proofs/checker/self_test.hpp"
 #include "tests/checker/support/samples.hpp"
 #include "tests/checker/support/space_form_samples.hpp"
+#include "tests/checker/upwards.hpp"
 
 namespace delcert::checker_tests {
 namespace {
@@ -69,7 +69,7 @@ void mutate(const std::string& name, const std::string& bytes, int times, std::u
 
 class Mutations : public testing::Test {
  protected:
-  void SetUp() override { ASSERT_EQ(checker::self_test(), ""); }
+  const test::Upwards upwards;
   std::string text_ = sealed(circle().document());
 };
 

@@ -2,11 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cfenv>
-
 #include "proofs/checker/exact_number.hpp"
-#include "proofs/checker/self_test.hpp"
 #include "proofs/checker/square_matrix.hpp"
+#include "tests/checker/upwards.hpp"
 
 namespace delcert::checker_tests {
 namespace {
@@ -18,8 +16,7 @@ using checker::Rational;
 
 class NumberFields : public testing::Test {
  protected:
-  void SetUp() override { ASSERT_EQ(checker::self_test(), ""); }
-  void TearDown() override { std::fesetround(FE_TONEAREST); }
+  const test::Upwards upwards;
 };
 
 std::vector<Rational> numbers(const std::vector<std::string>& texts) {

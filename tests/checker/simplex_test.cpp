@@ -5,8 +5,8 @@
 #include <random>
 
 #include "proofs/checker/exact_number.hpp"
-#include "proofs/checker/self_test.hpp"
 #include "tests/checker/support/exact_double.hpp"
+#include "tests/checker/upwards.hpp"
 
 namespace delcert::checker_tests {
 namespace {
@@ -23,7 +23,7 @@ Vector<N> vector_of(std::initializer_list<int> entries) {
 
 class Simplices : public testing::Test {
  protected:
-  void SetUp() override { ASSERT_EQ(self_test(), ""); }
+  const test::Upwards upwards;
   Metric plane_{2, {}}, space_{3, {}}, hexagonal_{2, {Rational(2), Rational(-1), Rational(-1), Rational(2)}};
 };
 

@@ -2,13 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cfenv>
 #include <nlohmann/json.hpp>
 
 #include "kernel/manifold/space_form/space_form_file.hpp"
 #include "proofs/certificate/space_form_writer.hpp"
 #include "proofs/checker/group.hpp"
-#include "proofs/checker/self_test.hpp"
+#include "tests/checker/upwards.hpp"
 
 namespace delcert::checker_tests {
 namespace {
@@ -32,12 +31,6 @@ const std::vector<Written>& all_written() {
   return result;
 }
 
-/// The checker computes with upward rounding.
-struct Upwards {
-  Upwards() { EXPECT_EQ(checker::self_test(), ""); }
-  ~Upwards() { std::fesetround(FE_TONEAREST); }
-};
-
 checker::SpaceForm read(const Written& written, const std::string& text) {
   checker::Cursor cursor(std::string_view(text).substr(text.find(",\"field\":")));
   return {written.curvature, written.dimension, cursor};
@@ -46,7 +39,7 @@ checker::SpaceForm read(const Written& written, const std::string& text) {
 TEST(SpaceFormGroups, of_all_examples_are_verified) {
   const std::vector<Written>& all = all_written();
   ASSERT_GE(all.size(), 20U);
-  const Upwards upwards;
+  const test::Upwards upwards;
   for (const Written& written : all) {
     const checker::SpaceForm form = read(written, written.text);
     checker::Report report;
@@ -63,7 +56,7 @@ TEST(SpaceFormGroups, of_all_examples_are_verified) {
 /// A seventh more in one entry of a generator, for the first entries of each.
 TEST(SpaceFormGroups, with_one_wrong_entry_are_rejected) {
   const std::vector<Written>& all = all_written();
-  const Upwards upwards;
+  const test::Upwards upwards;
   int refused = 0;
   for (const Written& written : all) {
     const auto json = nlohmann::ordered_json::parse(written.text);
@@ -107,7 +100,7 @@ std::string matrix(const std::vector<std::string>& entries) {
 }
 
 TEST(SpaceFormGroups, with_fixed_points_are_rejected) {
-  const Upwards upwards;
+  const test::Upwards upwards;
   const std::string opposite = matrix({"-1", "0", "0", "0", "-1", "0", "0", "0", "-1"}),
                     half_turn = matrix({"1", "0", "0", "0", "-1", "0", "0", "0", "-1"}),
                     reflection = matrix({"1", "0", "0", "0", "1", "0", "0", "0", "-1"}),
@@ -139,7 +132,7 @@ TEST(SpaceFormGroups, without_a_compact_polyhedron_that_closes_up_are_rejected) 
     if (written.text.find("\"bolza-surface\"") != std::string::npos) bolza = &written;
   }
   ASSERT_NE(bolza, nullptr);
-  const Upwards upwards;
+  const test::Upwards upwards;
   const auto fault = [&](const nlohmann::ordered_json& json) {
     const std::string text = json.dump();
     const checker::SpaceForm form = read(*bolza, text);

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# style_test.sh BUILD: the style checks of ./test find what they are there for.
+# style_test.sh: the style checks of ./test find what they are there for.
 set -uo pipefail
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 work=$(mktemp -d)
@@ -29,7 +29,9 @@ tidies 'int compute_It(int x) { return x; }' && fail "a badly named function pas
 tidies 'double half(int x) { return x / 2; }' && fail "a quotient of integers taken for a number passes"
 
 # Every source of our libraries and programs is looked at by the target `tidy`; fuzz targets are tests.
-looked_at=$(ninja -C "$1" -t query tidy | sed -n 's,^ *tidy/\(.*\)\.log$,\1,p' | sort)
+cmake -S "$project" -B "$work/build" -G Ninja -D DELCERT_TESTS=ON -D DELCERT_UNITED_SOURCES=OFF >"$work/configure.log" 2>&1 ||
+  fail "cannot configure: $(cat "$work/configure.log")"
+looked_at=$(ninja -C "$work/build" -t query tidy | sed -n 's,^ *tidy/\(.*\)\.log$,\1,p' | sort)
 sources=$(cd "$project" && find kernel proofs properties apps -path properties/fuzz -prune -o -name '*.cpp' -print | sort)
 [[ -n $sources && $looked_at == "$sources" ]] || fail "clang-tidy looks at other files:
 $(diff <(echo "$sources") <(echo "$looked_at"))"
