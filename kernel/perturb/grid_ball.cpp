@@ -47,7 +47,7 @@ void GridBall<m>::draw(CounterRandom& random) {
 }
 
 template <int m>
-void GridBall<m>::choose(CounterRandom& random, Axis& axis) const {
+void GridBall<m>::choose(CounterRandom& random, Axis& axis) {
   if (axis.few > 0) {
     do {
       axis.chosen = random.next_bits(axis.bits);

@@ -34,7 +34,7 @@ class GridBall {
     Integer chosen_of_many;  // otherwise
   };
 
-  void choose(CounterRandom& random, Axis& axis) const;
+  static void choose(CounterRandom& random, Axis& axis);
   /// Of that many steps.
   [[nodiscard]] Filter length(const Axis& axis) const;
   [[nodiscard]] bool is_in_ball() const;

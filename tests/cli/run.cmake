@@ -90,3 +90,5 @@ foreach(member "sphere-2;1/8" "klein-bottle;1/24")
 endforeach()
 delcert_cli_test(certify-threads-are-a-number STATUS 64 OUTPUT "^$" ERROR "threads"
   COMMAND ${delcert} certify --manifold sphere-2 --radius 1/8 --threads many --output never.json)
+delcert_cli_test(certify-threads-are-some STATUS 64 OUTPUT "^$" ERROR "threads"
+  COMMAND ${delcert} certify --manifold sphere-2 --radius 1/8 --threads 0 --output never.json)
