@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "kernel/manifold/space_form/space_form_atlas.hpp"
 #include "kernel/manifold/space_form/space_form_file.hpp"
 #include "kernel/parallel/threads.hpp"
 #include "kernel/sample/poisson_disk.hpp"
