@@ -220,7 +220,8 @@ void check_threads(const SpaceFormAtlas<m>& atlas, const PerturbationParameters&
     const auto exact = measure_riemannian_simplices<m>(atlas, run.points, geometry, run.complex, no_progress());
     const auto flat =
         measure_piecewise_flat<m>(atlas, run.points, geometry, run.complex, run.model.circumradius, no_progress());
-    const auto stability = check_stability<m>(atlas, run.points, geometry, run.complex, no_progress());
+    StarStability stability;
+    if constexpr (m == 2) stability = check_stability<m>(atlas, run.points, geometry, run.complex, no_progress());
     Found& found = all.emplace_back();
     found.points = exact_points<m>(run.points);
     found.simplices = run.complex.simplices();
