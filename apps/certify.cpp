@@ -16,6 +16,7 @@
 #include "kernel/manifold/manifold_file.hpp"
 #include "kernel/manifold/space_form/space_form_file.hpp"
 #include "kernel/number/exact_text.hpp"
+#include "kernel/parallel/threads.hpp"
 #include "kernel/sample/net_measure.hpp"
 #include "kernel/simplex/dimensions.hpp"
 #include "proofs/certificate/writer.hpp"
@@ -138,6 +139,10 @@ void add_certify(CLI::App& program, Action& chosen) {
   command
       ->add_option("--output", options->output, "The certificate (default MANIFOLD.delcert.json.zst); .zst compresses")
       ->type_name("FILE");
+  command
+      ->add_option("--threads", options->threads,
+                   "Space forms: threads (default: all; the result does not depend on it)")
+      ->check(CLI::Range(1, 1024));
   command->add_flag("--json", options->json, "Print JSON");
   command->footer(
       "Nothing is written unless every star is certified; then the certificate claims the levels that are reached\n"
@@ -152,6 +157,7 @@ void add_certify(CLI::App& program, Action& chosen) {
   command->callback([options, mode, &chosen] {
     options->mode_is_given = mode->count() > 0;
     chosen = [options] {
+      const ThreadLimit limit(options->threads);
       options->choice.seed = options->source.seed;
       if (options->no_perturbation) options->choice.mode = RunMode::none;
       if (const auto form = space_form_if_one(options->source.manifold)) return certify_space_form(*options, *form);

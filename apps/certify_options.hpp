@@ -19,6 +19,7 @@ struct CertifyOptions {
   bool no_perturbation = false;
   std::optional<Rational> required_protection;
   int repair_rounds = 20;
+  unsigned threads = 0;  ///< 0: as many as there are processors
   LevelSelection levels = all_levels();
   std::string output;
   bool json = false;

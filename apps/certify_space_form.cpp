@@ -56,7 +56,7 @@ ExitStatus certify(const CertifyOptions& options, SpaceForm form, ProgressLine& 
   clock.begin("read or sample the net");
   auto [centres, sampling_radius] = options.source.template net_of<m>(form, progress);
   const SpaceFormAtlas<m> atlas(std::move(form), std::move(centres), sampling_radius);
-  const Rational separation = measure_separation<m>(atlas);
+  const Rational separation = measure_separation<m>(atlas, progress);
   report.points = atlas.size();
   report.sampling_radius = sampling_radius;
   if (options.mode_is_given && options.choice.mode == RunMode::theory && atlas.curvature() != Curvature::zero)

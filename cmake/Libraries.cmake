@@ -10,6 +10,7 @@ pkg_check_modules(zstd REQUIRED IMPORTED_TARGET GLOBAL libzstd)
 pkg_check_modules(nettle REQUIRED IMPORTED_TARGET GLOBAL nettle)
 pkg_check_modules(nlopt REQUIRED IMPORTED_TARGET GLOBAL nlopt_cxx)
 find_package(Threads REQUIRED)
+find_package(TBB REQUIRED)
 
 # Libraries without a package file: a header to find and a library to link.
 function(delcert_find_library name header library)

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
 
+#include "kernel/parallel/parts.hpp"
 #include "kernel/simplex/dimensions.hpp"
 
 namespace delcert {
@@ -63,10 +65,17 @@ std::optional<std::string> failure_of(const ChartView<m>& view, const PlaceSimpl
 template <int m>
 class ModelCheck {
  public:
-  ModelCheck(const Atlas<m>& atlas, const PointSet<m>& points, const ModelGeometry& geometry,
-             const SpaceFormComplex<m>& complex)
-      : complex_(complex), view_(atlas, points, geometry) {
+  /// The view is copied.
+  ModelCheck(const ChartView<m>& empty_view, const SpaceFormComplex<m>& complex)
+      : complex_(complex), view_(empty_view) {
     report.protection = std::numeric_limits<double>::infinity();
+  }
+
+  /// Takes over what was found of other simplices.
+  void include(ModelReport other) {
+    report.protection = std::min(report.protection, other.protection);
+    report.circumradius = std::max(report.circumradius, other.circumradius);
+    std::move(other.failures.begin(), other.failures.end(), std::back_inserter(report.failures));
   }
 
   /// The simplices whose smallest interior label is i.
@@ -133,14 +142,19 @@ class ModelCheck {
 template <int m>
 ModelReport check_model_delaunay(const Atlas<m>& atlas, const PointSet<m>& points, const ModelGeometry& geometry,
                                  const SpaceFormComplex<m>& complex, const Progress& progress) {
-  ModelCheck<m> check(atlas, points, geometry, complex);
-  for (std::uint32_t index = 0; index < complex.size(); ++index) {
-    if (index % 1024 == 0) progress("certify geodesic circumballs", index, complex.size());
-    if (complex.is_interior(Label(index))) check.look_from(Label(index));
-  }
-  progress("certify geodesic circumballs", complex.size(), complex.size());
-  check.check_lifts(geometry);
-  return std::move(check.report);
+  const ChartView<m> empty_view(atlas, points, geometry);
+  ModelCheck<m> all(empty_view, complex);
+  const auto look = [&](std::size_t first, std::size_t last) {
+    ModelCheck<m> check(empty_view, complex);
+    for (std::size_t index = first; index < last; ++index) {
+      if (complex.is_interior(Label(index))) check.look_from(Label(index));
+    }
+    return std::move(check.report);
+  };
+  in_parts("certify geodesic circumballs", complex.size(), progress, look,
+           [&all](ModelReport found) { all.include(std::move(found)); });
+  all.check_lifts(geometry);
+  return std::move(all.report);
 }
 
 #define DELCERT_INSTANTIATE(m)                                                                            \

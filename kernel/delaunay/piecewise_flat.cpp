@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "kernel/parallel/parts.hpp"
 #include "kernel/simplex/altitude.hpp"
 #include "kernel/simplex/circumsphere.hpp"
 #include "kernel/simplex/dimensions.hpp"
@@ -54,9 +55,18 @@ SymmetricMatrix<Filter> combination(const Filter& factor, const SymmetricMatrix<
 template <int m>
 class FlatMetric {
  public:
-  FlatMetric(const Atlas<m>& atlas, const PointSet<m>& points, const ModelGeometry& geometry,
-             const SpaceFormComplex<m>& complex)
-      : complex_(complex), view_(atlas, points, geometry) {}
+  /// The view is copied.
+  FlatMetric(const ChartView<m>& empty_view, const SpaceFormComplex<m>& complex)
+      : complex_(complex), view_(empty_view) {}
+
+  /// Takes over what another one saw.
+  void include(const FlatMetric& other) {
+    sides_.insert(sides_.end(), other.sides_.begin(), other.sides_.end());
+    above_ = std::max(above_, other.above_);
+    below_ = std::max(below_, other.below_);
+    is_complete_ = is_complete_ && other.is_complete_;
+    report_.unrealised += other.report_.unrealised;
+  }
 
   void look_from(Label i) {
     const auto simplices = complex_.first_seen_from(i);
@@ -193,13 +203,16 @@ template <int m>
 PiecewiseFlatReport measure_piecewise_flat(const Atlas<m>& atlas, const PointSet<m>& points,
                                            const ModelGeometry& geometry, const SpaceFormComplex<m>& complex,
                                            double circumradius, const Progress& progress) {
-  FlatMetric<m> metric(atlas, points, geometry, complex);
-  for (std::uint32_t index = 0; index < complex.size(); ++index) {
-    if (index % 1024 == 0) progress("measure the flat metric", index, complex.size());
-    metric.look_from(Label(index));
-  }
-  progress("measure the flat metric", complex.size(), complex.size());
-  return metric.finish(circumradius);
+  const ChartView<m> empty_view(atlas, points, geometry);
+  FlatMetric<m> all(empty_view, complex);
+  const auto look = [&](std::size_t first, std::size_t last) {
+    FlatMetric<m> metric(empty_view, complex);
+    for (std::size_t index = first; index < last; ++index) metric.look_from(Label(index));
+    return metric;
+  };
+  in_parts("measure the flat metric", complex.size(), progress, look,
+           [&all](const FlatMetric<m>& found) { all.include(found); });
+  return all.finish(circumradius);
 }
 
 #define DELCERT_INSTANTIATE(m)                                                                                      \

@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "kernel/parallel/parts.hpp"
 #include "kernel/simplex/dimensions.hpp"
 
 namespace delcert {
@@ -47,32 +48,53 @@ LocalVertices<Filter, m> about_first(const ChartView<m>& view, const PlaceSimple
   return result;
 }
 
+/// Of some stars.
+struct Measured {
+  double thickness = std::numeric_limits<double>::infinity();
+  double star_radius = 0;
+  bool is_complete = true;
+};
+
+template <int m>
+void measure_star(ChartView<m>& view, const SpaceFormComplex<m>& complex, Label i, Measured& result) {
+  const auto places = star_places<m>(view, complex, i);
+  if (places.empty()) result.is_complete = false;
+  const FilterGuard guard;
+  const auto metric = view.atlas().metric().template on<Filter>();
+  for (const auto& simplex : places) {
+    const auto vertices = about_first<m>(view, simplex);
+    result.thickness = std::min(result.thickness, thickness_of<m>(metric, vertices));
+    for (const auto& vertex : vertices) {
+      result.star_radius = std::max(result.star_radius, square_root(metric.squared_norm(vertex)).upper());
+    }
+  }
+}
+
 }  // namespace
 
 template <int m>
 RiemannianSimplices measure_riemannian_simplices(const Atlas<m>& atlas, const PointSet<m>& points,
                                                  const ModelGeometry& geometry, const SpaceFormComplex<m>& complex,
                                                  const Progress& progress) {
-  ChartView<m> view(atlas, points, geometry);
-  RiemannianSimplices result;
-  result.thickness = std::numeric_limits<double>::infinity();
-  for (std::uint32_t index = 0; index < complex.size(); ++index) {
-    if (index % 1024 == 0) progress("measure stars about their points", index, complex.size());
-    const Label i(index);
-    if (!complex.is_interior(i)) continue;
-    const auto places = star_places<m>(view, complex, i);
-    if (places.empty()) return {};
-    const FilterGuard guard;
-    const auto metric = atlas.metric().template on<Filter>();
-    for (const auto& simplex : places) {
-      const auto vertices = about_first<m>(view, simplex);
-      result.thickness = std::min(result.thickness, thickness_of<m>(metric, vertices));
-      for (const auto& vertex : vertices) {
-        result.star_radius = std::max(result.star_radius, square_root(metric.squared_norm(vertex)).upper());
-      }
+  const ChartView<m> empty_view(atlas, points, geometry);
+  const auto measure = [&](std::size_t first, std::size_t last) {
+    ChartView<m> view = empty_view;
+    Measured found;
+    for (std::size_t index = first; index < last; ++index) {
+      if (complex.is_interior(Label(index))) measure_star<m>(view, complex, Label(index), found);
     }
-  }
-  progress("measure stars about their points", complex.size(), complex.size());
+    return found;
+  };
+  Measured all;
+  in_parts("measure stars about their points", complex.size(), progress, measure, [&all](const Measured& found) {
+    all.thickness = std::min(all.thickness, found.thickness);
+    all.star_radius = std::max(all.star_radius, found.star_radius);
+    all.is_complete = all.is_complete && found.is_complete;
+  });
+  if (!all.is_complete) return {};
+  RiemannianSimplices result;
+  result.thickness = all.thickness;
+  result.star_radius = all.star_radius;
   if (!(result.thickness > 0) || result.star_radius == 0) return {};
   const FilterGuard guard;
   Filter scale = scalar_from<Filter>(geometry.injectivity_radius) / Filter(4);

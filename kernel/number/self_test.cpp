@@ -236,6 +236,16 @@ void test_enclosures(Failures& failures) {
          "an MPFI interval does not enclose its result");
 }
 
+void test_that_threads_are_apart(Failures& failures) {
+#if FLINT_USES_TLS
+  const bool flint_is = true;
+#else
+  const bool flint_is = false;
+#endif
+  expect(failures, flint_is, "FLINT is built without caches of their own for threads");
+  expect(failures, mpfr_buildopt_tls_p() != 0, "MPFR is built without caches of their own for threads");
+}
+
 std::string numbered(int major, int minor, int patch) {
   return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch);
 }
@@ -278,6 +288,7 @@ std::vector<std::string> arithmetic_self_test() {
   test_that_nothing_is_contracted_or_regrouped(failures);
   test_subnormals(failures);
   test_enclosures(failures);
+  test_that_threads_are_apart(failures);
   test_versions(failures);
   expect(failures, is_nearest(), "rounding is not to nearest after a guard");
   return failures;

@@ -10,9 +10,10 @@ namespace delcert {
 /// What every certified result rests on, tried out in this very process and thread: that directed rounding is really
 /// directed (sums, products, quotients, roots against exact rationals), that the compiler neither evaluated in
 /// advance, nor regrouped, nor contracted to fused operations, that nothing flushes subnormals to zero, that rounding
-/// is to nearest outside a guard and again after one, that Interval and MPFI enclose, and that each library is the one
-/// whose headers were compiled. Returns one sentence for each failure; empty means fit to certify.
-/// Precondition: no RoundingGuard is alive. Takes well under a millisecond: programs run it at their start.
+/// is to nearest outside a guard and again after one, that Interval and MPFI enclose, that MPFR and FLINT keep threads
+/// apart, and that each library is the one whose headers were compiled. Returns one sentence for each failure; empty
+/// means fit to certify. Precondition: no RoundingGuard is alive. Takes well under a millisecond: programs run it at
+/// their start.
 [[nodiscard]] std::vector<std::string> arithmetic_self_test();
 
 /// The libraries that the arithmetic uses, as name and version, in alphabetical order; the same for every compiler.

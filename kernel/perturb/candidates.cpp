@@ -103,10 +103,22 @@ MetricOn<Filter, m> filter_metric(const Atlas<m>& atlas) {
   return atlas.metric().template on<Filter>();
 }
 
+/// The same where perturbed points are now. Pruned: what is within the edge bound of some perturbation of p_i.
+/// Otherwise the labels of the paper's 𝒮_i, which are those of the original points in a ball.
+Rational reach_in_place(const PerturbationParameters& parameters) {
+  if (parameters.candidates == CandidateRule::pruned) return parameters.edge_bound + parameters.perturbation;
+  return Rational(5) + Rational(Integer(3), Integer(2)) * parameters.separation;
+}
+
 }  // namespace
 
+Rational reach_of_candidates(const PerturbationParameters& parameters) {
+  const Rational reach = reach_in_place(parameters);
+  return parameters.candidates == CandidateRule::pruned ? reach + parameters.perturbation : reach;
+}
+
 template <int m>
-CandidateTest<m>::CandidateTest(const Atlas<m>& atlas, const PointSet<m>& points, const std::vector<bool>& placed,
+CandidateTest<m>::CandidateTest(const Atlas<m>& atlas, const PointSet<m>& points, const PlacedLabels& placed,
                                 const PerturbationParameters& parameters)
     : atlas_(atlas),
       points_(points),
@@ -123,18 +135,13 @@ void CandidateTest<m>::prepare(Label i) {
   squared_tolerance_ = square(parameters_.tolerance * unit);
   filter_squared_tolerance_ = scalar_from<Filter>(squared_tolerance_);
 
-  // Pruned: what is within the edge bound of some perturbation of p_i. Otherwise the labels of the paper's 𝒮_i, which
-  // are those of the original points in a ball.
-  const Rational reach = pruned ? (parameters_.edge_bound + parameters_.perturbation) * unit
-                                : (Rational(5) + Rational(Integer(3), Integer(2)) * parameters_.separation) * unit;
-  const Rational drift = pruned ? parameters_.perturbation * unit : Rational(0);
-  const Filter squared_reach = scalar_from<Filter>(square(reach));
-  atlas_.sightings(i, approximate_double(reach + drift) * (1 + 0x1p-40), seen_);
+  const Filter squared_reach = scalar_from<Filter>(square(reach_in_place(parameters_) * unit));
+  atlas_.sightings(i, approximate_double(reach_of_candidates(parameters_) * unit) * (1 + 0x1p-40), seen_);
   view_.clear(i);
   const auto& filter_centre = atlas_.net().enclosure(i);
   for (const Sighting<m>& sighting : seen_) {
     if (label_of<m>(sighting) == i) continue;
-    if (pruned && !placed_[sighting.index]) continue;
+    if (pruned && placed_[sighting.index] == 0) continue;
     const PointSet<m>& measured = pruned ? points_ : atlas_.net();
     const auto position = atlas_.carry(i, sighting, measured.enclosure(label_of<m>(sighting)));
     if (is_refuted(less(filter_.squared_norm(difference(position, filter_centre)), squared_reach))) continue;

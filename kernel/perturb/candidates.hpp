@@ -7,6 +7,12 @@
 
 namespace delcert {
 
+/// Which labels have been perturbed already: 1 for these, else 0. Bytes, so that threads can mark different labels.
+using PlacedLabels = std::vector<unsigned char>;
+
+/// How many sampling radii away original points may have a say in what the candidates are.
+[[nodiscard]] Rational reach_of_candidates(const PerturbationParameters& parameters);
+
 /// A simplex whose diametric sphere may come within the tolerance of a perturbation of the point at hand.
 template <int m>
 struct Candidate {
@@ -30,8 +36,8 @@ template <class S>
 template <int m>
 class CandidateTest {
  public:
-  /// References are kept. `placed[i]` says which labels have been perturbed already.
-  CandidateTest(const Atlas<m>& atlas, const PointSet<m>& points, const std::vector<bool>& placed,
+  /// References are kept.
+  CandidateTest(const Atlas<m>& atlas, const PointSet<m>& points, const PlacedLabels& placed,
                 const PerturbationParameters& parameters);
 
   /// Collects the candidates of label i. Precondition: a `FilterGuard` is alive.
@@ -55,7 +61,7 @@ class CandidateTest {
 
   const Atlas<m>& atlas_;
   const PointSet<m>& points_;
-  const std::vector<bool>& placed_;
+  const PlacedLabels& placed_;
   PerturbationParameters parameters_;
   MetricOn<Filter, m> filter_;
   MetricOn<Rational, m> exact_;

@@ -7,8 +7,8 @@
 namespace delcert {
 
 template <int m>
-DelaunayCandidates<m>::DelaunayCandidates(const Atlas<m>& atlas, const PointSet<m>& points,
-                                          const std::vector<bool>& placed, const PerturbationParameters& parameters)
+DelaunayCandidates<m>::DelaunayCandidates(const Atlas<m>& atlas, const PointSet<m>& points, const PlacedLabels& placed,
+                                          const PerturbationParameters& parameters)
     : atlas_(atlas), points_(points), placed_(placed), parameters_(parameters), metric_([&] {
         const FilterGuard guard;
         return atlas.metric().template on<Filter>();
@@ -17,14 +17,13 @@ DelaunayCandidates<m>::DelaunayCandidates(const Atlas<m>& atlas, const PointSet<
 template <int m>
 void DelaunayCandidates<m>::prepare(Label i, const CandidateTest<m>& test) {
   const Rational& unit = atlas_.sampling_radius(i);
-  const Rational reach = (Rational(2) * parameters_.circumradius_bound + Rational(2) * parameters_.perturbation) * unit;
-  atlas_.sightings(i, approximate_double(reach), seen_);
+  atlas_.sightings(i, approximate_double(reach_of_delaunay_candidates(parameters_) * unit), seen_);
   std::vector<Vector<Filter, m>> others;
   std::vector<bool> is_placed;
   for (const Sighting<m>& seen : seen_) {
     const Label label = label_of<m>(seen);
     if (label == i) continue;
-    is_placed.push_back(placed_[label.value]);
+    is_placed.push_back(placed_[label.value] != 0);
     const PointSet<m>& set = is_placed.back() ? points_ : atlas_.net();
     others.push_back(atlas_.carry(i, seen, set.enclosure(label)));
   }
@@ -52,9 +51,14 @@ template <int m>
 double DelaunayCandidates<m>::clearance(const Vector<Rational, m>& x) const {
   Vector<Filter, m> at;
   for (std::size_t axis = 0; axis < m; ++axis) at[axis] = scalar_from<Filter>(x[axis]);
+  return clearance(at);
+}
+
+template <int m>
+double DelaunayCandidates<m>::clearance(const Vector<Filter, m>& x) const {
   double result = std::numeric_limits<double>::infinity();
   for (const Sphere& sphere : spheres_) {
-    result = std::min(result, absolute(distance(at, sphere.centre) - sphere.radius).lower());
+    result = std::min(result, absolute(distance(x, sphere.centre) - sphere.radius).lower());
   }
   return result;
 }

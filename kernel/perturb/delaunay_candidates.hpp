@@ -7,6 +7,11 @@
 
 namespace delcert {
 
+/// How many sampling radii away original points may have a say in the choice of these candidates.
+[[nodiscard]] inline Rational reach_of_delaunay_candidates(const PerturbationParameters& parameters) {
+  return Rational(2) * parameters.circumradius_bound + Rational(2) * parameters.perturbation;
+}
+
 /// The spheres that decide about the protection of the outcome: of the m-simplices among the candidates of a label
 /// whose ball, made smaller by the clearance, holds no placed point, and made smaller by how far points move too, no
 /// original point that is not placed yet. Only such simplices can become Delaunay. A heuristic in doubles to choose by:
@@ -15,7 +20,7 @@ template <int m>
 class DelaunayCandidates {
  public:
   /// References are kept.
-  DelaunayCandidates(const Atlas<m>& atlas, const PointSet<m>& points, const std::vector<bool>& placed,
+  DelaunayCandidates(const Atlas<m>& atlas, const PointSet<m>& points, const PlacedLabels& placed,
                      const PerturbationParameters& parameters);
 
   /// Chooses among the candidates of a test that has been prepared for this label. Precondition: a `FilterGuard` is
@@ -25,6 +30,8 @@ class DelaunayCandidates {
   /// The least distance of x, in the chart of the label, from these spheres, a lower bound; infinite if there are none.
   /// Precondition: a `FilterGuard` is alive.
   [[nodiscard]] double clearance(const Vector<Rational, m>& x) const;
+  /// The same of enclosures.
+  [[nodiscard]] double clearance(const Vector<Filter, m>& x) const;
 
   [[nodiscard]] std::size_t size() const { return spheres_.size(); }
 
@@ -39,7 +46,7 @@ class DelaunayCandidates {
 
   const Atlas<m>& atlas_;
   const PointSet<m>& points_;
-  const std::vector<bool>& placed_;
+  const PlacedLabels& placed_;
   PerturbationParameters parameters_;
   MetricOn<Filter, m> metric_;
   std::vector<Sighting<m>> seen_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "kernel/parallel/parts.hpp"
 #include "kernel/simplex/dimensions.hpp"
 
 namespace delcert {
@@ -34,17 +35,25 @@ class Stars {
 
   /// Computes what is out of date.
   void update(const PointSet<m>& points, const Progress& progress) {
-    ChartView<m> view(atlas_, points, geometry_);
+    std::vector<Label> labels;
     for (std::uint32_t index = 0; index < stars_.size(); ++index) {
-      if (index % 256 == 0) progress("certify stars", index, stars_.size());
-      if (!outdated_[index]) continue;
-      outdated_[index] = false;
-      stars_[index].star.label = Label(index);
-      if (!interior_[index]) continue;
-      stars_[index] = chart_star<m>(view, Label(index), required_protection_);
-      farthest_reach_ = std::max(farthest_reach_, stars_[index].reach);
+      if (outdated_[index]) labels.emplace_back(index);
     }
-    progress("certify stars", stars_.size(), stars_.size());
+    outdated_.assign(stars_.size(), false);
+    const ChartView<m> empty_view(atlas_, points, geometry_);
+    const auto certify = [&](std::size_t first, std::size_t last) {
+      ChartView<m> view = empty_view;
+      double reach = 0;
+      for (std::size_t at = first; at < last; ++at) {
+        CertifiedStar<m>& star = stars_[labels[at].value];
+        star.star.label = labels[at];
+        if (interior_[labels[at].value]) star = chart_star<m>(view, labels[at], required_protection_);
+        reach = std::max(reach, star.reach);
+      }
+      return reach;
+    };
+    in_parts("certify stars", labels.size(), progress, certify,
+             [&](double reach) { farthest_reach_ = std::max(farthest_reach_, reach); });
   }
 
   /// The stars in whose charts one of these labels had a say.
@@ -105,7 +114,7 @@ template <int m>
 SpaceFormRun<m> run_on_space_form(const Atlas<m>& atlas, const ModelGeometry& geometry,
                                   const PerturbationParameters& parameters, const RunRequest& request,
                                   const Progress& progress) {
-  Perturbation<m> perturbation(atlas, parameters);
+  Perturbation<m> perturbation(atlas, parameters, PlacementOrder::by_colour);
   if (request.perturb) perturbation.place_all(progress);
   const double required = request.required_protection ? approximate_double(*request.required_protection) : 0;
   Stars<m> stars(atlas, geometry, required);

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "kernel/error.hpp"
+#include "kernel/parallel/parts.hpp"
 
 namespace delcert {
 
@@ -18,10 +19,9 @@ Rational squared_distance_from_below(const SpaceFormAtlas<m>& atlas, Label i, co
   return maximum(atlas.metric().template on<BigInterval>().squared_norm(offset), BigInterval(0)).lower();
 }
 
-}  // namespace
-
+/// The least squared distance from the labels first … last − 1, or that of ε if none is less.
 template <int m>
-Rational measure_separation(const SpaceFormAtlas<m>& atlas) {
+Rational least_squared_distance(const SpaceFormAtlas<m>& atlas, std::size_t first, std::size_t last) {
   const Rational squared_radius = square(atlas.sampling_radius());
   const double distance = approximate_double(atlas.sampling_radius());
   Rational least = squared_radius;
@@ -29,7 +29,7 @@ Rational measure_separation(const SpaceFormAtlas<m>& atlas) {
   const FilterGuard guard;
   const auto metric = atlas.metric().template on<Filter>();
   const Filter enclosed_square = scalar_from<Filter>(squared_radius);
-  for (std::uint32_t index = 0; index < atlas.size(); ++index) {
+  for (auto index = static_cast<std::uint32_t>(first); index < last; ++index) {
     const Label i(index);
     atlas.sightings(i, distance, seen);
     for (const Sighting<m>& other : seen) {
@@ -42,10 +42,23 @@ Rational measure_separation(const SpaceFormAtlas<m>& atlas) {
                          " are points closer than 2^-20 times the sampling radius, or the same");
     }
   }
+  return least;
+}
+
+}  // namespace
+
+template <int m>
+Rational measure_separation(const SpaceFormAtlas<m>& atlas, const Progress& progress) {
+  const Rational squared_radius = square(atlas.sampling_radius());
+  Rational least = squared_radius;
+  in_parts(
+      "measure the separation", atlas.size(), progress,
+      [&](std::size_t first, std::size_t last) { return least_squared_distance<m>(atlas, first, last); },
+      [&least](const Rational& found) { least = minimum(least, found); });
   return rounded_down(square_root_lower(least / squared_radius, 40), exponent);
 }
 
-template Rational measure_separation<2>(const SpaceFormAtlas<2>&);
-template Rational measure_separation<3>(const SpaceFormAtlas<3>&);
+template Rational measure_separation<2>(const SpaceFormAtlas<2>&, const Progress&);
+template Rational measure_separation<3>(const SpaceFormAtlas<3>&, const Progress&);
 
 }  // namespace delcert

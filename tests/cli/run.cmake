@@ -70,3 +70,25 @@ delcert_cli_test(info-no-file STATUS 3 OUTPUT "^$" ERROR "no-such-file.json: can
   COMMAND ${delcert} info no-such-file.json)
 delcert_cli_test(info-no-certificate STATUS 3 OUTPUT "^$" ERROR "points.txt: " FIXTURES run-points
   COMMAND ${delcert} info points.txt)
+
+# The certificate does not depend on the number of threads, byte for byte; on the seed it does.
+foreach(member "sphere-2;1/8" "klein-bottle;1/24")
+  list(GET member 0 name)
+  list(GET member 1 radius)
+  foreach(threads 1 2 4)
+    delcert_cli_test(certify-${name}-threads-${threads} STATUS 0 OUTPUT "levels" ERROR "^$" FIXTURE_SETUP run-${name}-threads
+      COMMAND ${delcert} certify --manifold ${name} --radius ${radius} --threads ${threads} --output ${name}-${threads}.json)
+  endforeach()
+  delcert_cli_test(certify-${name}-other-seed STATUS 0 OUTPUT "levels" ERROR "^$" FIXTURE_SETUP run-${name}-threads
+    COMMAND ${delcert} certify --manifold ${name} --radius ${radius} --seed 2 --output ${name}-other.json)
+  foreach(threads 2 4)
+    delcert_cli_test(certify-${name}-same-for-${threads} STATUS 0 OUTPUT "^$" ERROR "^$" FIXTURES run-${name}-threads
+      COMMAND ${CMAKE_COMMAND} -E compare_files ${name}-1.json ${name}-${threads}.json)
+  endforeach()
+  delcert_cli_test(certify-${name}-not-the-same STATUS 1 FIXTURES run-${name}-threads
+    COMMAND ${CMAKE_COMMAND} -E compare_files ${name}-1.json ${name}-other.json)
+endforeach()
+delcert_cli_test(certify-threads-are-a-number STATUS 64 OUTPUT "^$" ERROR "threads"
+  COMMAND ${delcert} certify --manifold sphere-2 --radius 1/8 --threads many --output never.json)
+delcert_cli_test(certify-threads-are-some STATUS 64 OUTPUT "^$" ERROR "threads"
+  COMMAND ${delcert} certify --manifold sphere-2 --radius 1/8 --threads 0 --output never.json)

@@ -1,6 +1,10 @@
 #include "kernel/perturb/perturbation.hpp"
 
+#include <numeric>
+
 #include "kernel/error.hpp"
+#include "kernel/parallel/threads.hpp"
+#include "kernel/perturb/colouring.hpp"
 #include "kernel/sample/poisson_disk.hpp"
 #include "tests/kernel/perturb/scene.hpp"
 
@@ -191,6 +195,66 @@ TEST(Perturbation, of_other_dimensions_keeps_the_tolerance_too) {
   order.resize(solid.size());
   for (std::size_t index = 0; index < order.size(); ++index) order[index] = index;
   EXPECT_EQ(count_violations<3>(solid, in_solid.points(), order, ratio(1, 1024), looked_at), 0U);
+}
+
+/// With the second tolerance.
+PerturbationParameters choosing(std::uint64_t seed) {
+  auto parameters = measured(ratio(1, 50), seed);
+  parameters.clearance = ratio(1, 20);
+  parameters.choices = 8;
+  return parameters;
+}
+
+TEST(Perturbation, by_colour_is_what_one_thread_does_colour_by_colour) {
+  const auto atlas = poisson_atlas<2>(hexagonal_torus(), ratio(1, 24));
+  for (const auto& parameters : {measured(ratio(1, 50)), choosing(1)}) {
+    auto colours = colours_of<2>(atlas, Placement<2>::reach(parameters), no_progress());
+    std::vector<std::uint32_t> order(atlas.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return colours[a] < colours[b]; });
+    PlacedPoints<2> state(atlas, parameters);
+    Placement<2> placement(atlas, parameters, state);
+    for (const std::uint32_t index : order) placement.place(Label(index));
+    // Then every fifth label again, in the same order.
+    const auto expected_first = exact_points<2>(state.points);
+    std::vector<Label> again;
+    for (const std::uint32_t index : order) {
+      if (index % 5 != 0) continue;
+      state.placed[index] = 0;
+      again.emplace_back(index);
+    }
+    for (const Label label : again) placement.place(label);
+    for (const unsigned limit : {1U, 2U, 4U}) {
+      const ThreadLimit threads(limit);
+      Perturbation<2> perturbation(atlas, parameters, PlacementOrder::by_colour);
+      perturbation.place_all(no_progress());
+      EXPECT_EQ(exact_points<2>(perturbation.points()), expected_first) << limit;
+      perturbation.place_anew(again, no_progress());
+      EXPECT_EQ(exact_points<2>(perturbation.points()), exact_points<2>(state.points)) << limit;
+      EXPECT_EQ(perturbation.statistics().tries, placement.statistics().tries);
+      EXPECT_EQ(perturbation.statistics().most_tries, placement.statistics().most_tries);
+      EXPECT_EQ(perturbation.statistics().candidates, placement.statistics().candidates);
+      EXPECT_EQ(perturbation.statistics().placements, placement.statistics().placements);
+    }
+    // It is another order than that of labels.
+    Perturbation<2> by_label(atlas, parameters);
+    by_label.place_all(no_progress());
+    EXPECT_NE(exact_points<2>(by_label.points()), expected_first);
+  }
+}
+
+TEST(Perturbation, by_colour_gives_up_at_the_same_label_whatever_the_number_of_threads) {
+  const auto atlas = poisson_atlas<2>(cubic_torus<2>(), ratio(1, 20));
+  auto parameters = measured(ratio(1, 4));
+  parameters.most_tries = 3;
+  std::vector<std::string> messages;
+  for (const unsigned limit : {1U, 2U, 4U}) {
+    const ThreadLimit threads(limit);
+    Perturbation<2> perturbation(atlas, parameters, PlacementOrder::by_colour);
+    messages.push_back(message_of<Rejection>([&] { perturbation.place_all(no_progress()); }));
+    EXPECT_EQ(messages.back(), messages.front());
+  }
+  EXPECT_TRUE(mentions(messages.front(), " in 3 tries")) << messages.front();
 }
 
 TEST(Perturbation, gives_up_on_a_tolerance_that_nothing_satisfies_and_names_the_label) {

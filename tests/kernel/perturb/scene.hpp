@@ -22,7 +22,7 @@ struct Scene {
   FlatSpace<m> space;
   ExactPoints<m> net;
   ExactPoints<m> points;  // placed ones displaced, others as in the net
-  std::vector<bool> placed;
+  PlacedLabels placed;
   Rational sampling_radius;
   PerturbationParameters parameters;
 
@@ -38,7 +38,7 @@ struct Scene {
     const auto& measured = pruned ? points : net;
     Lifts<m> result;
     for (const auto& lift : lifts_within<m>(space, measured, net[i], reach)) {
-      if (lift.index == i || (pruned && !placed[lift.index])) continue;
+      if (lift.index == i || (pruned && placed[lift.index] == 0)) continue;
       if (squared_distance<m>(space, at<m>(measured, lift), net[i]) == square(reach)) continue;
       result.push_back(lift);
     }
@@ -119,8 +119,8 @@ Scene<m> any_scene(const FlatSpace<m>& space, ExactPoints<m> net, const Rational
   // No offset is longer than the root of the total.
   const Rational step = scene.parameters.perturbation * sampling_radius / square_root_upper(total, 20);
   for (std::size_t index = 0; index < scene.net.size(); ++index) {
-    scene.placed.push_back(index % 3 != 2);
-    if (!scene.placed.back()) continue;
+    scene.placed.push_back(index % 3 != 2 ? 1 : 0);
+    if (scene.placed.back() == 0) continue;
     scene.points[index] = sum(scene.net[index], scaled(step, offsets[index]));
   }
   return scene;

@@ -1,8 +1,12 @@
 #include "kernel/perturb/space_form_run.hpp"
 
+#include "kernel/delaunay/piecewise_flat.hpp"
+#include "kernel/delaunay/riemannian_simplices.hpp"
 #include "kernel/delaunay/stable_stars.hpp"
 #include "kernel/manifold/space_form/space_form_file.hpp"
+#include "kernel/parallel/threads.hpp"
 #include "kernel/sample/space_form_net.hpp"
+#include "kernel/sample/space_form_separation.hpp"
 #include "kernel/topology/homology.hpp"
 #include "tests/kernel/delaunay/curved_patch.hpp"
 #include "tests/kernel/perturb/scene.hpp"
@@ -128,10 +132,13 @@ TEST(RunOnSpaceForm, of_a_flat_torus_has_the_complex_of_the_flat_run) {
   const FlatAtlas<2> atlas(cubic_torus<2>(), PointSet<2>(net), ratio(1, 32));
   const auto parameters = measured_parameters(Dimension(2), 1);
   const auto run = run_on_space_form<2>(atlas, unit_torus, parameters, {}, no_progress());
-  const auto flat = run_algorithm<2>(atlas, parameters, {}, no_progress());
+  // The flat run places points in another order; so it is given where they are.
+  const FlatAtlas<2> moved(cubic_torus<2>(), PointSet<2>(exact_points<2>(run.points)), ratio(1, 32));
+  RunRequest as_they_are;
+  as_they_are.perturb = false;
+  const auto flat = run_algorithm<2>(moved, parameters, as_they_are, no_progress());
   ASSERT_TRUE(run.is_certified());
   ASSERT_TRUE(flat.is_certified());
-  ASSERT_EQ(exact_points<2>(run.points), exact_points<2>(flat.points));
   for (std::uint32_t index = 0; index < atlas.size(); ++index) {
     EXPECT_EQ(run.complex.star(Label(index)), flat.complex.star(Label(index)));
   }
@@ -190,6 +197,94 @@ TEST(RunOnSpaceForm, certifies_the_three_sphere) {
   ASSERT_TRUE(run.is_certified());
   EXPECT_EQ(run.complex.euler_characteristic(), 0);
   EXPECT_EQ(group_text(homology(run.complex.label_complex())[1]), "0");
+}
+
+/// All that depends on a run and could depend on threads.
+template <int m>
+void check_threads(const SpaceFormAtlas<m>& atlas, const PerturbationParameters& parameters) {
+  struct Found {
+    ExactPoints<m> points;
+    std::vector<LabelSimplex<m>> simplices;
+    std::vector<std::vector<ChartSimplex<m>>> stars;
+    std::vector<double> doubles;
+    std::vector<std::uint64_t> counts;
+    Rational separation;
+    bool operator==(const Found&) const = default;
+  };
+  std::vector<Found> all;
+  for (const unsigned limit : {1U, 2U, 4U}) {
+    const ThreadLimit threads(limit);
+    const auto run = run_on_space_form<m>(atlas, parameters, {}, no_progress());
+    ASSERT_TRUE(run.is_certified());
+    const auto geometry = geometry_of(atlas);
+    const auto exact = measure_riemannian_simplices<m>(atlas, run.points, geometry, run.complex, no_progress());
+    const auto flat =
+        measure_piecewise_flat<m>(atlas, run.points, geometry, run.complex, run.model.circumradius, no_progress());
+    StarStability stability;
+    if constexpr (m == 2) stability = check_stability<m>(atlas, run.points, geometry, run.complex, no_progress());
+    Found& found = all.emplace_back();
+    found.points = exact_points<m>(run.points);
+    found.simplices = run.complex.simplices();
+    for (std::uint32_t index = 0; index < atlas.size(); ++index)
+      found.stars.push_back(run.complex.chart_star(Label(index)).simplices);
+    found.doubles = {run.margins.protection,
+                     run.margins.thickness,
+                     run.margins.circumradius,
+                     run.margins.reach,
+                     run.model.protection,
+                     run.model.circumradius,
+                     exact.thickness,
+                     exact.star_radius,
+                     exact.scale,
+                     flat.least_weight,
+                     flat.lower,
+                     flat.upper,
+                     stability.margins.protection,
+                     stability.margins.reach};
+    found.counts = {run.statistics.placements,   run.statistics.tries,   run.statistics.most_tries,
+                    run.statistics.candidates,   run.statistics.visited, run.repaired_points,
+                    run.first_agreement.missing, flat.unrealised,        flat.hinges,
+                    flat.not_delaunay,           stability.pairs,        stability.differing};
+    found.separation = measure_separation<m>(atlas);
+    EXPECT_TRUE(found == all.front()) << limit << " threads";
+  }
+}
+
+TEST(RunOnSpaceForm, is_the_same_for_any_number_of_threads) {
+  check_threads<2>(member<2>("sphere-2", ratio(1, 8)), measured_parameters(Dimension(2), 1));
+  check_threads<2>(member<2>("klein-bottle", ratio(1, 24)), measured_parameters(Dimension(2), 1));
+  auto parameters = measured_parameters(Dimension(3), 1);
+  parameters.choices = 10;
+  check_threads<3>(member<3>("sphere-3", ratio(1, 4), 5), parameters);
+}
+
+template <int m>
+void check_failures(const Atlas<m>& atlas, const ModelGeometry& geometry) {
+  RunRequest request;
+  request.perturb = false;
+  std::vector<std::string> texts;
+  for (const unsigned limit : {1U, 2U, 4U}) {
+    const ThreadLimit threads(limit);
+    const auto parameters = measured_parameters(Dimension(m), 1);
+    const auto run = run_on_space_form<m>(atlas, geometry, parameters, request, no_progress());
+    std::string& text = texts.emplace_back();
+    for (const auto* failures : {&run.star_failures, &run.agreement.failures, &run.model.failures}) {
+      for (const auto& failure : *failures) text += failure.reason + "\n";
+    }
+    EXPECT_EQ(text, texts.front());
+  }
+  EXPECT_FALSE(texts.front().empty());
+}
+
+TEST(RunOnSpaceForm, names_the_same_failures_in_the_same_order_for_any_number_of_threads) {
+  const auto sphere = member<2>("sphere-2", ratio(1, 6));
+  check_failures<2>(sphere, geometry_of(sphere));
+  // Of degenerate points, where proposals are arbitrary.
+  std::vector<Vector<Rational, 2>> lattice;
+  for (long a = 0; a < 16; ++a) {
+    for (long b = 0; b < 16; ++b) lattice.push_back({ratio(a, 16), ratio(b, 16)});
+  }
+  check_failures<2>(FlatAtlas<2>(cubic_torus<2>(), PointSet<2>(lattice), ratio(3, 64)), unit_torus);
 }
 
 TEST(GeometryOf, is_what_was_certified_of_the_group) {

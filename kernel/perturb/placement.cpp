@@ -1,0 +1,143 @@
+#include "kernel/perturb/placement.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "kernel/error.hpp"
+#include "kernel/number/exact_text.hpp"
+#include "kernel/simplex/dimensions.hpp"
+
+namespace delcert {
+
+namespace {
+
+/// The grid is finer than the tolerance, and than the sampling radius, by these powers of two.
+constexpr long digits_below_tolerance = 32;
+constexpr long digits_below_radius = 40;
+
+/// A step of the grid in frame coordinates, whatever the length of the frame's vectors: a step of 2^e in one
+/// coordinate is a length 2^e·√G_aa.
+template <int m>
+long grid_exponent_for(const Atlas<m>& atlas, const PerturbationParameters& parameters) {
+  Rational least = atlas.sampling_radius(Label(0));
+  for (std::uint32_t index = 1; index < atlas.size(); ++index) {
+    least = minimum(least, atlas.sampling_radius(Label(index)));
+  }
+  Rational longest(1);
+  for (std::size_t axis = 0; axis < m; ++axis) longest = maximum(longest, atlas.metric().gram()[axis][axis]);
+  const long radius = binary_exponent(least) - binary_exponent(longest) / 2 - 1;
+  if (is_proved(is_zero(parameters.tolerance))) return radius - digits_below_radius;
+  return std::min(radius - digits_below_radius,
+                  radius + binary_exponent(parameters.tolerance) - digits_below_tolerance);
+}
+
+bool chooses(const PerturbationParameters& parameters) {
+  return parameters.choices > 1 || parameters.clearance > Rational(0);
+}
+
+}  // namespace
+
+PerturbationStatistics& PerturbationStatistics::operator+=(const PerturbationStatistics& other) {
+  placements += other.placements;
+  tries += other.tries;
+  most_tries = std::max(most_tries, other.most_tries);
+  candidates += other.candidates;
+  most_candidates = std::max(most_candidates, other.most_candidates);
+  visited += other.visited;
+  return *this;
+}
+
+template <int m>
+PlacedPoints<m>::PlacedPoints(const Atlas<m>& atlas, const PerturbationParameters& parameters)
+    : points(atlas.net()),
+      placed(atlas.size(), 0),
+      attempts(atlas.size(), 0),
+      grid_exponent(grid_exponent_for(atlas, parameters)) {}
+
+template <int m>
+Placement<m>::Placement(const Atlas<m>& atlas, const PerturbationParameters& parameters, PlacedPoints<m>& state)
+    : atlas_(atlas),
+      parameters_(parameters),
+      state_(state),
+      metric_([&] {
+        const FilterGuard guard;
+        return atlas.metric().template on<Filter>();
+      }()),
+      test_(atlas, state.points, state.placed, parameters),
+      delaunay_(atlas, state.points, state.placed, parameters) {}
+
+template <int m>
+Rational Placement<m>::reach(const PerturbationParameters& parameters) {
+  const Rational reach = reach_of_candidates(parameters);
+  return chooses(parameters) ? maximum(reach, reach_of_delaunay_candidates(parameters)) : reach;
+}
+
+template <int m>
+void Placement<m>::place(Label i) {
+  const FilterGuard guard;
+  test_.prepare(i);
+  statistics_.candidates += test_.candidate_count();
+  statistics_.most_candidates = std::max<std::uint64_t>(statistics_.most_candidates, test_.candidate_count());
+  statistics_.visited += test_.visited();
+  GridBall<m> ball(atlas_.metric(), metric_, atlas_.net().exact(i),
+                   parameters_.perturbation * atlas_.sampling_radius(i), state_.grid_exponent);
+  std::uint32_t tries = 0;
+  if (auto x = chooses(parameters_) ? best_good(i, ball, tries) : first_good(i, ball, tries)) {
+    state_.points.place(i, std::move(*x));
+    state_.placed[i.value] = 1;
+    ++statistics_.placements;
+    statistics_.tries += tries;
+    statistics_.most_tries = std::max(statistics_.most_tries, tries);
+    return;
+  }
+  throw Rejection("no good perturbation of label " + std::to_string(i.value) + " in " +
+                  std::to_string(parameters_.most_tries) + " tries, with tolerance " +
+                  exact_text(parameters_.tolerance) + " and " + std::to_string(test_.candidate_count()) +
+                  " candidates");
+}
+
+template <int m>
+std::optional<Vector<Rational, m>> Placement<m>::first_good(Label i, GridBall<m>& ball, std::uint32_t& tries) {
+  while (tries < parameters_.most_tries) {
+    ++tries;
+    draw(i, ball);
+    Vector<Rational, m> x = ball.exact();
+    if (test_.accepts(x)) return x;
+  }
+  return std::nullopt;
+}
+
+template <int m>
+std::optional<Vector<Rational, m>> Placement<m>::best_good(Label i, GridBall<m>& ball, std::uint32_t& tries) {
+  delaunay_.prepare(i, test_);
+  const double enough = approximate_double(parameters_.clearance * atlas_.sampling_radius(i));
+  std::optional<Vector<Rational, m>> best;
+  double farthest = 0;
+  // Tests are dear, so they are for what would be better than the best so far.
+  for (std::uint32_t chosen = 0; tries < parameters_.most_tries; ++chosen) {
+    if (best && chosen >= parameters_.choices && (farthest >= enough || chosen >= 16 * parameters_.choices)) break;
+    ++tries;
+    draw(i, ball);
+    const double clearance = delaunay_.clearance(ball.enclosure());
+    if (best && clearance <= farthest) continue;
+    Vector<Rational, m> x = ball.exact();
+    if (!test_.accepts(x)) continue;
+    best = std::move(x);
+    farthest = clearance;
+  }
+  return best;
+}
+
+template <int m>
+void Placement<m>::draw(Label i, GridBall<m>& ball) {
+  CounterRandom random(parameters_.seed, RandomPurpose::perturbation, i.value, state_.attempts[i.value]++);
+  ball.draw(random);
+}
+
+#define DELCERT_INSTANTIATE(m)     \
+  template struct PlacedPoints<m>; \
+  template class Placement<m>;
+DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
+#undef DELCERT_INSTANTIATE
+
+}  // namespace delcert
