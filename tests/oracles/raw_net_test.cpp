@@ -30,6 +30,9 @@ struct Cgal<2> {
   static Point point(const Vector<Rational, 2>& x) {
     return {cgal_number<Kernel::FT>(x[0]), cgal_number<Kernel::FT>(x[1])};
   }
+  static Kernel::FT squared_radius(Delaunay::Face_handle cell) {
+    return CGAL::squared_radius(cell->vertex(0)->point(), cell->vertex(1)->point(), cell->vertex(2)->point());
+  }
   static std::vector<Delaunay::Face_handle> cells_at(const Delaunay& t, Delaunay::Vertex_handle v) {
     std::vector<Delaunay::Face_handle> result;
     auto face = t.incident_faces(v);
@@ -47,6 +50,10 @@ struct Cgal<3> {
   using Point = Kernel::Point_3;
   static Point point(const Vector<Rational, 3>& x) {
     return {cgal_number<Kernel::FT>(x[0]), cgal_number<Kernel::FT>(x[1]), cgal_number<Kernel::FT>(x[2])};
+  }
+  static Kernel::FT squared_radius(Delaunay::Cell_handle cell) {
+    return CGAL::squared_radius(cell->vertex(0)->point(), cell->vertex(1)->point(), cell->vertex(2)->point(),
+                                cell->vertex(3)->point());
   }
   static std::vector<Delaunay::Cell_handle> cells_at(const Delaunay& t, Delaunay::Vertex_handle v) {
     std::vector<Delaunay::Cell_handle> result;
@@ -119,7 +126,7 @@ LabelComplex<m> exact_star(const SphereCharts<m>& charts, std::uint32_t label, d
       simplex[static_cast<std::size_t>(corner)] = cell->vertex(corner)->info();
     result.push_back(simplex);
     // A ball through the centre of the chart reaches no farther than its diameter.
-    const double squared = CGAL::to_double(CGAL::squared_distance(triangulation.dual(cell), home));
+    const double squared = CGAL::to_double(Cgal<m>::squared_radius(cell));
     EXPECT_LT(2.02 * std::sqrt(squared), reach) << "label " << label;
   }
   sort_simplices<m>(result);

@@ -42,7 +42,7 @@ TEST(BoxIndex, finds_what_looking_at_every_point_finds) {
   index.fill(points);
   CounterRandom random(1, RandomPurpose::instances, 8, 0);
   std::size_t some = 0;
-  for (int box = 0; box < 200; ++box) {
+  for (std::size_t box = 0; box < points.size(); ++box) {
     Vector<double, 3> lowest;
     Vector<double, 3> highest;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -50,8 +50,8 @@ TEST(BoxIndex, finds_what_looking_at_every_point_finds) {
       highest[axis] = lowest[axis] + random.next_unit() / 3;
     }
     // Ends of enclosures on the sides of the box belong to it.
-    if (box % 5 == 0) lowest[0] = points[static_cast<std::size_t>(box)][0].upper();
-    if (box % 5 == 1) highest[0] = points[static_cast<std::size_t>(box)][0].lower();
+    if (box % 5 == 0) lowest[0] = points[box][0].upper();
+    if (box % 5 == 1) highest[0] = points[box][0].lower();
     std::vector<std::uint32_t> expected;
     for (std::uint32_t at = 0; at < points.size(); ++at) {
       if (meets(points[at], lowest, highest)) expected.push_back(at);
@@ -62,7 +62,7 @@ TEST(BoxIndex, finds_what_looking_at_every_point_finds) {
                                [&](auto a, auto b) { return points[a][0].lower() < points[b][0].lower(); }));
     std::sort(found.begin(), found.end());
     EXPECT_EQ(found, expected);
-    some += found.empty() ? 0 : 1;
+    if (!found.empty()) ++some;
   }
   EXPECT_GT(some, 100U);
 }
