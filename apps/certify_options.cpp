@@ -16,4 +16,11 @@ std::string star_failures_text(const std::vector<StarFailure>& failures, int rep
   return text;
 }
 
+std::string disagreement_text(const std::vector<Label>& labels) {
+  if (labels.empty()) return {};
+  std::string text = fmt::format("\n{} stars are not in agreement with another:", labels.size());
+  for (const Label label : labels) text += fmt::format(" {}", label.value);
+  return text;
+}
+
 }  // namespace delcert

@@ -27,5 +27,7 @@ struct CertifyOptions {
 
 /// Why nothing is certified: how many failures, and the first ten of them.
 [[nodiscard]] std::string star_failures_text(const std::vector<StarFailure>& failures, int repair_rounds);
+/// All labels whose stars disagree with another, on a line of its own; empty if there are none.
+[[nodiscard]] std::string disagreement_text(const std::vector<Label>& labels);
 
 }  // namespace delcert

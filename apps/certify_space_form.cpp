@@ -8,6 +8,7 @@
 #include "apps/report_parts.hpp"
 #include "apps/space_form_report.hpp"
 #include "kernel/error.hpp"
+#include "kernel/manifold/space_form/patch_size.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "kernel/sample/space_form_separation.hpp"
 #include "proofs/constants/ledger.hpp"
@@ -42,7 +43,7 @@ void require_certified(const SpaceFormRun<m>& run) {
   std::vector<StarFailure> failures = run.star_failures;
   failures.insert(failures.end(), run.agreement.failures.begin(), run.agreement.failures.end());
   failures.insert(failures.end(), run.model.failures.begin(), run.model.failures.end());
-  throw Rejection(star_failures_text(failures, run.repair_rounds));
+  throw Rejection(star_failures_text(failures, run.repair_rounds) + disagreement_text(run.agreement.labels));
 }
 
 template <int m>
@@ -55,7 +56,8 @@ ExitStatus certify(const CertifyOptions& options, SpaceForm form, ProgressLine& 
   report.first_homology = group_text(form.first_homology);
   clock.begin("read or sample the net");
   auto [centres, sampling_radius] = options.source.template net_of<m>(form, progress);
-  const SpaceFormAtlas<m> atlas(std::move(form), std::move(centres), sampling_radius);
+  report.patch_factor = fitting_patch_factor(form, m, sampling_radius);
+  const SpaceFormAtlas<m> atlas(std::move(form), std::move(centres), sampling_radius, report.patch_factor);
   const Rational separation = measure_separation<m>(atlas, progress);
   report.points = atlas.size();
   report.sampling_radius = sampling_radius;

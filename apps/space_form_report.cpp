@@ -51,8 +51,8 @@ std::string report_text(const SpaceFormReport& report) {
       fmt::format("{}, {} mode, seed {}\n\n", report.manifold, name_of(report.parameters.mode), algorithm.seed);
   out += fmt::format("group        verified: curvature {}, injectivity radius ≥ {}, H₁ = {}\n",
                      sign_of(report.curvature), decimal_lower(report.injectivity_radius), report.first_homology);
-  out += fmt::format("net          {} points, ε = {}, μ₀ = {}\n", report.points, exact_text(report.sampling_radius),
-                     exact_text(algorithm.separation));
+  out += fmt::format("net          {} points, ε = {}, μ₀ = {}, patches of radius {} ε\n", report.points,
+                     exact_text(report.sampling_radius), exact_text(algorithm.separation), report.patch_factor);
   if (report.parameters.mode == RunMode::none) {
     out += "perturbation none\n";
   } else {
@@ -91,6 +91,7 @@ std::string report_json(const SpaceFormReport& report) {
   json["points"] = report.points;
   json["simplices"] = report.simplices;
   json["sampling_radius"] = exact_text(report.sampling_radius);
+  json["patch_factor"] = report.patch_factor;
   json["separation"] = exact_text(algorithm.separation);
   json["perturbation"] = exact_text(algorithm.perturbation);
   json["tolerance"] = exact_text(algorithm.tolerance);

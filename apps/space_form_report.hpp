@@ -16,6 +16,7 @@ struct SpaceFormReport {
   std::string first_homology;   ///< of the group
   RunParameters parameters;
   Rational sampling_radius;
+  int patch_factor = 0;  ///< the radius of patches, in sampling radii
   std::size_t points = 0;
   std::size_t simplices = 0;
   PerturbationStatistics statistics;

@@ -166,9 +166,9 @@ std::string simplex_text(std::vector<Label> labels) {
 template <int m>
 std::optional<std::string> chart_simplex_failure(const ChartView<m>& view, const PlaceSimplex<m>& simplex,
                                                  double required_protection, LocalMargins& margins,
-                                                 std::size_t& witness) {
+                                                 std::size_t& witness, int look_beyond_part) {
   witness = view.size();
-  const double look_beyond = approximate_double(view.atlas().sampling_radius(view.chart())) / 2;
+  const double look_beyond = approximate_double(view.atlas().sampling_radius(view.chart())) / look_beyond_part;
   const auto ball = look_at_ball<m>(view, LocalCoordinates::chart, simplex, look_beyond);
   if (!is_proved(ball.empty)) {
     witness = ball.witness;
@@ -177,7 +177,7 @@ std::optional<std::string> chart_simplex_failure(const ChartView<m>& view, const
   }
   const double complete = view.complete_radius(LocalCoordinates::chart);
   const FilterGuard guard;
-  const auto metric = view.atlas().metric().template on<Filter>();
+  const auto& metric = view.filter_metric();
   const Filter radius = square_root(ball.squared_radius);
   const Filter centre = square_root(metric.squared_norm(ball.centre));
   // √(R² + P) − R without cancellation.
@@ -220,7 +220,7 @@ CertifiedStar<m> chart_star(ChartView<m>& scratch, Label i, double required_prot
 #define DELCERT_INSTANTIATE(m)                                                                                      \
   template CertifiedStar<m> chart_star<m>(ChartView<m>&, Label, double);                                            \
   template std::optional<std::string> chart_simplex_failure<m>(const ChartView<m>&, const PlaceSimplex<m>&, double, \
-                                                               LocalMargins&, std::size_t&);
+                                                               LocalMargins&, std::size_t&, int);
 DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
 #undef DELCERT_INSTANTIATE
 

@@ -8,13 +8,15 @@ namespace delcert {
 
 template <int m>
 ChartView<m>::ChartView(const Atlas<m>& atlas, const PointSet<m>& points, const ModelGeometry& geometry)
-    : atlas_(&atlas), points_(&points), geometry_(geometry) {
+    : atlas_(&atlas), points_(&points), geometry_(geometry), filter_metric_([&] {
+        const FilterGuard guard;
+        return atlas.metric().template on<Filter>();
+      }()) {
   const FilterGuard guard;
-  const auto metric = atlas.metric().template on<Filter>();
   Filter most(0);
   for (std::uint32_t index = 0; index < points.size(); ++index) {
     const auto offset = difference(points.enclosure(Label(index)), atlas.net().enclosure(Label(index)));
-    most = maximum(most, metric.squared_norm(offset));
+    most = maximum(most, filter_metric_.squared_norm(offset));
   }
   displacement_ = square_root(most).upper();
 }
@@ -24,6 +26,8 @@ void ChartView<m>::look(Label chart, double reach) {
   chart_ = chart;
   reach_ = reach;
   conformal_.clear();
+  boxes_.are_filled = false;
+  conformal_boxes_.are_filled = false;
   atlas_->sightings(chart, reach, seen_);
   position_.clear();
   const FilterGuard guard;
@@ -34,9 +38,22 @@ void ChartView<m>::look(Label chart, double reach) {
 }
 
 template <int m>
-void ChartView<m>::look_by_halves(Label chart, int half_radii) {
+double ChartView<m>::reach_of(Label chart, int half_radii) const {
   // A hair less, as patches may be cut off at exactly their radius.
-  look(chart, approximate_double(atlas_->sampling_radius(chart)) * half_radii / 2 * (1 - 0x1p-40));
+  return approximate_double(atlas_->sampling_radius(chart)) * half_radii / 2 * (1 - 0x1p-40);
+}
+
+template <int m>
+void ChartView<m>::look_by_halves(Label chart, int half_radii) {
+  look(chart, reach_of(chart, half_radii));
+}
+
+template <int m>
+double ChartView<m>::complete_radius_of_patch(Label chart) const {
+  const double reach = reach_of(chart, 2 * geometry_.patch_factor);
+  const FilterGuard guard;
+  const double result = (Filter::exactly(reach) - Filter::exactly(displacement_)).lower();
+  return result > 0 ? result : 0;
 }
 
 template <int m>
@@ -82,6 +99,16 @@ const std::vector<Vector<Filter, m>>& ChartView<m>::conformal_positions() const 
     }
   }
   return conformal_;
+}
+
+template <int m>
+void ChartView<m>::meeting(LocalCoordinates coordinates, const Vector<double, m>& lowest,
+                           const Vector<double, m>& highest, std::vector<std::uint32_t>& out) const {
+  const bool is_chart = coordinates == LocalCoordinates::chart;
+  Boxes& boxes = is_chart ? boxes_ : conformal_boxes_;
+  if (!boxes.are_filled) boxes.index.fill(is_chart ? position_ : conformal_positions());
+  boxes.are_filled = true;
+  boxes.index.meeting(lowest, highest, out);
 }
 
 #define DELCERT_INSTANTIATE(m) template class ChartView<m>;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "kernel/delaunay/box_index.hpp"
 #include "kernel/manifold/atlas.hpp"
 #include "kernel/manifold/space_form/model_space.hpp"
 
@@ -12,8 +13,9 @@ namespace delcert {
 /// What certification asks of a space form X/Γ beside its charts.
 struct ModelGeometry {
   Curvature curvature = Curvature::zero;
-  Rational injectivity_radius;  ///< a lower bound
-  int patch_factor = 9;         ///< patches have this radius, in sampling radii
+  Rational injectivity_radius;    ///< a lower bound
+  int patch_factor = 9;           ///< patches have this radius, in sampling radii
+  bool isometric_charts = false;  ///< transitions are isometries of the charts' metric, as on flat manifolds
 };
 
 /// In which coordinates of X about the centre of a chart: tangent vectors, that is those of the chart (exp⁻¹), or
@@ -39,6 +41,8 @@ class ChartView {
   [[nodiscard]] const Atlas<m>& atlas() const { return *atlas_; }
   [[nodiscard]] const PointSet<m>& points() const { return *points_; }
   [[nodiscard]] const ModelGeometry& geometry() const { return geometry_; }
+  /// That of the atlas, on the filter. Precondition of its use: a `FilterGuard` is alive.
+  [[nodiscard]] const MetricOn<Filter, m>& filter_metric() const { return filter_metric_; }
   [[nodiscard]] double reach() const { return reach_; }
   [[nodiscard]] Label chart() const { return chart_; }
   [[nodiscard]] std::size_t size() const { return seen_.size(); }
@@ -49,6 +53,8 @@ class ChartView {
 
   /// Every lift closer than this to the centre is in the view, in these coordinates. 0 if nothing is known.
   [[nodiscard]] double complete_radius(LocalCoordinates coordinates) const;
+  /// The same in the chart of this label, were all of its patch in the view.
+  [[nodiscard]] double complete_radius_of_patch(Label chart) const;
   /// No point is farther than this from its original, in a chart.
   [[nodiscard]] double displacement() const { return displacement_; }
 
@@ -56,6 +62,10 @@ class ChartView {
   [[nodiscard]] const Vector<Filter, m>& position(LocalCoordinates coordinates, std::size_t at) const {
     return coordinates == LocalCoordinates::chart ? position_[at] : conformal_positions()[at];
   }
+  /// Replaces `out` by the places of all points whose enclosures meet this box, in these coordinates.
+  /// Precondition: a `FilterGuard` is alive.
+  void meeting(LocalCoordinates coordinates, const Vector<double, m>& lowest, const Vector<double, m>& highest,
+               std::vector<std::uint32_t>& out) const;
   template <class S>
   [[nodiscard]] Vector<S, m> position_in(LocalCoordinates coordinates, std::size_t at) const {
     const Vector<S, m> carried =
@@ -71,16 +81,24 @@ class ChartView {
 
  private:
   const std::vector<Vector<Filter, m>>& conformal_positions() const;
+  [[nodiscard]] double reach_of(Label chart, int half_radii) const;
 
   const Atlas<m>* atlas_;
   const PointSet<m>* points_;
   ModelGeometry geometry_;
+  MetricOn<Filter, m> filter_metric_;
   double displacement_ = 0;
   Label chart_{0};
   double reach_ = 0;
   std::vector<Sighting<m>> seen_;
   std::vector<Vector<Filter, m>> position_;
   mutable std::vector<Vector<Filter, m>> conformal_;  // empty until asked for
+  struct Boxes {
+    bool are_filled = false;
+    BoxIndex<m> index;
+  };
+  mutable Boxes boxes_;
+  mutable Boxes conformal_boxes_;
 };
 
 }  // namespace delcert

@@ -25,7 +25,7 @@ class Look {
 
   /// Points whose coordinates alone say that they are farther than `look_beyond` from the ball are not looked at.
   void on_filter(double look_beyond) {
-    const auto metric = view_.atlas().metric().template on<Filter>();
+    const auto& metric = view_.filter_metric();
     SphereStack<Filter, m> stack(metric);
     const auto vertices = vertices_in<Filter>();
     if (!is_proved(build_spheres<Filter, m>(stack, metric, vertices, m))) {
@@ -37,14 +37,10 @@ class Look {
     take_ball(stack, vertices[0]);
     const Filter radius = square_root(result_.squared_radius);
     const Filter beyond = Filter::exactly(look_beyond);
-    Filter most_deviation(1);
-    const bool cartesian = metric.is_cartesian();
-    const double reach = (radius + beyond).upper();
-    for (std::size_t at = 0; at < view_.size(); ++at) {
+    find_near((radius + beyond).upper());
+    for (const std::uint32_t at : near_) {
       if (is_corner(at)) continue;
       const auto& position = view_.position(coordinates_, at);
-      if (is_curved_) most_deviation = maximum(most_deviation, deviation(position));
-      if (cartesian && is_beyond(position, reach)) continue;
       const auto offset = difference(position, vertices[0]);
       const Filter power = stack.power(offset, metric.squared_norm(offset));
       if (is_proved(less(Filter(0), power))) {
@@ -52,6 +48,12 @@ class Look {
       } else {
         rest_.push_back(at);
       }
+    }
+    std::sort(rest_.begin(), rest_.end());
+    Filter most_deviation(1);
+    if (is_curved_) {
+      for (std::size_t at = 0; at < view_.size(); ++at)
+        most_deviation = maximum(most_deviation, deviation(view_.position(coordinates_, at)));
     }
     // |q − C|² − R² for |q − C| = R + s.
     include(beyond * (beyond + twice(radius)) / (Filter(2) * most_deviation), view_.size());
@@ -116,23 +118,27 @@ class Look {
   template <class S>
   void take_ball(const SphereStack<S, m>& stack, const Vector<S, m>& first) {
     const auto centre = sum(first, stack.centre());
-    for (std::size_t axis = 0; axis < m; ++axis) {
-      result_.centre[axis] = enclosure_of(centre[axis]);
-      low_[axis] = result_.centre[axis].lower();
-      high_[axis] = result_.centre[axis].upper();
-    }
+    for (std::size_t axis = 0; axis < m; ++axis) result_.centre[axis] = enclosure_of(centre[axis]);
     result_.squared_radius = enclosure_of(stack.squared_radius());
   }
 
   [[nodiscard]] bool is_corner(std::size_t at) const {
     return std::find(simplex_.begin(), simplex_.end(), at) != simplex_.end();
   }
-  [[nodiscard]] bool is_beyond(const Vector<Filter, m>& position, double reach) const {
-    for (std::size_t axis = 0; axis < m; ++axis) {
-      const Filter offset = position[axis] - Filter::between(low_[axis], high_[axis]);
-      if (offset.lower() > reach || offset.upper() < -reach) return true;
+  /// The points that may be within this distance of the centre; in a frame that is not Cartesian, all.
+  void find_near(double distance) {
+    if (!view_.filter_metric().is_cartesian()) {
+      near_.resize(view_.size());
+      std::iota(near_.begin(), near_.end(), std::uint32_t{0});
+      return;
     }
-    return false;
+    Vector<double, m> lowest;
+    Vector<double, m> highest;
+    for (std::size_t axis = 0; axis < m; ++axis) {
+      lowest[axis] = (Filter::exactly(result_.centre[axis].lower()) - Filter::exactly(distance)).lower();
+      highest[axis] = (Filter::exactly(result_.centre[axis].upper()) + Filter::exactly(distance)).upper();
+    }
+    view_.meeting(coordinates_, lowest, highest, near_);
   }
 
   template <class S>
@@ -155,8 +161,7 @@ class Look {
   bool is_curved_ = false;
   bool needs_ball_ = false;
   bool has_power_ = false;
-  Vector<double, m> low_{};
-  Vector<double, m> high_{};
+  std::vector<std::uint32_t> near_;
   std::vector<std::size_t> rest_;
   LocalBall<m> result_;
 };

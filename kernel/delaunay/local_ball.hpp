@@ -42,11 +42,19 @@ template <int m>
       longest = maximum(longest, metric.squared_norm(difference(vertices[b], vertices[a])));
     }
   }
+  // The altitude over a facet is ⟨n, e⟩/|n|, n normal to the facet and e an edge that leaves it.
   Filter least(1);
-  for (std::size_t last = 0; last <= m; ++last) {
-    SphereStack<Filter, m> stack(metric);
-    if (!is_proved(build_spheres<Filter, m>(stack, metric, vertices, last))) return 0;
-    least = minimum(least, stack.squared_altitude() / longest);
+  for (std::size_t apex = 0; apex <= m; ++apex) {
+    const std::size_t foot = apex == 0 ? 1 : 0;
+    std::array<Vector<Filter, m>, static_cast<std::size_t>(m)> edges{};  // the last entry is not read
+    std::size_t next = 0;
+    for (std::size_t corner = 0; corner <= m; ++corner) {
+      if (corner != foot && corner != apex) edges[next++] = difference(vertices[corner], vertices[foot]);
+    }
+    const auto covector = wedge(edges);
+    const Filter slope = metric.determinant() * pairing(covector, difference(vertices[apex], vertices[foot]));
+    if (!is_proved(negation(is_zero(slope)))) return 0;
+    least = minimum(least, square(slope) / (metric.squared_norm(metric.raised(covector)) * longest));
   }
   const double result = (square_root(least) / Filter(m)).lower();
   return result > 0 ? result : 0;

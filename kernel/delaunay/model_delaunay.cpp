@@ -33,7 +33,7 @@ std::optional<std::string> failure_of(const ChartView<m>& view, const PlaceSimpl
   }
   const double complete = view.complete_radius(LocalCoordinates::conformal);
   const FilterGuard guard;
-  const auto metric = view.atlas().metric().template on<Filter>();
+  const auto& metric = view.filter_metric();
   const Filter squared_centre = metric.squared_norm(ball.centre);
   const Filter outermost = square_root(squared_centre) + square_root(ball.squared_radius);
   if (!is_proved(less(outermost, Filter::exactly(complete))))

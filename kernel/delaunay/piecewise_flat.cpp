@@ -98,7 +98,7 @@ class FlatMetric {
  private:
   void measure(const LabelSimplex<m>& labels, const PlaceSimplex<m>& places) {
     const Curvature curvature = view_.geometry().curvature;
-    const auto metric = view_.atlas().metric().template on<Filter>();
+    const auto& metric = view_.filter_metric();
     std::array<ModelPoint<Filter, m>, static_cast<std::size_t>(m) + 1> at;
     for (std::size_t k = 0; k <= m; ++k)
       at[k] = exponential<Filter, m>(curvature, view_.position(LocalCoordinates::chart, places[k]));

@@ -127,7 +127,10 @@ StarAgreement SpaceFormComplex<m>::agreement() const {
     }
     first = last;
   }
-  result.stars = static_cast<std::size_t>(std::count(concerned.begin(), concerned.end(), true));
+  for (std::uint32_t index = 0; index < concerned.size(); ++index) {
+    if (concerned[index]) result.labels.emplace_back(index);
+  }
+  result.stars = result.labels.size();
   return result;
 }
 

@@ -14,6 +14,7 @@ using LabelSimplex = std::array<std::uint32_t, static_cast<std::size_t>(m) + 1>;
 struct StarAgreement {
   std::size_t missing = 0;  ///< pairs of a simplex of some star and a label of it whose star does not have the simplex
   std::size_t stars = 0;    ///< labels in such a pair
+  std::vector<Label> labels;          ///< these, sorted
   std::vector<StarFailure> failures;  ///< one for each simplex that some star misses: which, and whose star has it
 };
 

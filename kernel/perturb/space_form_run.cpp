@@ -160,7 +160,8 @@ SpaceFormRun<m> run_on_space_form(const Atlas<m>& atlas, const ModelGeometry& ge
 template <int m>
 ModelGeometry geometry_of(const SpaceFormAtlas<m>& atlas) {
   const Rational factor = atlas.patch_radius() / atlas.sampling_radius();
-  return {atlas.curvature(), atlas.form().injectivity_radius.lower, floor_of(factor).template convert_to<int>()};
+  return {atlas.curvature(), atlas.form().injectivity_radius.lower, floor_of(factor).template convert_to<int>(),
+          atlas.curvature() == Curvature::zero};
 }
 template ModelGeometry geometry_of<2>(const SpaceFormAtlas<2>&);
 template ModelGeometry geometry_of<3>(const SpaceFormAtlas<3>&);

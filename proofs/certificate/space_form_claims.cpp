@@ -36,8 +36,8 @@ class Derivation {
         reasons_(reasons),
         curvature_(atlas.curvature()),
         injectivity_radius_(atlas.form().injectivity_radius.lower),
-        patch_radius_(Rational(SpaceFormAtlas<m>::patch_factor) * atlas.sampling_radius()),
-        has_whole_patches_(patch_radius_ <= atlas.patch_radius()),
+        patch_radius_(atlas.patch_radius()),
+        has_whole_patches_(Rational(SpaceFormAtlas<m>::patch_factor) * atlas.sampling_radius() <= patch_radius_),
         shift_(parameters.algorithm.perturbation * atlas.sampling_radius()) {}
 
   SpaceFormClaims claims() {

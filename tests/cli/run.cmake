@@ -92,3 +92,18 @@ delcert_cli_test(certify-threads-are-a-number STATUS 64 OUTPUT "^$" ERROR "threa
   COMMAND ${delcert} certify --manifold sphere-2 --radius 1/8 --threads many --output never.json)
 delcert_cli_test(certify-threads-are-some STATUS 64 OUTPUT "^$" ERROR "threads"
   COMMAND ${delcert} certify --manifold sphere-2 --radius 1/8 --threads 0 --output never.json)
+
+# Raw nets of spheres, on which stars of different charts disagree; the same net perturbed, in patches of seven radii.
+foreach(dimension 2 3)
+  delcert_cli_test(certify-raw-sphere-${dimension} STATUS 1 OUTPUT "^$"
+    ERROR "nothing is certified: .* is in the star of label .*stars are not in agreement with another: [0-9]"
+    COMMAND ${delcert} certify --manifold sphere-${dimension} --radius 1/5 --seed 1 --no-perturbation --output never-${dimension}.json)
+  delcert_cli_test(certify-raw-sphere-${dimension}-writes-nothing STATUS 1 COMMAND ${CMAKE_COMMAND} -E cat never-${dimension}.json)
+endforeach()
+delcert_cli_test(certify-sphere-in-small-patches STATUS 0 ERROR "^$" FIXTURE_SETUP run-small-patches
+  OUTPUT "patches of radius 7 ε.*levels\n  1 .*\n  2 .*\n  4 .*\n  5 .*not reached: level 0: patches are smaller than 9 sampling radii"
+  COMMAND ${delcert} certify --manifold sphere-2 --radius 1/5 --seed 1 --output small-patches.json)
+delcert_cli_test(verify-sphere-in-small-patches STATUS 0 OUTPUT "verified" FIXTURES run-small-patches
+  COMMAND ${check} small-patches.json)
+delcert_cli_test(certify-sphere-too-coarse STATUS 1 OUTPUT "^$" ERROR "no smaller than half of the sphere"
+  COMMAND ${delcert} certify --manifold sphere-2 --radius 23/100 --seed 1 --output never.json)

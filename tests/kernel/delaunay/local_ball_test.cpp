@@ -120,6 +120,32 @@ TEST(ThicknessOf, is_the_least_altitude_over_the_longest_edge) {
   EXPECT_EQ(thickness_of<2>(metric, {at(0, 0), at(1, 1), at(2, 2)}), 0);
 }
 
+TEST(ThicknessOf, is_that_of_the_spheres_with_each_vertex_last) {
+  const FilterGuard guard;
+  const FrameMetric<3> frame({{{ratio(2, 1), ratio(1, 2), ratio(0, 1)},
+                               {ratio(1, 2), ratio(1, 1), ratio(1, 4)},
+                               {ratio(0, 1), ratio(1, 4), ratio(3, 1)}}});
+  for (const auto& metric : {FrameMetric<3>::cartesian().on<Filter>(), frame.on<Filter>()}) {
+    const LocalVertices<Filter, 3> vertices{{{Filter(1), Filter(2), Filter(-1)},
+                                             {Filter(4), Filter(1), Filter(0)},
+                                             {Filter(2), Filter(5), Filter(1)},
+                                             {Filter(0), Filter(1), Filter(3)}}};
+    Filter longest(0);
+    Filter least(100);
+    for (std::size_t last = 0; last <= 3; ++last) {
+      for (const auto& other : vertices)
+        longest = maximum(longest, metric.squared_norm(difference(vertices[last], other)));
+      SphereStack<Filter, 3> stack(metric);
+      ASSERT_EQ((build_spheres<Filter, 3>(stack, metric, vertices, last)), Verdict::proved);
+      least = minimum(least, stack.squared_altitude());
+    }
+    const Filter expected = square_root(least / longest) / Filter(3);
+    const double thickness = thickness_of<3>(metric, vertices);
+    EXPECT_LE(thickness, expected.upper());
+    EXPECT_GE(thickness, expected.lower() - 1e-14);
+  }
+}
+
 TEST(BuildSpheres, is_the_same_ball_whichever_vertex_is_last) {
   const auto metric = FrameMetric<2>::cartesian().on<Rational>();
   const LocalVertices<Rational, 2> vertices{

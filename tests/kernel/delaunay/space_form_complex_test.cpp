@@ -51,6 +51,7 @@ TEST(SpaceFormComplex, names_stars_that_disagree) {
   const auto agreement = SpaceFormComplex<2>(stars, all).agreement();
   EXPECT_EQ(agreement.missing, 1U);
   EXPECT_EQ(agreement.stars, 1U);
+  EXPECT_EQ(agreement.labels, std::vector<Label>{Label(2)});
   ASSERT_EQ(agreement.failures.size(), 1U);
   EXPECT_EQ(agreement.failures[0].label, Label(2));
   EXPECT_EQ(agreement.failures[0].reason, "simplex {0, 2, 4} is in the star of label 0 but not of 2");

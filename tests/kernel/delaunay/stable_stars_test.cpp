@@ -23,8 +23,7 @@ SpaceFormComplex<m> stars_of(const Atlas<m>& atlas, const PointSet<m>& points, c
 const ModelGeometry unit_sphere{Curvature::positive, Rational(3)};
 const ModelGeometry unit_torus{Curvature::zero, ratio(1, 2)};
 
-TEST(CheckStability, of_translations_follows_from_the_stars_themselves) {
-  // Charts of a flat torus are isometric, so every star is the same in all of them.
+FlatAtlas<2> displaced_lattice() {
   std::vector<Vector<Rational, 2>> points;
   for (long a = 0; a < 24; ++a) {
     for (long b = 0; b < 24; ++b) {
@@ -32,7 +31,12 @@ TEST(CheckStability, of_translations_follows_from_the_stars_themselves) {
           {ratio(a, 24) + ratio((a * 7 + b * 5) % 11, 1000), ratio(b, 24) + ratio((a * 3 + b * 8) % 13, 1000)});
     }
   }
-  const FlatAtlas<2> atlas(cubic_torus<2>(), PointSet<2>(points), ratio(1, 30));
+  return FlatAtlas<2>(cubic_torus<2>(), PointSet<2>(points), ratio(1, 30));
+}
+
+TEST(CheckStability, of_translations_follows_from_the_stars_themselves) {
+  // Charts of a flat torus are isometric, so every star is the same in all of them.
+  const auto atlas = displaced_lattice();
   const auto complex = stars_of<2>(atlas, atlas.net(), unit_torus);
   ASSERT_TRUE(complex.agreement().failures.empty());
   const auto stability = check_stability<2>(atlas, atlas.net(), unit_torus, complex, no_progress());
@@ -41,6 +45,65 @@ TEST(CheckStability, of_translations_follows_from_the_stars_themselves) {
   EXPECT_EQ(stability.pairs, 2 * complex.label_complex().count(1));
   EXPECT_GT(stability.margins.protection, 0);
   EXPECT_LT(stability.margins.circumradius, 1.0 / 24);
+}
+
+TEST(CheckStability, where_charts_are_isometric_says_what_all_charts_say) {
+  const auto atlas = displaced_lattice();
+  const auto complex = stars_of<2>(atlas, atlas.net(), unit_torus);
+  const auto in_all = check_stability<2>(atlas, atlas.net(), unit_torus, complex, no_progress());
+  auto isometric = unit_torus;
+  isometric.isometric_charts = true;
+  const auto at_once = check_stability<2>(atlas, atlas.net(), isometric, complex, no_progress());
+  EXPECT_EQ(at_once.pairs, in_all.pairs);
+  EXPECT_EQ(at_once.differing, 0U);
+  // The same balls, computed in other charts; how far they reach is a bound.
+  EXPECT_NEAR(at_once.margins.circumradius, in_all.margins.circumradius, 1e-12);
+  EXPECT_NEAR(at_once.margins.thickness, in_all.margins.thickness, 1e-9);
+  EXPECT_NEAR(at_once.margins.protection, in_all.margins.protection, 1e-12);
+  EXPECT_GE(at_once.margins.reach, in_all.margins.reach);
+  EXPECT_LT(at_once.margins.reach, 4.01 * at_once.margins.circumradius);
+
+  // Where patches are too small for that bound, and where stars disagree, every chart is looked at.
+  isometric.patch_factor = 4;
+  auto small = unit_torus;
+  small.patch_factor = 4;
+  EXPECT_EQ(check_stability<2>(atlas, atlas.net(), isometric, complex, no_progress()).margins.reach,
+            check_stability<2>(atlas, atlas.net(), small, complex, no_progress()).margins.reach);
+  isometric.patch_factor = unit_torus.patch_factor;
+  std::vector<ChartStar<2>> stars;
+  for (std::uint32_t index = 0; index < atlas.size(); ++index) stars.push_back(complex.chart_star(Label(index)));
+  std::swap(stars[3].simplices.front()[0], stars[4].simplices.front()[0]);
+  const SpaceFormComplex<2> forged(std::move(stars), std::vector<bool>(atlas.size(), true));
+  ASSERT_FALSE(forged.agreement().failures.empty());
+  const auto refused = check_stability<2>(atlas, atlas.net(), isometric, forged, no_progress());
+  EXPECT_GT(refused.differing, 0U);
+  EXPECT_EQ(refused.differing, check_stability<2>(atlas, atlas.net(), unit_torus, forged, no_progress()).differing);
+}
+
+TEST(StabilityInChart, is_what_all_charts_together_are_made_of) {
+  const auto atlas = sphere(ratio(1, 5));
+  const auto complex = stars_of<2>(atlas, atlas.net(), unit_sphere);
+  const auto stability = check_stability<2>(atlas, atlas.net(), unit_sphere, complex, no_progress());
+  std::size_t pairs = 0;
+  std::vector<std::string> reasons;
+  // Backwards: the result does not depend on what was looked at before.
+  ChartView<2> view(atlas, atlas.net(), unit_sphere);
+  for (auto index = static_cast<std::uint32_t>(atlas.size()); index-- > 0;) {
+    const auto here = stability_in_chart<2>(view, complex, Label(index));
+    EXPECT_EQ(here.pairs, complex.neighbours(Label(index)).size());
+    pairs += here.pairs;
+    for (auto failure = here.failures.rbegin(); failure != here.failures.rend(); ++failure) {
+      EXPECT_EQ(failure->concerned, (std::vector<Label>{failure->label, Label(index)}));
+      reasons.push_back(failure->reason);
+    }
+    ASSERT_TRUE(here.margins.has_value());
+    EXPECT_LE(stability.margins.protection, here.margins->protection);
+    EXPECT_GE(stability.margins.reach, here.margins->reach);
+  }
+  EXPECT_EQ(pairs, stability.pairs);
+  std::reverse(reasons.begin(), reasons.end());
+  ASSERT_EQ(reasons.size(), stability.failures.size());
+  for (std::size_t at = 0; at < reasons.size(); ++at) EXPECT_EQ(reasons[at], stability.failures[at].reason);
 }
 
 TEST(CheckStability, of_a_raw_net_of_a_sphere_names_star_and_chart) {

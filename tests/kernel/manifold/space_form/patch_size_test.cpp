@@ -35,6 +35,23 @@ TEST(PatchSize, of_a_flat_manifold_is_decided_exactly) {
             "accepted");
 }
 
+TEST(FittingPatchFactor, is_the_greatest_for_which_patches_are_small_enough) {
+  const SpaceForm sphere = verify_space_form(find_space_form("sphere-2"));
+  EXPECT_EQ(fitting_patch_factor(sphere, 2, ratio(17, 100)), 9);
+  EXPECT_EQ(fitting_patch_factor(sphere, 2, ratio(1, 5)), 7);
+  EXPECT_EQ(message_of<Rejection>([&] { (void)fitting_patch_factor(sphere, 2, ratio(23, 100)); }),
+            "sphere-2: patches of radius about 1.610000 are no smaller than half of the sphere: take a sampling radius "
+            "below 0.224399");
+  const SpaceForm klein_bottle = verify_space_form(find_space_form("klein-bottle"));
+  EXPECT_EQ(fitting_patch_factor(klein_bottle, 2, ratio(1, 24)), 9);
+  EXPECT_EQ(fitting_patch_factor(klein_bottle, 2, ratio(1, 20)), 7);
+  EXPECT_EQ(message_of<Rejection>([&] { (void)fitting_patch_factor(klein_bottle, 2, ratio(1, 19)); }),
+            "klein-bottle: 10 sampling radii are about 0.526316, more than the injectivity radius, of which about "
+            "0.500000 is certified: take a sampling radius of at most 0.050000");
+  EXPECT_EQ(message_of<InputError>([&] { (void)fitting_patch_factor(klein_bottle, 2, Rational(0)); }),
+            "klein-bottle: the sampling radius is not above 0");
+}
+
 TEST(PatchSize, wants_a_form_of_the_dimension_and_a_radius) {
   const SpaceForm form = verify_space_form(find_space_form("sphere-2"));
   EXPECT_EQ(message_of<InputError>([&] { require_small_patches(form, 3, ratio(1, 10), 9); }),
