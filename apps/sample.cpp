@@ -8,6 +8,7 @@
 #include "apps/net_source.hpp"
 #include "apps/progress_line.hpp"
 #include "kernel/manifold/manifold_file.hpp"
+#include "kernel/manifold/space_form/patch_size.hpp"
 #include "kernel/manifold/space_form/space_form_atlas.hpp"
 #include "kernel/manifold/space_form/space_form_file.hpp"
 #include "kernel/number/exact_text.hpp"
@@ -70,7 +71,7 @@ ExitStatus sample_space_form(const SampleOptions& options, const SpaceForm& form
   PointList list;
   for (const auto& point : centres) list.emplace_back(point.begin(), point.end());
   const double covering_radius = measured_net<m>(form, centres, radius).covering_radius;
-  const SpaceFormAtlas<m> atlas(form, std::move(centres), radius);
+  const SpaceFormAtlas<m> atlas(form, std::move(centres), radius, fitting_patch_factor(form, m, radius));
   const Rational separation = measure_separation<m>(atlas);
   line.clear();
   const std::string head =

@@ -105,5 +105,7 @@ delcert_cli_test(certify-sphere-in-small-patches STATUS 0 ERROR "^$" FIXTURE_SET
   COMMAND ${delcert} certify --manifold sphere-2 --radius 1/5 --seed 1 --output small-patches.json)
 delcert_cli_test(verify-sphere-in-small-patches STATUS 0 OUTPUT "verified" FIXTURES run-small-patches
   COMMAND ${check} small-patches.json)
+delcert_cli_test(sample-for-small-patches STATUS 0 OUTPUT "221 points in small-patches.txt" ERROR "^$"
+  COMMAND ${delcert} sample --manifold sphere-2 --radius 1/5 --seed 1 --output small-patches.txt)
 delcert_cli_test(certify-sphere-too-coarse STATUS 1 OUTPUT "^$" ERROR "no smaller than half of the sphere"
   COMMAND ${delcert} certify --manifold sphere-2 --radius 23/100 --seed 1 --output never.json)

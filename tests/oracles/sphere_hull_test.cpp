@@ -4,7 +4,7 @@
 #include <CGAL/Delaunay_triangulation_on_sphere_2.h>
 #include <CGAL/Delaunay_triangulation_on_sphere_traits_2.h>
 #include <CGAL/Epick_d.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation.h>
 
 #include <map>
@@ -14,17 +14,17 @@
 namespace delcert::test {
 namespace {
 
-/// With exact predicates on the points, which are within 2⁻²⁰⁰ of those of the run.
+// Both take the doubles nearest to the points, and decide exactly about those.
+
 LabelComplex<2> cgal_complex_on_sphere(const SpaceFormSample<2>& sample) {
-  using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Traits = CGAL::Delaunay_triangulation_on_sphere_traits_2<Kernel>;
   using Triangulation = CGAL::Delaunay_triangulation_on_sphere_2<Traits>;
   Triangulation triangulation(Traits(CGAL::ORIGIN, 1));
   std::map<Triangulation::Vertex_handle, std::uint32_t> label_of;
   for (std::uint32_t label = 0; label < sample.atlas.size(); ++label) {
     const auto x = model_position<2>(sample, Label(label));
-    const Kernel::Point_3 point(cgal_number<Kernel::FT>(x[0]), cgal_number<Kernel::FT>(x[1]),
-                                cgal_number<Kernel::FT>(x[2]));
+    const Kernel::Point_3 point(approximate_double(x[0]), approximate_double(x[1]), approximate_double(x[2]));
     label_of[triangulation.insert(point)] = label;
   }
   EXPECT_EQ(triangulation.number_of_vertices(), sample.atlas.size());
@@ -38,7 +38,7 @@ LabelComplex<2> cgal_complex_on_sphere(const SpaceFormSample<2>& sample) {
   return result;
 }
 
-/// The facets of the hull in ℝ⁴: the infinite cells of a triangulation of it. Doubles with exact predicates.
+/// The facets of the hull in ℝ⁴: the infinite cells of a triangulation of it.
 LabelComplex<3> cgal_hull(const SpaceFormSample<3>& sample) {
   using Kernel = CGAL::Epick_d<CGAL::Dimension_tag<4>>;
   using Vertex = CGAL::Triangulation_vertex<Kernel, std::uint32_t>;
