@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "apps/distortion_report.hpp"
 #include "apps/report_parts.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "proofs/certificate/writer.hpp"
@@ -16,7 +17,9 @@ std::string level_line(const SpaceFormReport& report, const std::string& level) 
   const SpaceFormClaims& claims = report.claims;
   const Rational& unit = report.sampling_radius;
   if (level == "0")
-    return fmt::format("input: every point is within {} ε of the net", decimal_upper(*claims.density / unit));
+    return fmt::format("input: every point is within {} ε of the net; distortion ≤ {}, of the metric ≤ {}",
+                       decimal_upper(*claims.density / unit), decimal_upper(claims.distortion),
+                       decimal_upper(claims.metric_distortion));
   if (level == "1") {
     return fmt::format("stars, each in its chart: protection ≥ {} ε, thickness ≥ {}, circumradius ≤ {} ε",
                        decimal_lower(claims.stars->protection / unit), decimal_lower(claims.stars->thickness),
@@ -73,6 +76,7 @@ std::string report_text(const SpaceFormReport& report) {
                      report.measures.stability.pairs);
   out += fmt::format("hinges       {} of {} not certainly locally Delaunay in the flat metric\n",
                      report.measures.flat.not_delaunay + report.measures.flat.undecided, report.measures.flat.hinges);
+  out += distortion_text(report.distortion, report.sampling_radius, report.points);
   out += stages_text(report.stages);
   out += fmt::format("peak memory  {:.0f} MiB\ncertificate  {}\n", report.peak_memory_mib, report.certificate);
   return out;
@@ -118,6 +122,7 @@ std::string report_json(const SpaceFormReport& report) {
   json["hinges"] = {{"all", report.measures.flat.hinges},
                     {"not_locally_delaunay", report.measures.flat.not_delaunay},
                     {"undecided", report.measures.flat.undecided}};
+  json.update(distortion_json(report.distortion));
   json["stages"] = stages_json(report.stages);
   json["peak_memory_mib"] = report.peak_memory_mib;
   json["certificate"] = report.certificate;
