@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "apps/text_table.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "proofs/constants/decimal_bounds.hpp"
 
@@ -37,6 +38,28 @@ std::string stability_text(const StabilityMargin& margin) {
       change_text(margin.by_charts, margin.allowed));
 }
 
+/// What Theorem 3 and what it rests on ask for or guarantee, and what there is.
+std::string ledger_text(const SpaceFormDistortion& found) {
+  const Ledger& ledger = found.ledger;
+  const auto asked = [](const PowerProduct& x) { return "≤ " + lower_power(x); };
+  const auto guaranteed = [](const PowerProduct& x) { return "≥ " + lower_power(x); };
+  std::vector<std::vector<std::string>> rows{
+      {"ledger", "theorems", "here"},
+      {"  ε", asked(found.demand.printed_radius) + ", mended " + asked(found.demand.mended_radius),
+       exact_text(found.net.sampling_radius)},
+      {"  points", guaranteed(found.demand.least_points), std::to_string(found.net.points)},
+      {"  ξ₀", asked(ledger.distortion_bound), "≤ " + above(found.transitions.of_pairs.upper)},
+      {"  η", asked(ledger.metric_distortion_bound), "≤ " + above(found.metric)},
+      {"  tolerance/ε", lower_power(ledger.tolerance), exact_text(found.tolerance)}};
+  if (found.stars) {
+    rows.push_back({"  protection/ε", guaranteed(ledger.protection),
+                    "≥ " + below(found.stars->protection / found.net.sampling_radius)});
+    rows.push_back({"  thickness", guaranteed(power(ledger.flake_parameter, ledger.dimension.value)),
+                    "≥ " + below(found.stars->thickness)});
+  }
+  return text_table(rows);
+}
+
 nlohmann::ordered_json logarithm_json(const PowerProduct& x) {
   const Bounds bounds = x.log2();
   return nlohmann::ordered_json::array({below(bounds.lower), above(bounds.upper)});
@@ -49,20 +72,14 @@ nlohmann::ordered_json change_json(const std::optional<Rational>& change, const 
 
 }  // namespace
 
-std::string distortion_text(const SpaceFormDistortion& found, const Rational& sampling_radius, std::size_t points) {
+std::string distortion_text(const SpaceFormDistortion& found) {
   const TransitionDistortion& transitions = found.transitions;
-  const RiemannianDemand& demand = found.demand;
   std::string out = fmt::format("distortion   of transitions ξ₀ ≤ {} (by each chart alone ≤ {})",
                                 above(transitions.of_pairs.upper), above(transitions.proved));
   if (found.needed > 0) out += fmt::format("; some pair has ≥ {}", below(found.needed));
   out += fmt::format("\n             of charts against the manifold η ≤ {}\n", above(found.metric));
   if (found.stability) out += stability_text(*found.stability);
-  out += fmt::format("Hypotheses 2 ask for ξ₀ ≤ {}, Theorem 2 for η ≤ {}\n", lower_power(found.ledger.distortion_bound),
-                     lower_power(found.ledger.metric_distortion_bound));
-  out += fmt::format("Theorem 3    asks for ε ≤ {} (mended: {}), so for at least {} points; here ε = {}, {} points\n",
-                     lower_power(demand.printed_radius), lower_power(demand.mended_radius),
-                     lower_power(demand.least_points), exact_text(sampling_radius), points);
-  return out;
+  return out + ledger_text(found);
 }
 
 nlohmann::ordered_json distortion_json(const SpaceFormDistortion& found) {
@@ -81,7 +98,9 @@ nlohmann::ordered_json distortion_json(const SpaceFormDistortion& found) {
                          {"charts", change_json(margin.by_charts, margin.allowed)}};
   }
   json["hypotheses_2"] = {{"distortion_bound_log2", logarithm_json(found.ledger.distortion_bound)},
-                          {"metric_distortion_bound_log2", logarithm_json(found.ledger.metric_distortion_bound)}};
+                          {"metric_distortion_bound_log2", logarithm_json(found.ledger.metric_distortion_bound)},
+                          {"tolerance_log2", logarithm_json(found.ledger.tolerance)},
+                          {"protection_log2", logarithm_json(found.ledger.protection)}};
   json["theorem_3"] = {{"sampling_radius_log2", logarithm_json(found.demand.printed_radius)},
                        {"sampling_radius_mended_log2", logarithm_json(found.demand.mended_radius)},
                        {"points_at_least_log2", logarithm_json(found.demand.least_points)},

@@ -7,10 +7,10 @@
 
 namespace delcert {
 
-/// Lines of `delcert certify`: distortion of charts as certified, beside what the theorems of the paper ask for; the
-/// margin of the stability lemma. Figures are rounded so that they say no more than what is known.
-[[nodiscard]] std::string distortion_text(const SpaceFormDistortion& found, const Rational& sampling_radius,
-                                          std::size_t points);
+/// Lines of `delcert certify`: distortion of charts as certified; the margin of the stability lemma; what the theorems
+/// of the paper ask for or guarantee beside what there is. Figures are rounded so that they say no more than what is
+/// known.
+[[nodiscard]] std::string distortion_text(const SpaceFormDistortion& found);
 /// The same as JSON; logarithms are to the base 2.
 [[nodiscard]] nlohmann::ordered_json distortion_json(const SpaceFormDistortion& found);
 

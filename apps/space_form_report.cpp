@@ -76,7 +76,7 @@ std::string report_text(const SpaceFormReport& report) {
                      report.measures.stability.pairs);
   out += fmt::format("hinges       {} of {} not certainly locally Delaunay in the flat metric\n",
                      report.measures.flat.not_delaunay + report.measures.flat.undecided, report.measures.flat.hinges);
-  out += distortion_text(report.distortion, report.sampling_radius, report.points);
+  out += distortion_text(report.distortion);
   out += stages_text(report.stages);
   out += fmt::format("peak memory  {:.0f} MiB\ncertificate  {}\n", report.peak_memory_mib, report.certificate);
   return out;

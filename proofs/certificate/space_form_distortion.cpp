@@ -75,8 +75,10 @@ SpaceFormDistortion measure_distortion(const SpaceFormAtlas<m>& atlas, const Run
   const Rational most = algorithm.separation / Rational(4);
   const Rational perturbation = algorithm.perturbation > Rational(0) ? minimum(algorithm.perturbation, most) : most;
   result.ledger = constants_for(Dimension(m), algorithm.separation, perturbation);
-  result.demand = riemannian_demand(result.ledger, {sign_of(curvature), atlas.form().injectivity_radius.lower,
-                                                    atlas.sampling_radius(), atlas.size()});
+  result.net = {sign_of(curvature), atlas.form().injectivity_radius.lower, atlas.sampling_radius(), atlas.size()};
+  result.demand = riemannian_demand(result.ledger, result.net);
+  result.tolerance = algorithm.tolerance;
+  result.stars = claims.stars;
   return result;
 }
 

@@ -31,6 +31,9 @@ struct SpaceFormDistortion {
   std::optional<StabilityMargin> stability;  ///< where levels 1 and 4 are claimed
   Ledger ledger;                             ///< for μ₀ and ρ₀ of the run (μ₀/4 if nothing is perturbed)
   RiemannianDemand demand;
+  MeasuredNet net;
+  Rational tolerance;                ///< of the run, in units of ε
+  std::optional<StarMargins> stars;  ///< as level 1 claims them
 };
 
 /// Looks at some labels for the farthest pair. Needs rounding to nearest.

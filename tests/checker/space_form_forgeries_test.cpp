@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <regex>
 
 #include "tests/checker/support/forgeries.hpp"
@@ -45,6 +47,22 @@ TEST(SpaceFormForgeries, there_is_one_of_a_space_form_for_every_rule_that_only_t
   EXPECT_GE(rules.size(), 27U);
   EXPECT_TRUE(rules.contains("0.metric-distortion"));
   EXPECT_EQ(tested, rules);
+}
+
+TEST(SpaceFormForgeries, are_those_of_the_format_page) {
+  std::map<std::string, std::string> names;
+  for (const Forgery& forgery : space_form_forgeries()) {
+    if (forgery.rule.starts_with("form.")) continue;
+    std::string& of_rule = names[forgery.rule];
+    of_rule += (of_rule.empty() ? "" : "; ") + forgery.name;
+  }
+  std::ifstream file(DELCERT_SOURCE_DIR "/docs/certificate-format.md");
+  std::string page((std::istreambuf_iterator<char>(file)), {});
+  page = page.substr(page.find("### Forgeries of space forms"));
+  page = page.substr(0, page.find("\n## "));
+  EXPECT_EQ(static_cast<std::size_t>(std::count(page.begin(), page.end(), '\n')), names.size() + 8);
+  for (const auto& [rule, forged] : names)
+    EXPECT_NE(page.find("\n| " + rule + " | " + forged + " |\n"), std::string::npos) << rule << ": " << forged;
 }
 
 }  // namespace
