@@ -17,9 +17,7 @@ std::string level_line(const SpaceFormReport& report, const std::string& level) 
   const SpaceFormClaims& claims = report.claims;
   const Rational& unit = report.sampling_radius;
   if (level == "0")
-    return fmt::format("input: every point is within {} ε of the net; distortion ≤ {}, of the metric ≤ {}",
-                       decimal_upper(*claims.density / unit), decimal_upper(claims.distortion),
-                       decimal_upper(claims.metric_distortion));
+    return fmt::format("input: every point is within {} ε of the net", decimal_upper(*claims.density / unit));
   if (level == "1") {
     return fmt::format("stars, each in its chart: protection ≥ {} ε, thickness ≥ {}, circumradius ≤ {} ε",
                        decimal_lower(claims.stars->protection / unit), decimal_lower(claims.stars->thickness),

@@ -55,8 +55,7 @@ std::string levels_text(const SpaceFormClaims& claims) {
   std::vector<std::string> levels;
   if (claims.density) {
     levels.push_back(fmt::format("\"0\":{{\"density\":{},\"distortion\":{},\"metric_distortion\":{}}}",
-                                 number(*claims.density), number(claims.distortion),
-                                 number(claims.metric_distortion)));
+                                 number(*claims.density), number(claims.distortion), number(claims.metric_distortion)));
   }
   if (claims.stars) {
     levels.push_back(fmt::format("\"1\":{{\"protection\":{},\"thickness\":{},\"circumradius\":{}}}",
