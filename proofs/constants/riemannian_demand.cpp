@@ -22,13 +22,11 @@ RiemannianDemand riemannian_demand(const Ledger& ledger, const MeasuredNet& net)
   result.is_met = PowerProduct(net.sampling_radius) <= result.mended_radius;
 
   // With V(r) the volume of a ball in the space of this curvature and b ≤ a, V(a)/V(b) ≥ (a/b)ᵐ where the curvature is
-  // not positive; on a sphere times (sin a/a)^{m − 1} ≥ (1 − a²/6)^{m − 1}. Below, b < 2⁻¹⁰⁰ or the curvature is 0.
+  // not positive; on a sphere times (sin a/a)^{m − 1} ≥ (1 − a²/6)^{m − 1}.
   const long m = ledger.dimension.value;
   const Rational a = quotient(ledger.separation * net.sampling_radius, 2);
   Rational balls = Rational(static_cast<long>(net.points)) * power(a, m);
   if (net.curvature > 0) balls *= power(Rational(1) - quotient(square(a), 6), m - 1);
-  // sinh b/b ≤ 1 + b² there.
-  if (net.curvature < 0) balls *= Rational(1) - Rational::power_of_two(-100);
   result.least_points = PowerProduct(balls) / power(result.printed_radius, m);
   return result;
 }
