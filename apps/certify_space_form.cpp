@@ -4,6 +4,7 @@
 
 #include <iostream>
 
+#include "apps/distortion_report.hpp"
 #include "apps/progress_line.hpp"
 #include "apps/report_parts.hpp"
 #include "apps/space_form_report.hpp"
@@ -11,18 +12,14 @@
 #include "kernel/manifold/space_form/patch_size.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "kernel/sample/space_form_separation.hpp"
-#include "proofs/constants/ledger.hpp"
 
 namespace delcert {
 
 namespace {
 
 /// What the theorems of the paper ask of a curved manifold, in place of a run.
-[[noreturn]] void refuse_theory(const Rational& separation, int dimension) {
-  const Ledger ledger = constants_for(Dimension(dimension), separation, separation / Rational(4));
-  throw Rejection("mode theory on a curved manifold: Theorem 3 asks for a sampling radius of " +
-                  ledger.riemannian_sampling_radius.text() +
-                  " at most where curvatures are at most 1 (delcert constants has all of it); use --mode measured");
+[[noreturn]] void refuse_theory(const Rational& separation, int dimension, const MeasuredNet& net) {
+  throw Rejection(theory_refusal(constants_for(Dimension(dimension), separation, separation / Rational(4)), net));
 }
 
 /// The options of the command line in measured mode, completed for this dimension.
@@ -62,7 +59,7 @@ ExitStatus certify(const CertifyOptions& options, SpaceForm form, ProgressLine& 
   report.points = atlas.size();
   report.sampling_radius = sampling_radius;
   if (options.mode_is_given && options.choice.mode == RunMode::theory && atlas.curvature() != Curvature::zero)
-    refuse_theory(separation, m);
+    refuse_theory(separation, m, {sign_of(report.curvature), report.injectivity_radius, sampling_radius, atlas.size()});
   report.parameters = parameters_of(options, m, separation);
 
   RunRequest request;
@@ -78,6 +75,7 @@ ExitStatus certify(const CertifyOptions& options, SpaceForm form, ProgressLine& 
   report.claims = derive_claims<m>(atlas, report.parameters, run, report.measures, options.levels, report.reasons);
   if (names_of(report.claims).empty())
     throw Rejection("no level is reached: " + fmt::format("{}", fmt::join(report.reasons, "; ")));
+  report.distortion = measure_distortion<m>(atlas, report.parameters, report.claims);
   clock.begin("write the certificate");
   report.certificate = options.output.empty() ? report.manifold + ".delcert.json.zst" : options.output;
   std::vector<Vector<Rational, m>> net;

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "apps/distortion_report.hpp"
 #include "apps/report_parts.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "proofs/certificate/writer.hpp"
@@ -73,6 +74,7 @@ std::string report_text(const SpaceFormReport& report) {
                      report.measures.stability.pairs);
   out += fmt::format("hinges       {} of {} not certainly locally Delaunay in the flat metric\n",
                      report.measures.flat.not_delaunay + report.measures.flat.undecided, report.measures.flat.hinges);
+  out += distortion_text(report.distortion);
   out += stages_text(report.stages);
   out += fmt::format("peak memory  {:.0f} MiB\ncertificate  {}\n", report.peak_memory_mib, report.certificate);
   return out;
@@ -119,6 +121,7 @@ std::string report_json(const SpaceFormReport& report) {
   json["hinges"] = {{"all", report.measures.flat.hinges},
                     {"not_locally_delaunay", report.measures.flat.not_delaunay},
                     {"undecided", report.measures.flat.undecided}};
+  json.update(distortion_json(report.distortion));
   json["stages"] = stages_json(report.stages);
   json["peak_memory_mib"] = report.peak_memory_mib;
   json["certificate"] = report.certificate;

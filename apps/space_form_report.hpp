@@ -5,6 +5,7 @@
 
 #include "apps/stage_clock.hpp"
 #include "proofs/certificate/space_form_claims.hpp"
+#include "proofs/certificate/space_form_distortion.hpp"
 
 namespace delcert {
 
@@ -26,6 +27,7 @@ struct SpaceFormReport {
   std::size_t first_disagreeing = 0;  ///< stars that did not agree with another then
   SpaceFormMeasures measures;
   SpaceFormClaims claims;
+  SpaceFormDistortion distortion;
   std::vector<std::string> reasons;  ///< for levels that were asked for and not reached
   std::vector<StageClock::Stage> stages;
   double peak_memory_mib = 0;

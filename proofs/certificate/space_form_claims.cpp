@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "kernel/manifold/space_form/distortion.hpp"
 #include "kernel/topology/homology.hpp"
 
 namespace delcert {
@@ -96,9 +97,17 @@ class Derivation {
     if (!selects("0")) return;
     if (has_whole_patches_) {
       claims_.density = above(shift_ + found.circumradius);
+      derive_distortion();
     } else {
       reasons_.emplace_back("level 0: patches are smaller than 9 sampling radii");
     }
+  }
+
+  void derive_distortion() {
+    if (curvature_ == Curvature::zero) return;
+    const Rational interest = patch_radius_ * Rational(2) / Rational(3);  // 6ε
+    claims_.distortion = above(transition_distortion(curvature_, patch_radius_, interest).of_pairs.upper);
+    claims_.metric_distortion = above(metric_distortion(curvature_, interest));
   }
 
   void derive_triangulation() {

@@ -53,7 +53,10 @@ std::string matrix_text(const FieldMatrix& a) {
 
 std::string levels_text(const SpaceFormClaims& claims) {
   std::vector<std::string> levels;
-  if (claims.density) levels.push_back(fmt::format("\"0\":{{\"density\":{}}}", number(*claims.density)));
+  if (claims.density) {
+    levels.push_back(fmt::format("\"0\":{{\"density\":{},\"distortion\":{},\"metric_distortion\":{}}}",
+                                 number(*claims.density), number(claims.distortion), number(claims.metric_distortion)));
+  }
   if (claims.stars) {
     levels.push_back(fmt::format("\"1\":{{\"protection\":{},\"thickness\":{},\"circumradius\":{}}}",
                                  number(claims.stars->protection), number(claims.stars->thickness),

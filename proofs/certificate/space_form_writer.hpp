@@ -30,6 +30,8 @@ struct SpaceFormClaims {
   };
 
   std::optional<Rational> density;                ///< level 0: every point of M is nearer than this to the net
+  Rational distortion;                            ///< with it: ξ₀ of the transitions between patches
+  Rational metric_distortion;                     ///< with it: η of the charts against M
   std::optional<StarMargins> stars;               ///< level 1, in the charts
   std::optional<ManifoldClaim> manifold;          ///< level 2
   std::optional<Rational> reach;                  ///< level 2s: how far charts have to show

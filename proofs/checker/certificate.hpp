@@ -32,10 +32,10 @@ struct Certificate {
   bool theory = false;         // the mode
   Quantity radius, epsilon, mu, radius_variation, distortion, rho, flake_squared, tolerance;
   std::array<bool, level_names.size()> claimed{};
-  bool hypotheses_2 = false;                     // level 0
-  Quantity density;                              // level 0 on a space form
-  Quantity protection, thickness, circumradius;  // level 1
-  std::uint64_t simplices = 0;                   // level 2
+  bool hypotheses_2 = false;                                   // level 0
+  Quantity density, transition_distortion, metric_distortion;  // level 0 on a space form
+  Quantity protection, thickness, circumradius;                // level 1
+  std::uint64_t simplices = 0;                                 // level 2
   std::int64_t euler_characteristic = 0;
   bool closed = false;
   std::vector<std::string> homology;   // m + 1 groups, or none

@@ -25,6 +25,7 @@ void Certificate::require_space_form() const {
   const auto require = [](bool holds, const char* what) { Report::require("form.ranges", holds, what); };
   const auto positive = [](const Quantity& x) { return x.exact.sign() > 0; };
   require(!claimed[level_0] || positive(density), "density is not positive");
+  require(transition_distortion.exact.sign() >= 0 && metric_distortion.exact.sign() >= 0, "a distortion is negative");
   require(!claimed[level_2s] || positive(reach_2s), "reach is not positive");
   require(!claimed[level_4] || (empty_margin.exact.sign() >= 0 && positive(ball_radius)),
           "the protection of level 4 is negative or its circumradius not positive");

@@ -125,6 +125,8 @@ void Certificate::parse_space_form_level(Cursor& cursor, std::size_t level) {
   };
   if (level == level_0) {
     number("{\"density\":", density);
+    number(",\"distortion\":", transition_distortion);
+    number(",\"metric_distortion\":", metric_distortion);
   } else if (level == level_2s) {
     number("{\"reach\":", reach_2s);
   } else if (level == level_4) {

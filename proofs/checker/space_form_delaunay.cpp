@@ -131,6 +131,7 @@ std::string check_input_on_space_form(const Certificate& c, const Lifts& lifts, 
   }
   if (less(c.density.exact, c.ball_radius.exact + c.rho.exact * c.epsilon.exact) == Verdict::proved)
     report.reject("0.density", [] { return "density is less than circumradius + perturbation epsilon"; });
+  check_distortion(c, report);
   for (Label i = 0; i < c.n; ++i) {
     for (const Seen& seen : lifts.around(i, (c.mu.exact + c.rho.exact) * c.epsilon.exact)) {
       if (seen.label == i && seen.element == 0) continue;
@@ -146,7 +147,8 @@ std::string check_input_on_space_form(const Certificate& c, const Lifts& lifts, 
     }
   }
   return std::to_string(c.n) + " points, separation >= " + about(c.mu.filter * c.epsilon.filter) + ", density < " +
-         about(c.density.filter);
+         about(c.density.filter) + ", distortion <= " + about(c.transition_distortion.filter) +
+         ", against M <= " + about(c.metric_distortion.filter);
 }
 
 }  // namespace delcert::checker

@@ -17,6 +17,9 @@ std::string check_delaunay_on_space_form(const Certificate& c, const Lifts& lift
 std::string check_triangulation_of_space_form(const Certificate& c, const Lifts& lifts, Report& report);  // 5
 std::string check_metric_of_space_form(const Certificate& c, const Lifts& lifts, Report& report);         // 6
 
+/// The rules 0.distortion and 0.metric-distortion.
+void check_distortion(const Certificate& c, Report& report);
+
 /// reach < 9 epsilon and reach < injectivity radius: a chart shows one lift of a label at most.
 bool is_shown_by_charts(const Certificate& c, const Rational& reach);
 

@@ -73,7 +73,11 @@ TEST(SpaceForm, levels_have_their_form) {
   expect_malformed("no margins", "form.keys", sphere, level("4", "{}"));
   expect_malformed("half a route", "form.keys", sphere, level("5", R"({"route":"space-form","thickness":"1"})"));
   expect_malformed("no weight", "form.keys", sphere, level("6", R"({"self_delaunay":true,"bilipschitz":["1","1"]})"));
-  expect_malformed("negative density", "form.ranges", sphere, level("0", R"({"density":"-1"})"));
+  expect_malformed("negative density", "form.ranges", sphere,
+                   level("0", R"({"density":"-1","distortion":"1","metric_distortion":"1"})"));
+  expect_malformed("negative distortion", "form.ranges", sphere,
+                   level("0", R"({"density":"1","distortion":"-1","metric_distortion":"1"})"));
+  expect_malformed("no distortion", "form.keys", sphere, level("0", R"({"density":"1"})"));
   expect_malformed("negative protection", "form.ranges", sphere,
                    level("4", R"({"protection":"-1","circumradius":"1"})"));
   expect_malformed("half a sphere", "form.ranges", sphere, level("2s", R"({"reach":"8/5"})"));

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 
 #include "tests/checker/support/forgeries.hpp"
 #include "tests/checker/support/space_form_samples.hpp"
@@ -69,10 +70,90 @@ std::vector<Forgery> forgeries_of_groups() {
   return result;
 }
 
+/// The same labels under other names.
+SpaceFormSample renamed(const SpaceFormSample& sample, const std::function<int(int)>& name) {
+  SpaceFormSample result = sample;
+  for (std::size_t i = 0; i < sample.model.size(); ++i) {
+    std::vector<Labels> star = sample.model.stars[i];
+    for (Labels& simplex : star) {
+      std::transform(simplex.begin(), simplex.end(), simplex.begin(), name);
+      std::sort(simplex.begin(), simplex.end());
+    }
+    std::sort(star.begin(), star.end());
+    result.model.stars[static_cast<std::size_t>(name(static_cast<int>(i)))] = star;
+  }
+  return result;
+}
+
+/// The first simplex of star(i) is left out of all stars.
+SpaceFormSample pierced(const SpaceFormSample& sample, int i) {
+  SpaceFormSample result = sample;
+  Labels all = sample.model.stars[static_cast<std::size_t>(i)][0];
+  all.push_back(i);
+  for (const int j : all) {
+    Labels others;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(others), [j](int k) { return k != j; });
+    std::sort(others.begin(), others.end());
+    std::erase(result.model.stars[static_cast<std::size_t>(j)], others);
+  }
+  return result;
+}
+
+/// Of levels 1 and 2: what stars are, and what they make together.
+std::vector<Forgery> forgeries_of_stars() {
+  std::vector<Forgery> result;
+  const auto forge = [&](
+                         const std::string& name, const std::string& rule, const SpaceFormSample& sample,
+                         const std::function<void(Json&)>& change = [](Json&) {}) {
+    Json document = sample.document();
+    change(document);
+    result.push_back({name, rule, sealed(document)});
+  };
+  const auto homology = [](const std::vector<std::string>& groups) {
+    return [=](Json& j) { j["levels"]["2"]["homology"] = groups; };
+  };
+  const int other = static_cast<int>(icosphere().model.size()) / 2;
+  forge("two points of the sphere exchanged", "1.vertices", renamed(icosphere().claiming({"1", "2"}), [other](int j) {
+          return j == 0 ? other : j == other ? 0 : j;
+        }));
+  forge("a hole in the sphere", "1.facets", pierced(icosphere(), 20));
+  forge("a hole in the projective space", "1.facets", pierced(projective_space(), 20));
+  forge("a hole in the Klein bottle", "1.facets", pierced(klein_bottle(), 20));
+  forge("stars that disagree", "2.agreement", torn_bolza_surface());
+  forge("the Euler characteristic of a sphere", "2.count", bolza_surface(),
+        [](Json& j) { j["levels"]["2"]["euler_characteristic"] = 2; });
+  forge("a tetrahedron too few is counted", "2.count", cell_600(),
+        [](Json& j) { j["levels"]["2"]["simplices"] = 599; });
+  forge("the homology of a sphere", "2.homology", projective_plane(), homology({"Z", "0", "Z"}));
+  forge("the homology of a torus", "2.homology", klein_bottle(), homology({"Z", "Z^2", "Z"}));
+  forge("the homology of another genus", "2.homology", bolza_surface(), homology({"Z", "Z^6", "Z"}));
+  forge("the homology of a lens space", "2.homology", projective_space(), homology({"Z", "Z/5", "0", "Z"}));
+  return result;
+}
+
+/// What charts do to distances, stated a little too well.
+std::vector<Forgery> forgeries_of_distortion() {
+  std::vector<Forgery> result;
+  for (const auto& [name, sample] : {std::pair("the sphere", icosphere()),
+                                     {"the projective plane", projective_plane()},
+                                     {"the Bolza surface", bolza_surface()}}) {
+    const auto forge = [&](const std::string& rule, const std::string& key, double value) {
+      Json document = sample.document();
+      document["levels"]["0"][key] = at_most(value / 1.003).text();
+      result.push_back({"charts of " + std::string(name) + " better than they are", rule, sealed(document)});
+    };
+    forge("0.distortion", "distortion", transition_distortion(sample.model));
+    forge("0.metric-distortion", "metric_distortion", metric_distortion(sample.model));
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<Forgery> space_form_forgeries() {
   std::vector<Forgery> result = forgeries_of_groups();
+  for (const auto& part : {forgeries_of_stars(), forgeries_of_distortion()})
+    result.insert(result.end(), part.begin(), part.end());
   const auto forge = [&](const std::string& name, const std::string& rule, const SpaceFormSample& sample, auto change,
                          int status = 1) {
     Json document = sample.document();

@@ -239,6 +239,41 @@ std::set<int> unclear(const SpaceFormModel& model, const std::vector<Shown>& sho
   return result;
 }
 
+/// sin r / r, 1, sinh r / r.
+double length_ratio(int K, double r) { return K == 0 ? 1 : (K > 0 ? std::sin(r) : std::sinh(r)) / r; }
+
+/// Moves every point at random by at most rho epsilon.
+class Mover {
+ public:
+  Mover(const SpaceFormModel& model, std::uint64_t seed) : model_(model), random_(seed) {}
+
+  Point draw() {
+    Point v{};
+    do {
+      for (std::size_t k = 0; k < model_.m; ++k) v[k] = dyadic(0.99 * model_.rho * model_.epsilon * uniform());
+    } while (squared(model_.m, v) > std::pow(0.99 * model_.rho * model_.epsilon, 2));
+    return v;
+  }
+  std::vector<Point> draw_all() {
+    std::vector<Point> result;
+    for (std::size_t i = 0; i < model_.size(); ++i) result.push_back(draw());
+    return result;
+  }
+
+ private:
+  double uniform() { return static_cast<double>(random_() >> 11) * 0x1p-52 - 1; }
+
+  const SpaceFormModel& model_;
+  std::mt19937_64 random_;
+};
+
+/// Every star, in its own chart.
+void find_stars(SpaceFormModel& model, const Atlas& atlas) {
+  model.stars.clear();
+  for (std::size_t i = 0; i < model.size(); ++i)
+    model.stars.push_back(star_of(model, atlas.around(i, 4 * model.epsilon), static_cast<int>(i)));
+}
+
 double tangent(int K, double r) { return K == 0 ? r : K > 0 ? std::tan(r) : std::tanh(r); }
 
 }  // namespace
@@ -271,32 +306,40 @@ double distance_from_origin(int K, std::size_t m, const Point& x) {
   return K == 0 ? side : K > 0 ? std::atan2(side, x[0]) : std::asinh(side);
 }
 
+double transition_distortion(const SpaceFormModel& model) {
+  const double across = length_ratio(model.K, 9 * model.epsilon) / length_ratio(model.K, 3 * model.epsilon);
+  return (model.K > 0 ? 1 / across : across) - 1;
+}
+
+double metric_distortion(const SpaceFormModel& model) {
+  return std::fabs(length_ratio(model.K, 6 * model.epsilon) - 1);
+}
+
 void perturb_until_stars_agree(SpaceFormModel& model, std::uint64_t seed, bool in_all_charts) {
-  std::mt19937_64 random(seed);
-  const auto uniform = [&random] { return static_cast<double>(random() >> 11) * 0x1p-52 - 1; };
-  const auto draw = [&] {
-    Point v{};
-    do {
-      for (std::size_t k = 0; k < model.m; ++k) v[k] = dyadic(0.99 * model.rho * model.epsilon * uniform());
-    } while (squared(model.m, v) > std::pow(0.99 * model.rho * model.epsilon, 2));
-    return v;
-  };
-  model.vectors.clear();
-  for (std::size_t i = 0; i < model.size(); ++i) model.vectors.push_back(draw());
+  Mover mover(model, seed);
+  model.vectors = mover.draw_all();
   for (int round = 0; round < 200; ++round) {
     const Atlas atlas(model);
-    model.stars.clear();
-    for (std::size_t i = 0; i < model.size(); ++i)
-      model.stars.push_back(star_of(model, atlas.around(i, 4 * model.epsilon), static_cast<int>(i)));
+    find_stars(model, atlas);
     std::set<int> bad = in_disagreement(model.stars);
     if (bad.empty() && in_all_charts) {
       for (std::size_t j = 0; j < model.size(); ++j)
         bad.merge(unclear(model, atlas.around(j, 6 * model.epsilon), static_cast<int>(j)));
     }
     if (bad.empty()) return;
-    for (const int i : bad) model.vectors[static_cast<std::size_t>(i)] = draw();
+    for (const int i : bad) model.vectors[static_cast<std::size_t>(i)] = mover.draw();
   }
   throw std::runtime_error("the stars do not come to agree");
+}
+
+void perturb_until_stars_disagree(SpaceFormModel& model, std::uint64_t seed) {
+  Mover mover(model, seed);
+  for (int round = 0; round < 200; ++round) {
+    model.vectors = mover.draw_all();
+    find_stars(model, Atlas(model));
+    if (!in_disagreement(model.stars).empty()) return;
+  }
+  throw std::runtime_error("all stars always agree");
 }
 
 SpaceFormMargins roomy_margins(const SpaceFormModel& model) {
@@ -404,7 +447,9 @@ Json certificate(const SpaceFormModel& model, const SpaceFormMargins& margins, c
   Json metric{{"self_delaunay", margins.weight >= 0}};
   if (margins.weight >= 0) metric["weight"] = text(margins.weight);
   metric["bilipschitz"] = Json::array({text(margins.least_stretch), text(margins.greatest_stretch)});
-  const Json values{{"0", Json{{"density", text(1.001 * margins.ball + model.rho * model.epsilon)}}},
+  const Json values{{"0", Json{{"density", text(1.001 * margins.ball + model.rho * model.epsilon)},
+                               {"distortion", text(1.001 * transition_distortion(model))},
+                               {"metric_distortion", text(1.001 * metric_distortion(model))}}},
                     {"1", Json{{"protection", text(margins.protection)},
                                {"thickness", text(margins.thickness)},
                                {"circumradius", text(margins.circumradius)}}},

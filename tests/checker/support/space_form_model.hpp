@@ -46,9 +46,16 @@ Point image(std::size_t m, const Isometry& g, const Point& x);
 /// The distance from o.
 double distance_from_origin(int K, std::size_t m, const Point& x);
 
+/// How much transitions between patches, and charts on balls of 6 epsilon, change distances, relatively.
+double transition_distortion(const SpaceFormModel& model);
+double metric_distortion(const SpaceFormModel& model);
+
 /// Moves the points at random by at most rho epsilon, anew those whose stars disagree, until all stars agree, each in
 /// its own chart, or, for surfaces, in the charts of all its labels. Throws std::runtime_error if that takes too long.
 void perturb_until_stars_agree(SpaceFormModel& model, std::uint64_t seed, bool in_all_charts);
+
+/// Moves the points at random by at most rho epsilon, until some star, in its own chart, disagrees with another.
+void perturb_until_stars_disagree(SpaceFormModel& model, std::uint64_t seed);
 
 /// What the stars have, with room: lower bounds are halved or so, upper ones a little larger.
 SpaceFormMargins roomy_margins(const SpaceFormModel& model);

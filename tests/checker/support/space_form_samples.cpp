@@ -310,6 +310,16 @@ const SpaceFormSample& unstable_bolza_surface() {
   return result;
 }
 
+const SpaceFormSample& torn_bolza_surface() {
+  static const SpaceFormSample result = [] {
+    SpaceFormModel model = bolza_surface().model;
+    perturb_until_stars_disagree(model, 9);
+    const SpaceFormMargins margins = roomy_margins(model);
+    return SpaceFormSample{std::move(model), margins, {"1", "2"}};
+  }();
+  return result;
+}
+
 /// The torus of 2 by 1 modulo a glide reflection along the first axis.
 const SpaceFormSample& klein_bottle() {
   static const SpaceFormSample result = [] {

@@ -65,6 +65,11 @@ TEST(SpaceFormClaims, are_weaker_than_what_was_found) {
   EXPECT_GT(derived.claims.metric->weight.value(), Rational(0));
   const Rational shift = parameters.algorithm.perturbation * atlas.sampling_radius();
   EXPECT_GE(*derived.claims.density, derived.claims.delaunay->circumradius + shift);
+  // ε = 1/8: 9/8, 3/8 and 3/4 over their sines are 1.246858…, 1.023827… and 1.100289….
+  EXPECT_GE(derived.claims.distortion, Rational(2177) / Rational(10000));
+  EXPECT_LE(derived.claims.distortion, Rational(2184) / Rational(10000));
+  EXPECT_GE(derived.claims.metric_distortion, Rational(911) / Rational(10000));
+  EXPECT_LE(derived.claims.metric_distortion, Rational(912) / Rational(10000));
   EXPECT_GE(*derived.claims.reach, Rational(2) * derived.claims.stars->circumradius);
   EXPECT_EQ(derived.claims.manifold->euler_characteristic, 2);
   EXPECT_EQ(group_text(derived.claims.manifold->homology[1]), "0");

@@ -59,6 +59,8 @@ TEST(SpaceFormWriter, WritesTheKeysOfTheFormatAndTheReaderReadsThem) {
   claims.stars = StarMargins{epsilon, epsilon, epsilon};
   claims.manifold = ManifoldClaim{};
   claims.density = claims.reach = epsilon;
+  claims.distortion = Rational(2) * epsilon;
+  claims.metric_distortion = Rational(3) * epsilon;
   claims.delaunay = {epsilon, epsilon};
   claims.triangulation = true;
   claims.riemannian = {epsilon, epsilon};
@@ -68,6 +70,7 @@ TEST(SpaceFormWriter, WritesTheKeysOfTheFormatAndTheReaderReadsThem) {
   EXPECT_EQ(keys_of(json), (std::vector<std::string>{"format", "version", "software", "manifold", "parameters",
                                                      "levels", "net", "net_simplices", "points", "stars", "sha256"}));
   EXPECT_EQ(keys_of(json["levels"]), (std::vector<std::string>{"0", "1", "2", "2s", "4", "5", "6"}));
+  EXPECT_EQ(json["levels"]["0"], Json::parse(R"({"density":"1/10","distortion":"1/5","metric_distortion":"3/10"})"));
   EXPECT_EQ(json["levels"]["5"], Json::parse(R"({"route":"space-form","thickness":"1/10","radius":"1/10"})"));
   EXPECT_EQ(json["levels"]["6"], Json::parse(R"({"self_delaunay":true,"weight":"0","bilipschitz":["1/10","2"]})"));
   EXPECT_EQ(json["net"], Json::parse(R"([["0","1"],["1","1/10"]])"));
