@@ -47,7 +47,7 @@ MetricFieldClaims derive_claims(const MetricFieldAtlas<m>& atlas, const RunParam
   const Rational shift = parameters.algorithm.perturbation * atlas.sampling_radius();
   const StarMargins margins{below(run.margins.protection), below(run.margins.thickness),
                             above(run.margins.circumradius)};
-  if (!(shift + Rational(2) * margins.circumradius + margins.protection < patch)) {
+  if (!(Rational(2) * shift + Rational(2) * margins.circumradius + margins.protection < patch)) {
     reasons.emplace_back("level 1: a circumball with its protection does not fit into a patch");
     return claims;
   }
@@ -80,10 +80,10 @@ MetricFieldClaims derive_claims(const MetricFieldAtlas<m>& atlas, const RunParam
   return claims;
 }
 
-#define DELCERT_INSTANTIATE(m)                                                                                       \
-  template MetricFieldClaims derive_claims<m>(const MetricFieldAtlas<m>&, const RunParameters&, const SpaceFormRun<m>&, \
-                                              const MetricFieldMeasures&, const LevelSelection&,                     \
-                                              std::vector<std::string>&);
+#define DELCERT_INSTANTIATE(m)                                                                    \
+  template MetricFieldClaims derive_claims<m>(const MetricFieldAtlas<m>&, const RunParameters&,   \
+                                              const SpaceFormRun<m>&, const MetricFieldMeasures&, \
+                                              const LevelSelection&, std::vector<std::string>&);
 DELCERT_INSTANTIATE(2)
 DELCERT_INSTANTIATE(3)
 #undef DELCERT_INSTANTIATE
