@@ -72,6 +72,31 @@ TEST(MetricField, a_run_on_a_sheared_torus_is_accepted) {
   std::printf("%zu points: %s", test::sheared_run().atlas.size(), run.output.c_str());
 }
 
+/// The lattice A_3* in a metric that is nearly its own: nothing is perturbed.
+TEST(MetricField, a_lattice_of_dimension_3_is_accepted) {
+  MetricFieldDescription description = test::constant_field({{Rational(3), Rational(-1), Rational(-1)},
+                                                             {Rational(-1), Rational(3), Rational(-1)},
+                                                             {Rational(-1), Rational(-1), Rational(3)}});
+  description.waves.push_back({{1, 0, 1}, test::multiple_of_identity(3, ratio(1, 50)), test::zero_matrix(3)});
+  description.waves[0].sine[0][1] = description.waves[0].sine[1][0] = ratio(1, 50);
+  MetricFieldAtlas<3> atlas(MetricField<3>(description), test::lattice_points<3>(11), ratio(11, 100));
+  const auto distortion = fit_patches<3>(atlas, no_progress());
+  RunParameters parameters = parameters_for(Dimension(3), measure_separation<3>(atlas), {RunMode::none});
+  RunRequest request;
+  request.perturb = false;
+  request.certify_model = false;
+  const auto geometry = geometry_of<3>(atlas, distortion);
+  auto run = run_on_space_form<3>(atlas, geometry, parameters.algorithm, request, no_progress());
+  ASSERT_TRUE(run.is_certified());
+  const auto triangulation = check_affine_triangulation<3>(atlas, run.points, run.complex);
+  MetricFieldSample<3> sample{std::move(atlas), distortion, parameters, std::move(run), {{}, triangulation}};
+  std::vector<std::string> reasons;
+  const auto claims = sample.claims(reasons, {"1", "2", "5"});
+  EXPECT_EQ(group_text(claims.manifold->homology[1]), "Z^3");
+  const CheckerRun checked = run_checker(bytes_of<3>(sample, claims));
+  EXPECT_EQ(checked.status, 0) << checked.output;
+}
+
 TEST(MetricField, charts_fit_the_metric_and_each_other) {
   expect_forgery("field.chart", sheared_document(), stated("manifold", "rounding", Rational::power_of_two(-6)));
   expect_forgery("field.chart", sheared_document(), [](Json& j) {
@@ -96,7 +121,7 @@ TEST(MetricField, another_metric_has_other_charts) {
 TEST(MetricField, patches_are_small_enough) {
   // Of a constant metric, whose charts are the same everywhere.
   const auto flat =
-      certified_run<2>(test::constant_field({{Rational(1), ratio(1, 3)}, {ratio(1, 3), Rational(2)}}), ratio(1, 14));
+      certified_run<2>(test::constant_field({{Rational(1), ratio(1, 3)}, {ratio(1, 3), Rational(2)}}), ratio(1, 20));
   const Json document = document_of<2>(flat);
   EXPECT_EQ(run_checker(sealed(document)).status, 0);
   EXPECT_EQ(document["parameters"]["distortion"], "0");
@@ -147,9 +172,13 @@ TEST(MetricField, stars_are_complete_and_their_labels_are_seen) {
 }
 
 TEST(MetricField, stars_that_differ_in_other_charts_are_not_stable) {
-  // A steep metric, and a perturbation that asks for nothing.
-  MetricField<2> field(test::hills(2, ratio(1, 2)));
-  const Rational radius = ratio(1, 18);
+  // A metric that varies much, and a perturbation that asks for little.
+  auto description = test::constant_field({{Rational(1), Rational(0)}, {Rational(0), Rational(2)}});
+  description.waves.push_back(
+      {{1, 0}, test::zero_matrix(2), {{Rational(0), ratio(3, 10)}, {ratio(3, 10), Rational(0)}}});
+  description.waves.push_back({{0, 1}, {{ratio(1, 5), Rational(0)}, {Rational(0), Rational(0)}}, test::zero_matrix(2)});
+  MetricField<2> field(description);
+  const Rational radius = ratio(1, 24);
   MetricFieldAtlas<2> atlas(field, metric_field_net<2>(field, radius, 1, no_progress()).centres, radius);
   const auto distortion = fit_patches<2>(atlas, no_progress());
   ParameterChoice choice;
@@ -170,7 +199,7 @@ TEST(MetricField, stars_that_differ_in_other_charts_are_not_stable) {
   claims.reach = sample.atlas.patch_radius() * ratio(999, 1000);
   const CheckerRun forged = run_checker(bytes_of<2>(sample, claims));
   EXPECT_EQ(forged.status, 1);
-  EXPECT_EQ(forged.rules, std::set<std::string>{"2s.protection"}) << forged.output;
+  EXPECT_TRUE(forged.rules.contains("2s.protection")) << forged.output;
 }
 
 TEST(MetricField, the_document_has_its_form) {
