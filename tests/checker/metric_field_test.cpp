@@ -1,4 +1,4 @@
-// A run on a metric field, verified by the checker; and forgeries of it: one for each rule of its own.
+// Runs on metric fields, verified by the checker; and forgeries of them: one for each rule of their own.
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 
 #include "kernel/number/exact_text.hpp"
 #include "tests/checker/support/certificate_text.hpp"
+#include "tests/checker/support/forgeries.hpp"
 #include "tests/checker/support/run_checker.hpp"
 #include "tests/proofs/certificate/metric_field_run.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -97,14 +98,11 @@ TEST(MetricField, a_lattice_of_dimension_3_is_accepted) {
   EXPECT_EQ(checked.status, 0) << checked.output;
 }
 
-TEST(MetricField, charts_fit_the_metric_and_each_other) {
-  expect_forgery("field.chart", sheared_document(), stated("manifold", "rounding", Rational::power_of_two(-6)));
-  expect_forgery("field.chart", sheared_document(), [](Json& j) {
-    j["charts"][7][0] = times(j["charts"][7][0], Rational(1) + Rational::power_of_two(-24));
-  });
-  expect_forgery("field.metric", sheared_document(), stated("manifold", "metric_distortion", ratio(1, 2)));
-  expect_forgery("field.distortion", sheared_document(), stated("parameters", "distortion", ratio(1, 2)));
-  expect_forgery("field.distortion", sheared_document(), [](Json& j) { j["parameters"]["distortion"] = "0"; });
+/// Of a constant metric, whose charts are the same everywhere.
+const Json& flat_document() {
+  static const Json document = document_of<2>(
+      certified_run<2>(test::constant_field({{Rational(1), ratio(1, 3)}, {ratio(1, 3), Rational(2)}}), ratio(1, 20)));
+  return document;
 }
 
 TEST(MetricField, another_metric_has_other_charts) {
@@ -119,13 +117,9 @@ TEST(MetricField, another_metric_has_other_charts) {
 }
 
 TEST(MetricField, patches_are_small_enough) {
-  // Of a constant metric, whose charts are the same everywhere.
-  const auto flat =
-      certified_run<2>(test::constant_field({{Rational(1), ratio(1, 3)}, {ratio(1, 3), Rational(2)}}), ratio(1, 20));
-  const Json document = document_of<2>(flat);
+  const Json& document = flat_document();
   EXPECT_EQ(run_checker(sealed(document)).status, 0);
   EXPECT_EQ(document["parameters"]["distortion"], "0");
-  expect_forgery("field.patch", document, stated("manifold", "patch_radius", Rational(2)));
   // A patch that holds no ball; nothing else looks at it here.
   expect_forgery("1.patch", document, [&](Json& j) {
     j["levels"].erase("2s");
@@ -251,4 +245,27 @@ TEST(MetricField, huge_and_tiny_numbers_never_verify) {
 }
 
 }  // namespace
+
+std::vector<Forgery> metric_field_forgeries() {
+  const auto forged = [](const char* name, const char* rule, const Json& valid, const Change& change) {
+    Json document = valid;
+    change(document);
+    return Forgery{name, rule, sealed(document)};
+  };
+  const Json& sheared = sheared_document();
+  return {
+      forged("charts said to be rounded better", "field.chart", sheared,
+             stated("manifold", "rounding", Rational::power_of_two(-6))),
+      forged("another chart", "field.chart", sheared,
+             [](Json& j) { j["charts"][7][0] = times(j["charts"][7][0], Rational(1) + Rational::power_of_two(-24)); }),
+      forged("larger patches", "field.patch", flat_document(), stated("manifold", "patch_radius", Rational(2))),
+      forged("half the distortion of the metric", "field.metric", sheared,
+             stated("manifold", "metric_distortion", ratio(1, 2))),
+      forged("half the distortion of transitions", "field.distortion", sheared,
+             stated("parameters", "distortion", ratio(1, 2))),
+      forged("no distortion of transitions", "field.distortion", sheared,
+             [](Json& j) { j["parameters"]["distortion"] = "0"; }),
+  };
+}
+
 }  // namespace delcert::checker_tests
