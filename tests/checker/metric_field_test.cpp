@@ -82,7 +82,9 @@ TEST(MetricField, a_lattice_of_dimension_3_is_accepted) {
   description.waves[0].sine[0][1] = description.waves[0].sine[1][0] = ratio(1, 50);
   MetricFieldAtlas<3> atlas(MetricField<3>(description), test::lattice_points<3>(11), ratio(11, 100));
   const auto distortion = fit_patches<3>(atlas, no_progress());
-  RunParameters parameters = parameters_for(Dimension(3), measure_separation<3>(atlas), {RunMode::none});
+  ParameterChoice choice;
+  choice.mode = RunMode::none;
+  const RunParameters parameters = parameters_for(Dimension(3), measure_separation<3>(atlas), choice);
   RunRequest request;
   request.perturb = false;
   request.certify_model = false;
