@@ -5,6 +5,7 @@
 #include <memory>
 #include <sstream>
 
+#include "apps/certify_metric_field.hpp"
 #include "apps/certify_options.hpp"
 #include "apps/certify_space_form.hpp"
 #include "apps/commands.hpp"
@@ -14,6 +15,7 @@
 #include "apps/run_report.hpp"
 #include "kernel/error.hpp"
 #include "kernel/manifold/manifold_file.hpp"
+#include "kernel/manifold/metric_field/metric_field_file.hpp"
 #include "kernel/manifold/space_form/space_form_file.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "kernel/parallel/threads.hpp"
@@ -120,7 +122,7 @@ void add_certify(CLI::App& program, Action& chosen) {
       command
           ->add_option("--mode", options->choice.mode,
                        "theory: the paper's constants; measured: chosen tolerances (default theory, on space forms "
-                       "other than tori measured)")
+                       "other than flat tori and on metric fields measured)")
           ->transform(CLI::CheckedTransformer(modes))
           ->type_name("theory|measured");
   command->add_option("--candidates", options->choice.candidates, "Which simplices perturbations are tested against")
@@ -153,6 +155,7 @@ void add_certify(CLI::App& program, Action& chosen) {
       "  delcert certify --manifold my-torus.toml --points net.txt --levels 0,1,2,4,5,6\n"
       "  delcert certify --manifold bolza-surface --radius 1/10 --output bolza.json.zst\n"
       "  delcert certify --manifold sphere-2 --icosphere 24\n"
+      "  delcert certify --manifold torus-2-hills --radius 1/40 --seed 1\n"
       "  delcert certify --manifold torus-2 --lattice 30 --no-perturbation      (exits 1, naming stars)");
   command->callback([options, mode, &chosen] {
     options->mode_is_given = mode->count() > 0;
@@ -161,6 +164,7 @@ void add_certify(CLI::App& program, Action& chosen) {
       options->choice.seed = options->source.seed;
       if (options->no_perturbation) options->choice.mode = RunMode::none;
       if (const auto form = space_form_if_one(options->source.manifold)) return certify_space_form(*options, *form);
+      if (const auto field = metric_field_if_one(options->source.manifold)) return certify_metric_field(*options, *field);
       const ManifoldDescription manifold = find_manifold(options->source.manifold);
       return with_dimension(manifold.dimension, [&]<int m>() { return certify<m>(*options, manifold); });
     };

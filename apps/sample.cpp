@@ -4,14 +4,17 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "apps/certify_metric_field_net.hpp"
 #include "apps/commands.hpp"
 #include "apps/net_source.hpp"
 #include "apps/progress_line.hpp"
 #include "kernel/manifold/manifold_file.hpp"
+#include "kernel/manifold/metric_field/metric_field_file.hpp"
 #include "kernel/manifold/space_form/patch_size.hpp"
 #include "kernel/manifold/space_form/space_form_atlas.hpp"
 #include "kernel/manifold/space_form/space_form_file.hpp"
 #include "kernel/number/exact_text.hpp"
+#include "kernel/sample/metric_field_separation.hpp"
 #include "kernel/sample/net_measure.hpp"
 #include "kernel/sample/point_file.hpp"
 #include "kernel/sample/space_form_net.hpp"
@@ -94,6 +97,35 @@ ExitStatus sample_space_form(const SampleOptions& options, const SpaceForm& form
   return ExitStatus::verified;
 }
 
+template <int m>
+ExitStatus sample_metric_field(const SampleOptions& options, const MetricFieldDescription& description) {
+  ProgressLine line;
+  MetricField<m> field(description);
+  auto centres = metric_field_net_of<m>(options.source, field, line.callback());
+  PointList list;
+  for (const auto& point : centres) list.emplace_back(point.begin(), point.end());
+  const Rational radius = *options.source.radius;
+  const MetricFieldAtlas<m> atlas(std::move(field), std::move(centres), radius);
+  const Rational separation = measure_separation<m>(atlas);
+  line.clear();
+  const std::string head =
+      fmt::format("# manifold {}, coordinates of the torus\n# nominal radius {}\n# separation {}\n# seed {}\n",
+                  description.name, exact_text(radius), exact_text(separation), options.source.seed);
+  write_file_atomically(options.output, head + points_text(list));
+  if (options.json) {
+    nlohmann::ordered_json result;
+    result["points"] = list.size();
+    result["nominal_radius"] = exact_text(radius);
+    result["separation"] = exact_text(separation);
+    result["file"] = options.output;
+    std::cout << result.dump(2) << "\n";
+  } else {
+    std::cout << fmt::format("{} points in {}\nradius {}, in the charts separation μ₀ = {}, certified\n", list.size(),
+                             options.output, exact_text(radius), exact_text(separation));
+  }
+  return ExitStatus::verified;
+}
+
 }  // namespace
 
 void add_sample(CLI::App& program, Action& chosen) {
@@ -116,6 +148,10 @@ void add_sample(CLI::App& program, Action& chosen) {
         const SpaceForm form = verify_space_form(*description);
         if (form.form().dimension() == 2) return sample_space_form<2>(*options, form);
         return sample_space_form<3>(*options, form);
+      }
+      if (const auto field = metric_field_if_one(options->source.manifold)) {
+        if (field->dimension == Dimension(2)) return sample_metric_field<2>(*options, *field);
+        return sample_metric_field<3>(*options, *field);
       }
       const ManifoldDescription manifold = find_manifold(options->source.manifold);
       return with_dimension(manifold.dimension, [&]<int m>() { return sample<m>(*options, manifold); });

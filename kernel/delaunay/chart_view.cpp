@@ -18,7 +18,7 @@ ChartView<m>::ChartView(const Atlas<m>& atlas, const PointSet<m>& points, const 
     const auto offset = difference(points.enclosure(Label(index)), atlas.net().enclosure(Label(index)));
     most = maximum(most, filter_metric_.squared_norm(offset));
   }
-  displacement_ = square_root(most).upper();
+  displacement_ = (square_root(most) * scalar_from<Filter>(Rational(1) + geometry.distortion)).upper();
 }
 
 template <int m>

@@ -10,12 +10,16 @@
 
 namespace delcert {
 
-/// What certification asks of a space form X/Γ beside its charts.
+/// What certification asks of a space form X/Γ beside its charts; or of a manifold with affine charts, where only the
+/// last two count.
 struct ModelGeometry {
   Curvature curvature = Curvature::zero;
   Rational injectivity_radius;    ///< a lower bound
   int patch_factor = 9;           ///< patches have this radius, in sampling radii
   bool isometric_charts = false;  ///< transitions are isometries of the charts' metric, as on flat manifolds
+  /// How much longer than at home a vector is in another chart at most, relative: 0 on space forms, whose charts keep
+  /// the distances from their centres. What a label moves by at home is seen from elsewhere longer by that.
+  Rational distortion{};
 };
 
 /// In which coordinates of X about the centre of a chart: tangent vectors, that is those of the chart (exp⁻¹), or

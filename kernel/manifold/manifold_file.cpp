@@ -16,6 +16,7 @@
 
 #include "kernel/error.hpp"
 #include "kernel/manifold/builtin_manifolds.hpp"
+#include "kernel/manifold/metric_field/metric_field_file.hpp"
 #include "kernel/manifold/space_form/space_form_file.hpp"
 #include "kernel/number/exact_text.hpp"
 
@@ -307,8 +308,11 @@ ManifoldDescription find_manifold(const std::string& name_or_path) {
   if (!std::filesystem::exists(name_or_path)) {
     std::string forms;
     for (const BuiltinManifold& builtin : builtin_space_forms()) forms += (forms.empty() ? "" : ", ") + builtin.name;
+    std::string fields;
+    for (const BuiltinManifold& builtin : builtin_metric_fields())
+      fields += (fields.empty() ? "" : ", ") + builtin.name;
     throw InputError("no manifold \"" + name_or_path + "\": neither a file nor one of " + names +
-                     ", or of the space forms " + forms);
+                     ", or of the space forms " + forms + ", or of the metric fields " + fields);
   }
   return read_manifold(name_or_path);
 }

@@ -15,6 +15,8 @@ struct RunRequest {
   /// Simplices must be more protected than this length; simplices that are not are repaired.
   std::optional<Rational> required_protection;
   int most_repair_rounds = 20;
+  /// On space forms: certify geodesic circumballs as well.
+  bool certify_model = true;
 };
 
 /// The outcome of the extended algorithm with its final step, the computation of all stars.

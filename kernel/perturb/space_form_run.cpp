@@ -60,8 +60,10 @@ class Stars {
   void outdate(const std::vector<Label>& moved) {
     std::vector<Sighting<m>> seen;
     for (const Label label : moved) {
-      // The distance of original points is the same from both sides; a little more for its rounding.
-      atlas_.sightings(label, farthest_reach_ * (1 + 0x1p-20), seen);
+      // The distance of original points is the same from both sides, but for the distortion; a little more for its
+      // rounding.
+      const double stretch = 1 + approximate_double(geometry_.distortion);
+      atlas_.sightings(label, farthest_reach_ * stretch * (1 + 0x1p-20), seen);
       for (const auto& sighting : seen) outdated_[sighting.index] = true;
       outdated_[label.value] = true;
     }
@@ -133,7 +135,7 @@ SpaceFormRun<m> run_on_space_form(const Atlas<m>& atlas, const ModelGeometry& ge
     ModelReport model;
     std::vector<StarFailure> all = failures;
     all.insert(all.end(), agreement.failures.begin(), agreement.failures.end());
-    if (all.empty()) {
+    if (all.empty() && request.certify_model) {
       model = check_model_delaunay<m>(atlas, perturbation.points(), geometry, complex, progress);
       all = model.failures;
     }

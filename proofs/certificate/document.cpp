@@ -24,15 +24,16 @@ std::string software_object() {
   return result + "}";
 }
 
-std::string parameters_object(const RunParameters& parameters, const Rational& sampling_radius) {
+std::string parameters_object(const RunParameters& parameters, const Rational& sampling_radius,
+                              const Rational& distortion) {
   const PerturbationParameters& algorithm = parameters.algorithm;
   return fmt::format(
       "{{\"mode\":\"{}\",\"candidates\":\"{}\",\"seed\":\"{}\",\"sampling_radius\":{},\"separation\":{},"
-      "\"radius_variation\":\"0\",\"distortion\":\"0\",\"perturbation\":{},\"flake_parameter_squared\":{},"
+      "\"radius_variation\":\"0\",\"distortion\":{},\"perturbation\":{},\"flake_parameter_squared\":{},"
       "\"tolerance\":{}}}",
       name_of(parameters.mode), name_of(algorithm.candidates), algorithm.seed, number(sampling_radius),
-      number(algorithm.separation), number(algorithm.perturbation), number(parameters.squared_flake_parameter),
-      number(algorithm.tolerance));
+      number(algorithm.separation), number(distortion), number(algorithm.perturbation),
+      number(parameters.squared_flake_parameter), number(algorithm.tolerance));
 }
 
 std::string manifold_claim_object(const ManifoldClaim& claim) {

@@ -26,9 +26,10 @@ template <class Range, class Text>
   return result + "]";
 }
 
-/// The values of the keys `software` and `parameters`.
+/// The values of the keys `software` and `parameters`; ξ₀ is 0 but on metric fields.
 [[nodiscard]] std::string software_object();
-[[nodiscard]] std::string parameters_object(const RunParameters& parameters, const Rational& sampling_radius);
+[[nodiscard]] std::string parameters_object(const RunParameters& parameters, const Rational& sampling_radius,
+                                            const Rational& distortion = Rational(0));
 
 /// The value of level 2.
 [[nodiscard]] std::string manifold_claim_object(const ManifoldClaim& claim);

@@ -26,6 +26,7 @@ Certificate::Certificate(std::string_view text) {
   require_parameters();
   require_levels();
   if (space_form) require_space_form();
+  if (metric_field) require_metric_field();
   require_stars();
 }
 
@@ -48,6 +49,8 @@ void Certificate::require_lengths() const {
   require("form.lengths", net_text.size() == points_text.size() || (net_text.empty() && torus && !claimed[level_0]),
           "net and points have different lengths");
   require("form.lengths", star_begin.size() == std::size_t{n} + 1, "stars and points have different lengths");
+  require("form.lengths", !metric_field || chart_text.size() / chart_size() == points_text.size() / m_size(),
+          "charts and points have different lengths");
   for (const std::vector<Label>* labels : {&net_simplices, &star_labels}) {
     for (const Label j : *labels)
       require("form.labels", j < n, "label " + std::to_string(j) + " is not below " + std::to_string(n));
@@ -62,7 +65,10 @@ void Certificate::require_parameters() const {
   require(positive(epsilon), "sampling_radius is not positive");
   require(positive(mu) && at_most(mu.exact, Rational(1)), "separation is not in (0, 1]");
   require(radius_variation.exact.sign() == 0, "radius_variation is not 0");
-  require(distortion.exact.sign() == 0, "distortion is not 0");
+  const bool undistorted = distortion.exact.sign() == 0;
+  require(
+      undistorted || (metric_field && positive(distortion) && less(distortion.exact, Rational(1)) == Verdict::proved),
+      "distortion is not 0, nor, on a metric field, in (0, 1)");
   require(rho.exact.sign() >= 0 && at_most(rho.exact * Rational(4), mu.exact),
           "perturbation is not in [0, separation/4]");
   require(positive(flake_squared) && at_most(flake_squared.exact, Rational(1)),
@@ -77,7 +83,7 @@ void Certificate::require_levels() const {
   bool any = false;
   for (std::size_t level = 0; level < claimed.size(); ++level) {
     any = any || claimed[level];
-    for (const Level base : rests_on(level, space_form != nullptr)) {
+    for (const Level base : rests_on(level, kind())) {
       Report::require(
           "form.levels", !claimed[level] || claimed[base],
           "level " + std::string(level_names[level]) + " is claimed without level " + std::string(level_names[base]));
@@ -117,7 +123,8 @@ void Certificate::require_stars() const {
   }
 }
 
-std::vector<Level> rests_on(std::size_t level, bool on_space_form) {
+std::vector<Level> rests_on(std::size_t level, Kind kind) {
+  const bool on_space_form = kind == Kind::space_form;
   switch (level) {
     case level_0:
       return on_space_form ? std::vector{level_4} : std::vector<Level>{};
@@ -126,9 +133,11 @@ std::vector<Level> rests_on(std::size_t level, bool on_space_form) {
     case level_2:
       return {level_1};
     case level_2s:
-      return on_space_form ? std::vector{level_2} : std::vector{level_0, level_2};
+      return kind == Kind::flat ? std::vector{level_0, level_2} : std::vector{level_2};
     case level_3:
       return {level_0};
+    case level_5:
+      return {kind == Kind::metric_field ? level_2 : level_4};
     default:
       return {level == level_4 ? level_2 : static_cast<Level>(level - 1)};
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "proofs/checker/cursor.hpp"
+#include "proofs/checker/metric_field.hpp"
 #include "proofs/checker/point_set.hpp"
 #include "proofs/checker/space_form.hpp"
 
@@ -14,8 +15,10 @@ namespace delcert::checker {
 inline constexpr std::array<std::string_view, 8> level_names = {"0", "1", "2", "2s", "3", "4", "5", "6"};
 enum Level : std::size_t { level_0, level_1, level_2, level_2s, level_3, level_4, level_5, level_6 };
 
-/// The levels with which a level must be claimed, on flat families and on space forms.
-std::vector<Level> rests_on(std::size_t level, bool on_space_form);
+/// What rules there are depends on which kind of manifold it is.
+enum class Kind { flat, space_form, metric_field };
+/// The levels with which a level must be claimed.
+std::vector<Level> rests_on(std::size_t level, Kind kind);
 
 /// A certificate of the right form. Neither copied nor moved: the point sets refer to it, and it refers to the text.
 struct Certificate {
@@ -25,7 +28,8 @@ struct Certificate {
   Certificate& operator=(const Certificate&) = delete;
 
   bool torus = false;
-  std::unique_ptr<SpaceForm> space_form;  // of its families; otherwise none
+  std::unique_ptr<SpaceForm> space_form;      // of its families; otherwise none
+  std::unique_ptr<MetricField> metric_field;  // of its family; otherwise none
   int m = 0;
   Label n = 0;
   std::vector<Rational> gram;  // m rows of m; empty on a Euclidean ball
@@ -46,6 +50,7 @@ struct Certificate {
   bool self_delaunay = true;  // level 6
   Quantity weight, least_stretch, greatest_stretch;
   std::vector<std::string_view> net_text, points_text;  // m to a point
+  std::vector<std::string_view> chart_text;             // m (m + 1) / 2 to a point, on a metric field
   std::vector<Label> net_simplices;                     // m + 1 to a simplex
   std::vector<std::uint64_t> star_begin;                // star(i) is simplices star_begin[i] … star_begin[i + 1] - 1
   std::vector<Label> star_labels;                       // m to a simplex
@@ -54,9 +59,14 @@ struct Certificate {
   PointSet net, points;
   std::vector<bool> interior;
 
-  bool has_boundary() const { return !torus && !space_form; }
+  Kind kind() const { return space_form ? Kind::space_form : metric_field ? Kind::metric_field : Kind::flat; }
+  bool has_boundary() const { return !torus && kind() == Kind::flat; }
   std::size_t m_size() const { return static_cast<std::size_t>(m); }
-  /// On a space form: within rho epsilon + 2 (circumradius) + protection of p_i is what levels 1 and 4 look at.
+  std::size_t chart_size() const { return m_size() * (m_size() + 1) / 2; }
+  /// On a metric field: the entries on and above the diagonal of the chart of a label, row by row.
+  std::vector<Rational> chart_entries(Label i) const;
+  /// On a space form or a metric field: within rho epsilon + 2 (circumradius) + protection of p_i is what levels 1 and
+  /// 4 look at.
   Rational reach_1() const;
   Rational reach_4() const;
   /// What any level looks at.
@@ -76,8 +86,10 @@ struct Certificate {
   void require_lengths() const;
   void require_parameters() const;
   void parse_space_form_level(Cursor& cursor, std::size_t level);
+  void parse_metric_field_level(Cursor& cursor, std::size_t level);
   void require_levels() const;
   void require_space_form() const;
+  void require_metric_field() const;
   void require_stars() const;
   bool is_interior(Label i) const;
 };

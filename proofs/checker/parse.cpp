@@ -37,13 +37,16 @@ void Certificate::parse_manifold(Cursor& cursor) {
   cursor.expect("{\"name\":");
   cursor.string();
   cursor.expect(",\"family\":");
-  const std::size_t family = parse_word(cursor, {"flat-torus", "euclidean-ball", "spherical", "flat", "hyperbolic"});
+  const std::size_t family =
+      parse_word(cursor, {"flat-torus", "euclidean-ball", "spherical", "flat", "hyperbolic", "metric-field"});
   torus = family == 0;
   cursor.expect(",\"dimension\":");
   m = static_cast<int>(cursor.count(4));
   if (m == 0) cursor.fail("form.types", "a dimension from 1 to 4 before this");
-  if (family > 1) {
-    if (m != 2 && m != 3) cursor.fail("form.types", "the dimension 2 or 3 before this");
+  if (family > 1 && m != 2 && m != 3) cursor.fail("form.types", "the dimension 2 or 3 before this");
+  if (family == 5) {
+    metric_field = std::make_unique<MetricField>(m, cursor);
+  } else if (family > 1) {
     space_form = std::make_unique<SpaceForm>(3 - static_cast<int>(family), m, cursor);
   } else if (torus) {
     cursor.expect(",\"gram\":");
@@ -84,7 +87,9 @@ void Certificate::parse_levels(Cursor& cursor) {
     claimed[level] = cursor.accept(separator + "\"" + std::string(level_names[level]) + "\":");
     if (!claimed[level]) continue;
     separator = ",";
-    if (space_form && level != level_1 && level != level_2 && level != level_3) {
+    if (metric_field && level != level_1 && level != level_2) {
+      parse_metric_field_level(cursor, level);
+    } else if (space_form && level != level_1 && level != level_2 && level != level_3) {
       parse_space_form_level(cursor, level);
     } else if (level == level_0) {
       cursor.expect("{\"hypotheses_2\":");
@@ -115,6 +120,18 @@ void Certificate::parse_levels(Cursor& cursor) {
     cursor.expect("}");
   }
   cursor.expect("}");
+}
+
+/// Without the brace at its end.
+void Certificate::parse_metric_field_level(Cursor& cursor, std::size_t level) {
+  if (level == level_2s) {
+    cursor.expect("{\"reach\":");
+    reach_2s = parse_quantity(cursor);
+  } else if (level == level_5) {
+    cursor.expect("{\"route\":\"affine-charts\"");
+  } else {
+    cursor.fail("form.family", "a level for metric fields before this");
+  }
 }
 
 /// Without the brace at its end.
@@ -166,6 +183,10 @@ void Certificate::parse(Cursor& cursor) {
   parse_levels(cursor);
   cursor.expect(",\"net\":");
   parse_points(net_text);
+  if (metric_field) {
+    cursor.expect(",\"charts\":");
+    cursor.array([&] { cursor.row(static_cast<int>(chart_size()), [&] { chart_text.push_back(cursor.number()); }); });
+  }
   cursor.expect(",\"net_simplices\":");
   parse_labels(net_simplices, m + 1);
   cursor.expect(",\"points\":");

@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "proofs/checker/metric_field_levels.hpp"
 #include "proofs/checker/space_form_levels.hpp"
 
 namespace delcert::checker {
@@ -14,10 +15,10 @@ namespace {
 
 using Levels = std::array<bool, level_names.size()>;
 
-void select(Levels& chosen, std::size_t level, bool on_space_form) {
+void select(Levels& chosen, std::size_t level, Kind kind) {
   if (chosen[level]) return;
   chosen[level] = true;
-  for (const Level base : rests_on(level, on_space_form)) select(chosen, base, on_space_form);
+  for (const Level base : rests_on(level, kind)) select(chosen, base, kind);
 }
 
 Levels selection(const Certificate& certificate, const std::vector<std::string>& selected) {
@@ -28,7 +29,7 @@ Levels selection(const Certificate& certificate, const std::vector<std::string>&
         static_cast<std::size_t>(std::find(level_names.begin(), level_names.end(), name) - level_names.begin());
     if (level == level_names.size() || !certificate.claimed[level])
       throw std::invalid_argument("level " + name + " is not claimed");
-    select(chosen, level, certificate.space_form != nullptr);
+    select(chosen, level, certificate.kind());
   }
   return chosen;
 }
@@ -50,6 +51,16 @@ LevelResult run_check(const std::string_view name, const Check& check) {
   result.findings = report.findings;
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
+}
+
+Check check_of_level(const AffineCharts& charts, std::size_t level) {
+  return [&charts, level](Report& report) -> std::string {
+    if (level == level_1) return check_stars_of_metric_field(charts, report);
+    if (level == level_2) return check_level_2(charts.certificate(), report);
+    if (level == level_2s) return check_stable_stars_of_metric_field(charts, report);
+    if (level == level_5) return "follows from levels 1 and 2 in small patches of affine charts";
+    throw std::logic_error("a level that metric fields do not have");
+  };
 }
 
 Check check_of_level(const Certificate& c, std::size_t level, const Lifts* lifts) {
@@ -112,11 +123,20 @@ Outcome check(std::string_view text, const std::vector<std::string>& selected) {
         return group.summary;
       }));
     }
-    const bool ready = !certificate.space_form || lifts;
+    std::optional<AffineCharts> charts;
+    bool ready = !certificate.space_form || lifts;
+    if (certificate.metric_field) {
+      outcome.levels.push_back(run_check("field", [&](Report& report) {
+        charts.emplace(certificate);
+        return check_metric_field(*charts, report);
+      }));
+      ready = outcome.levels.back().status == 0;
+    }
     for (std::size_t level = 0; level < level_names.size(); ++level) {
       if (chosen[level] && ready) {
-        outcome.levels.push_back(
-            run_check(level_names[level], check_of_level(certificate, level, lifts ? &*lifts : nullptr)));
+        const Check check =
+            charts ? check_of_level(*charts, level) : check_of_level(certificate, level, lifts ? &*lifts : nullptr);
+        outcome.levels.push_back(run_check(level_names[level], check));
       } else if (certificate.claimed[level]) {
         outcome.unchecked.emplace_back(level_names[level]);
       }

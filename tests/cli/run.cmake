@@ -26,6 +26,9 @@ delcert_run_test(disk --manifold disk --radius 1/12 --seed 1 LEVELS "${ball}")
 delcert_run_test(ball-lattice --manifold disk --lattice 12 --seed 1 LEVELS "${ball}")
 delcert_run_test(torus-3 --manifold torus-3 --radius 1/24 --seed 1 LEVELS "${all}")
 
+delcert_run_test(metric-field --manifold torus-2-hills --radius 1/24 --seed 1 LEVELS
+  "metric       positive definite everywhere.*levels\n  1 .*\n  2 .*homology Z, Z.2, Z\n  2s .*\n  5 .*\n  not reached: level 4")
+
 delcert_cli_test(certify-raw-lattice STATUS 1 OUTPUT "^$" ERROR "nothing is certified.*star of 0: simplex"
   COMMAND ${delcert} certify --manifold torus-2 --lattice 20 --no-perturbation --output never.json)
 delcert_cli_test(certify-raw-lattice-writes-nothing STATUS 1 COMMAND ${CMAKE_COMMAND} -E cat never.json)
@@ -53,6 +56,16 @@ delcert_cli_test(sample-points STATUS 0 OUTPUT "points in points.txt.*both certi
   COMMAND ${delcert} sample --manifold torus-2 --radius 1/24 --seed 7 --output points.txt)
 delcert_cli_test(certify-points STATUS 0 OUTPUT "${all}" FIXTURES run-points
   COMMAND ${delcert} certify --manifold torus-2 --points points.txt --radius 1/24 --output from-points.json)
+delcert_cli_test(sample-metric-field STATUS 0 OUTPUT "points in field.txt.*in the charts separation .*, certified" ERROR "^$"
+  COMMAND ${delcert} sample --manifold torus-2-shear --radius 1/20 --seed 7 --output field.txt)
+delcert_cli_test(sample-metric-field-too-coarse STATUS 1 OUTPUT "^$" ERROR "torus-2-hills: the radius of a net is below an eighth"
+  COMMAND ${delcert} sample --manifold torus-2-hills --radius 1/4 --output never.txt)
+delcert_cli_test(certify-metric-field-in-theory STATUS 1 OUTPUT "^$" ERROR "use --mode measured"
+  COMMAND ${delcert} certify --manifold torus-2-hills --radius 1/24 --mode theory --output never.json)
+delcert_cli_test(certify-metric-field-lattice STATUS 3 OUTPUT "^$" ERROR "are not for metric fields"
+  COMMAND ${delcert} certify --manifold torus-2-hills --lattice 24 --output never.json)
+delcert_cli_test(certify-raw-metric-field STATUS 1 OUTPUT "^$" ERROR "nothing is certified.*star of"
+  COMMAND ${delcert} certify --manifold torus-2-shear --radius 1/20 --no-perturbation --output never.json)
 delcert_cli_test(sample-json STATUS 0 OUTPUT "\"separation\": \"1\"" ERROR "^$"
   COMMAND ${delcert} sample --manifold disk --radius 1/10 --json --output disk.txt)
 delcert_cli_test(sample-negative-radius STATUS 3 OUTPUT "^$" ERROR "--radius -1/2"

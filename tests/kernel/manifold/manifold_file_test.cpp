@@ -182,6 +182,7 @@ TEST(FindManifold, lists_the_names_when_there_is_neither) {
     EXPECT_NE(message.find("no manifold \"torus-9\": neither a file nor one of ball-3, circle"), std::string::npos)
         << message;
     EXPECT_NE(message.find("torus-4, or of the space forms bolza-surface, "), std::string::npos) << message;
+    EXPECT_NE(message.find(", or of the metric fields torus-2-anisotropic, "), std::string::npos) << message;
   }
 }
 

@@ -1,0 +1,230 @@
+#include "kernel/sample/metric_field_net.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "kernel/error.hpp"
+#include "kernel/sample/spatial_order.hpp"
+#include "kernel/sample/voronoi_cells.hpp"
+
+namespace delcert {
+
+namespace {
+
+/// Coordinates are multiples of this, so that they are exact doubles after any translation that occurs.
+constexpr double grid_step = 0x1p-48;
+constexpr std::uint32_t batch = 4096;
+/// Darts are thrown until fewer than one in this many lands.
+constexpr std::uint32_t worth_throwing = 20;
+constexpr std::uint32_t most_rounds = 200;
+constexpr std::size_t most_points = 2000000;
+/// Of how many radii about a point others are looked at: more than 2, the less the quicker.
+constexpr double reach = 2.25;
+constexpr double cell_factor = 1.5;
+
+template <int m>
+Vector<Rational, m> exactly(const Vector<double, m>& x) {
+  Vector<Rational, m> result;
+  for (std::size_t axis = 0; axis < m; ++axis) result[axis] = Rational::exactly(x[axis]);
+  return result;
+}
+
+/// A chart in doubles.
+template <int m>
+struct PlainChart {
+  PlainChart(const MetricField<m>& field, const Vector<double, m>& x) {
+    const auto gram = [&] {
+      const RoundingGuard guard;
+      return field.template at<Interval>(exactly<m>(x));
+    }();
+    const AffineChart<m> chart = rounded_chart<m>(gram);
+    for (std::size_t row = 0; row < m; ++row) {
+      for (std::size_t column = 0; column < m; ++column) {
+        matrix[row][column] = approximate_double(chart.matrix()[row][column]);
+        inverse[row][column] = approximate_double(chart.inverse()[row][column]);
+      }
+      stretch[row] = std::sqrt(approximate_double(chart.squared_stretch(row)));
+    }
+  }
+  Matrix<double, m> matrix;
+  Matrix<double, m> inverse;
+  Vector<double, m> stretch;
+};
+
+template <int m>
+class MetricFieldSampling {
+ public:
+  MetricFieldSampling(const MetricField<m>& field, double radius)
+      : field_(field), radius_(radius), voronoi_(Curvature::zero, reach * radius), cells_(cell_widths()) {}
+
+  void throw_darts(std::uint64_t seed, const Progress& progress) {
+    std::uint32_t dart = 0;
+    std::uint32_t landed = batch;
+    while (landed * worth_throwing >= batch) {
+      progress("throw darts", points_.size(), points_.size());
+      landed = 0;
+      for (const std::uint32_t end = dart + batch; dart < end; ++dart) {
+        CounterRandom random(seed, RandomPurpose::darts, dart, 0);
+        Vector<double, m> x;
+        for (double& coordinate : x) coordinate = random.next_unit();
+        x = on_grid(x);
+        if (is_free(x)) {
+          insert(x);
+          ++landed;
+        }
+      }
+    }
+  }
+
+  void fill_gaps(std::uint64_t seed, const Progress& progress) {
+    // A cell without gaps stays without them, so only these and the new ones are looked at again.
+    std::vector<std::uint32_t> open(points_.size());
+    for (std::uint32_t label = 0; label < open.size(); ++label) open[label] = label;
+    for (std::uint32_t round = 0; !open.empty(); ++round) {
+      if (round == most_rounds)
+        throw Rejection("maximal Poisson-disk sampling found gaps for " + std::to_string(most_rounds) + " rounds");
+      std::vector<std::uint32_t> still_open;
+      const auto first_new = static_cast<std::uint32_t>(points_.size());
+      for (std::size_t at = 0; at < open.size(); ++at) {
+        if (at % 1024 == 0) progress("fill gaps", at, open.size());
+        const std::uint32_t label = open[at];
+        const auto cell = voronoi_.cell(around(label));
+        CounterRandom random(seed, RandomPurpose::gap_filling, label, round);
+        const auto places = voronoi_.points_in_gaps(cell, radius_, random);
+        for (const auto& place : places) {
+          const auto x = on_grid(sum(points_[label], applied_triangle(charts_[label].inverse, place)));
+          if (is_free_in_chart(label, x)) insert(x);
+        }
+        if (places.empty()) {
+          covering_radius_ = std::max(covering_radius_, cell.farthest_vertex);
+        } else {
+          still_open.push_back(label);
+        }
+      }
+      for (auto label = first_new; label < points_.size(); ++label) still_open.push_back(label);
+      open = std::move(still_open);
+    }
+  }
+
+  [[nodiscard]] MetricFieldNet<m> net() const {
+    MetricFieldNet<m> result;
+    for (const std::uint32_t label : spatial_order_of_lifts<m>(Curvature::zero, points_))
+      result.centres.push_back(exactly<m>(points_[label]));
+    result.covering_radius = covering_radius_;
+    return result;
+  }
+
+ private:
+  /// By the charts at some points.
+  [[nodiscard]] Vector<double, m> cell_widths() const {
+    constexpr std::uint32_t samples = 16;
+    Vector<double, m> widths{};
+    for (std::uint32_t sample = 0; sample < samples; ++sample) {
+      CounterRandom random(0, RandomPurpose::jitter, sample, 0);
+      Vector<double, m> x;
+      for (double& coordinate : x) coordinate = random.next_unit();
+      widths = sum(widths, scaled(cell_factor * radius_ / samples, PlainChart<m>(field_, x).stretch));
+    }
+    return widths;
+  }
+
+  [[nodiscard]] static Vector<double, m> on_grid(Vector<double, m> x) {
+    for (double& coordinate : x) {
+      coordinate = std::nearbyint(coordinate / grid_step) * grid_step;
+      coordinate -= std::floor(coordinate);
+    }
+    return x;
+  }
+
+  void insert(const Vector<double, m>& x) {
+    if (points_.size() == most_points)
+      throw Rejection("a net of this radius has more than " + std::to_string(most_points) +
+                      " points, which is the most that is supported");
+    cells_.insert(static_cast<std::uint32_t>(points_.size()), x);
+    points_.push_back(x);
+    charts_.emplace_back(field_, x);
+    for (std::size_t axis = 0; axis < m; ++axis)
+      greatest_stretch_[axis] = std::max(greatest_stretch_[axis], charts_.back().stretch[axis]);
+  }
+
+  [[nodiscard]] Vector<double, m> offset(const Lift<m>& lift, const Vector<double, m>& from) const {
+    Vector<double, m> result;
+    for (std::size_t axis = 0; axis < m; ++axis)
+      result[axis] = points_[lift.index][axis] + static_cast<double>(lift.shift[axis]) - from[axis];
+    return result;
+  }
+  [[nodiscard]] bool is_close(const Matrix<double, m>& matrix, const Vector<double, m>& v) const {
+    const auto seen = applied_triangle(matrix, v);
+    return pairing(seen, seen) < radius_ * radius_;
+  }
+
+  /// No point is closer in its own chart.
+  [[nodiscard]] bool is_free(const Vector<double, m>& x) const {
+    bool result = true;
+    cells_.visit(x, scaled(radius_, greatest_stretch_), [&](const Lift<m>& lift) {
+      result = !is_close(charts_[lift.index].matrix, offset(lift, x));
+      return !result;
+    });
+    return result;
+  }
+  /// No point is closer in the chart of this label.
+  [[nodiscard]] bool is_free_in_chart(std::uint32_t label, const Vector<double, m>& x) const {
+    bool result = true;
+    cells_.visit(x, scaled(radius_, charts_[label].stretch), [&](const Lift<m>& lift) {
+      result = !is_close(charts_[label].matrix, offset(lift, x));
+      return !result;
+    });
+    return result;
+  }
+
+  /// The others within the reach in the chart of this label, there.
+  [[nodiscard]] std::vector<Vector<double, m>> around(std::uint32_t label) const {
+    std::vector<Lift<m>> seen;
+    const auto& chart = charts_[label];
+    cells_.visit(points_[label], scaled(reach * radius_, chart.stretch), [&](const Lift<m>& lift) {
+      seen.push_back(lift);
+      return false;
+    });
+    std::sort(seen.begin(), seen.end());
+    std::vector<Vector<double, m>> result;
+    for (const Lift<m>& lift : seen) {
+      if (lift.index == label && lift.shift == Shift<m>{}) continue;
+      const auto place = applied_triangle(chart.matrix, offset(lift, points_[label]));
+      if (pairing(place, place) <= square_of(reach * radius_)) result.push_back(place);
+    }
+    return result;
+  }
+  static double square_of(double x) { return x * x; }
+
+  const MetricField<m>& field_;
+  double radius_;
+  VoronoiCells<m> voronoi_;
+  TorusCells<m> cells_;
+  std::vector<Vector<double, m>> points_;
+  std::vector<PlainChart<m>> charts_;
+  Vector<double, m> greatest_stretch_{};
+  double covering_radius_ = 0;
+};
+
+}  // namespace
+
+template <int m>
+MetricFieldNet<m> metric_field_net(const MetricField<m>& field, const Rational& radius, std::uint64_t seed,
+                                   const Progress& progress) {
+  if (radius <= Rational(0)) throw InputError("the radius of a net is above 0");
+  // A vector of the length of the radius is a 1/8 long at most, in coordinates.
+  if (Rational(64) * square(radius) >= field.eigenvalue_bounds().lower)
+    throw Rejection(field.description().name + ": the radius of a net is below an eighth of the square root of " +
+                    std::to_string(approximate_double(field.eigenvalue_bounds().lower)) +
+                    ", which bounds the metric from below");
+  MetricFieldSampling<m> sampling(field, approximate_double(radius));
+  sampling.throw_darts(seed, progress);
+  sampling.fill_gaps(seed, progress);
+  return sampling.net();
+}
+
+template MetricFieldNet<2> metric_field_net<2>(const MetricField<2>&, const Rational&, std::uint64_t, const Progress&);
+template MetricFieldNet<3> metric_field_net<3>(const MetricField<3>&, const Rational&, std::uint64_t, const Progress&);
+
+}  // namespace delcert

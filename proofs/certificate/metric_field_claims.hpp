@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kernel/delaunay/affine_triangulation.hpp"
+#include "kernel/delaunay/stable_stars.hpp"
+#include "kernel/manifold/metric_field/chart_distortion.hpp"
+#include "kernel/perturb/space_form_run.hpp"
+#include "proofs/certificate/claims.hpp"
+
+namespace delcert {
+
+/// The levels that a run on a metric field reaches, with their margins: lengths in the charts, not in units of ε.
+struct MetricFieldClaims {
+  std::optional<StarMargins> stars;       ///< level 1
+  std::optional<ManifoldClaim> manifold;  ///< level 2
+  std::optional<Rational> reach;          ///< level 2s: how far charts have to show
+  bool triangulation = false;             ///< level 5
+
+  /// The names of the levels claimed, in order.
+  [[nodiscard]] std::vector<std::string> names() const;
+};
+
+/// Patches, and how much longer a vector may be there than at home: what certification asks of a metric field.
+template <int m>
+[[nodiscard]] ModelGeometry geometry_of(const MetricFieldAtlas<m>& atlas, const ChartDistortion& distortion) {
+  return {Curvature::zero, Rational(1), atlas.patch_factor(), relative_stretch(distortion)};
+}
+
+/// What is measured of a certified run beyond levels 1 and 2.
+struct MetricFieldMeasures {
+  StarStability stability;                  ///< level 2s
+  AffineTriangulationReport triangulation;  ///< level 5
+};
+
+/// Derives the levels from a certified run and its measures, checking the inequalities of docs/certificate-format.md
+/// on the way; reasons for levels that were selected and are not reached are appended to `reasons`. Bounds are weaker
+/// than what was found by a relative 2⁻²⁰ at least.
+template <int m>
+[[nodiscard]] MetricFieldClaims derive_claims(const MetricFieldAtlas<m>& atlas, const RunParameters& parameters,
+                                              const SpaceFormRun<m>& run, const MetricFieldMeasures& measures,
+                                              const LevelSelection& selection, std::vector<std::string>& reasons);
+
+}  // namespace delcert

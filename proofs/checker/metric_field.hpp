@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "proofs/checker/cursor.hpp"
+#include "proofs/checker/report.hpp"
+#include "proofs/checker/square_matrix.hpp"
+
+namespace delcert::checker {
+
+struct Certificate;
+
+/// The points x of R^m with |x_k - middle_k| <= half_widths_k.
+struct Box {
+  std::vector<Rational> middle, half_widths;
+};
+
+/// A symmetric matrix that depends on a point of R^m, periodic by Z^m: constant + sum over the waves of
+/// cosine cos(2 pi k x) + sine sin(2 pi k x), as a certificate states it; and what it states of its charts.
+struct MetricField {
+  /// The part of the manifold block from the key "constant" on. Throws Malformed.
+  MetricField(int dimension, Cursor& cursor);
+
+  struct Wave {
+    std::vector<int> frequency;
+    SquareMatrix<Rational> cosine, sine;
+  };
+  std::size_t m;
+  SquareMatrix<Rational> constant;
+  std::vector<Wave> waves;
+  Quantity rounding, patch_radius, metric_distortion;
+
+  /// An enclosure of the values in the box, with the precision of balls.
+  SquareMatrix<Ball> within(const Box& box) const;
+};
+
+/// Whether the property holds of the values in the box: of an enclosure of all of them, or of the halves of the box.
+/// Throws Undecided when it has looked at `most` boxes and does not know. The property takes a matrix of balls and
+/// returns a Verdict that, if it is not undecided, holds of every matrix in it.
+bool holds_within(const MetricField& field, const Box& box, std::size_t most,
+                  const std::function<Verdict(const SquareMatrix<Ball>&)>& property);
+
+/// B = A^T A of the chart of a label, A upper triangular.
+SquareMatrix<Rational> gram_of_chart(const Certificate& c, std::uint32_t label);
+/// The matrix with these entries on and above the diagonal, row by row.
+SquareMatrix<Rational> upper_triangle(std::size_t m, const std::vector<Rational>& entries);
+/// The inverse of an upper triangular matrix without zeros on its diagonal.
+SquareMatrix<Rational> inverse_of_triangle(const SquareMatrix<Rational>& a);
+
+}  // namespace delcert::checker

@@ -1,0 +1,117 @@
+#include "proofs/checker/metric_field_charts.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "proofs/checker/metric_field.hpp"
+
+namespace delcert::checker {
+
+TorusCells::TorusCells(std::size_t m, const std::vector<Vector<Interval>>& points, const std::array<double, 4>& widths)
+    : m_(m) {
+  std::size_t number = 1;
+  for (std::size_t k = 0; k < m; ++k) {
+    const double most = std::floor(std::pow(4 * static_cast<double>(points.size()) + 1, 1 / static_cast<double>(m)));
+    cells_[k] = static_cast<std::int64_t>(std::clamp(std::floor(1 / widths[k]), 1.0, std::clamp(most, 1.0, 1024.0)));
+    number *= static_cast<std::size_t>(cells_[k]);
+  }
+  std::vector<std::size_t> cell_of(points.size());
+  vertices_.resize(points.size());
+  begin_.assign(number + 1, 0);
+  std::vector<Lift> lifts(points.size());
+  for (std::size_t j = 0; j < points.size(); ++j) {
+    for (std::size_t k = 0; k < m; ++k) {
+      const Interval& x = points[j][k];
+      if (!(x.upper() - x.lower() < slack / 4 && std::fabs(x.upper()) < 0x1p20))
+        throw Undecided("label " + std::to_string(j) + " is not known well enough or too far away");
+      const double turn = std::floor(x.lower());
+      const double place = std::floor((x.lower() - turn) * static_cast<double>(cells_[k]));
+      const auto cell = std::clamp<std::int64_t>(static_cast<std::int64_t>(place), 0, cells_[k] - 1);
+      lifts[j][k] = -static_cast<std::int32_t>(turn);
+      cell_of[j] = cell_of[j] * static_cast<std::size_t>(cells_[k]) + static_cast<std::size_t>(cell);
+    }
+    ++begin_[cell_of[j] + 1];
+  }
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
+  for (std::size_t j = 0; j < points.size(); ++j) vertices_[next[cell_of[j]]++] = {static_cast<Label>(j), lifts[j]};
+}
+
+AffineCharts::AffineCharts(const Certificate& c) : c_(c) {
+  const std::size_t m = c.m_size();
+  for (Label i = 0; i < c.n; ++i) {
+    matrices_.push_back(upper_triangle(m, c.chart_entries(i)));
+    const SquareMatrix<Rational> inverse = inverse_of_triangle(matrices_.back());
+    SquareMatrix<Interval> filter(m);
+    std::array<double, 4> stretch{};
+    Vector<Rational> x = c.net.position<Rational>({i, {}});
+    const Vector<Rational> home = c.points.position<Rational>({i, {}});
+    for (std::size_t row = 0; row < m; ++row) {
+      Rational squared(0);
+      for (std::size_t k = row; k < m; ++k) {
+        filter(row, k) = enclosure(matrices_.back()(row, k));
+        squared = squared + square(inverse(row, k));
+        x[row] = x[row] + inverse(row, k) * home[k];
+      }
+      stretch[row] = upper_root(enclosure(squared));
+    }
+    filters_.push_back(std::move(filter));
+    stretches_.push_back(stretch);
+    enclosed_.push_back({enclosure(x[0]), enclosure(x[1]), enclosure(x[2]), enclosure(x[3])});
+    points_.push_back(std::move(x));
+    originals_.push_back(c.net.position<Interval>({i, {}}));
+  }
+  cells_.emplace_back(m, enclosed_, cell_widths());
+  cells_.emplace_back(m, originals_, cell_widths());
+}
+
+std::array<double, 4> AffineCharts::cell_widths() const {
+  std::array<double, 4> sum{};
+  for (const auto& stretch : stretches_) {
+    for (std::size_t k = 0; k < 4; ++k) sum[k] += stretch[k];
+  }
+  for (double& width : sum) width = std::max(2 * c_.epsilon.filter.upper() * width / c_.n, 0x1p-10);
+  return sum;
+}
+
+Vertices AffineCharts::within(const TorusCells& cells, Label i, double radius, bool perturbed) const {
+  std::array<double, 4> half_widths{};
+  for (std::size_t k = 0; k < c_.m_size(); ++k) half_widths[k] = radius * stretches_[i][k];
+  const double most = radius * radius;
+  Vertices found;
+  cells.visit(originals_[i], half_widths, [&](const Vertex& v) {
+    const Vector<Interval> at = perturbed ? seen<Interval>(i, v) : seen_original<Interval>(i, v);
+    if (dot(at, at, c_.m_size()).lower() <= most) found.push_back(v);
+  });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+Vertices AffineCharts::around(Label i, double radius) const { return within(cells_[0], i, radius, true); }
+Vertices AffineCharts::originals_around(Label i, double radius) const { return within(cells_[1], i, radius, false); }
+
+AffineChart::AffineChart(const AffineCharts& charts, Label i, const Quantity& radius)
+    : charts_(charts), label_(i), seen_(charts.around(i, radius.filter.upper())) {
+  for (const Vertex& v : seen_) {
+    filter_.push_back(charts.seen<Interval>(i, v));
+    const Vector<Interval>& x = filter_.back();
+    distance_.push_back(square_root(dot(x, x, charts.certificate().m_size())).lower());
+  }
+}
+
+std::vector<std::size_t> AffineChart::find(Label first, const Label* others, std::string& reason) const {
+  std::vector<std::size_t> places;
+  for (int k = -1; k < charts_.certificate().m; ++k) {
+    const Label label = k < 0 ? first : others[k];
+    const auto [begin, end] = std::equal_range(seen_.begin(), seen_.end(), Vertex{label, {}},
+                                               [](const Vertex& a, const Vertex& b) { return a.label < b.label; });
+    if (end - begin != 1) {
+      reason = "its chart shows " + std::to_string(end - begin) + " lifts of label " + std::to_string(label);
+      return {};
+    }
+    places.push_back(static_cast<std::size_t>(begin - seen_.begin()));
+  }
+  return places;
+}
+
+}  // namespace delcert::checker

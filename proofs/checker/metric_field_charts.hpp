@@ -1,0 +1,164 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "proofs/checker/certificate.hpp"
+#include "proofs/checker/simplex.hpp"
+
+namespace delcert::checker {
+
+/// Points of R^m known by enclosures, with all their translates by integer vectors, in the cells of the unit cube.
+class TorusCells {
+ public:
+  /// `widths`: about how wide the boxes are that will be asked for. Throws Undecided for points that are not known well
+  /// enough, or are too far away.
+  TorusCells(std::size_t m, const std::vector<Vector<Interval>>& points, const std::array<double, 4>& widths);
+
+  /// Calls f(vertex) for all translates of points that may be in the box, and for some others. Throws Undecided if the
+  /// box meets more than 10^7 cells.
+  template <class F>
+  void visit(const Vector<Interval>& centre, const std::array<double, 4>& half_widths, const F& f) const;
+
+ private:
+  static constexpr double slack = 0x1p-20;  // above the widths of points, in the torus
+  std::size_t m_;
+  std::array<std::int64_t, 4> cells_{1, 1, 1, 1};
+  std::vector<std::size_t> begin_;  // of the vertices of each cell
+  std::vector<Vertex> vertices_;    // each at the lift that is in the unit cube
+};
+
+/// The affine charts of a metric field: x -> A_i (x - p_i).
+class AffineCharts {
+ public:
+  explicit AffineCharts(const Certificate& c);
+
+  const Certificate& certificate() const { return c_; }
+  const SquareMatrix<Rational>& matrix(Label i) const { return matrices_[i]; }
+  /// p_i + A_i^-1 y_i: the perturbed point in R^m.
+  template <class N>
+  const Vector<N>& point(Label j) const {
+    if constexpr (std::is_same_v<N, Interval>) {
+      return enclosed_[j];
+    } else {
+      return points_[j];
+    }
+  }
+  /// A_i (p'_j + lift - p_i).
+  template <class N>
+  Vector<N> seen(Label i, const Vertex& v) const {
+    return applied<N>(i, point<N>(v.label), v);
+  }
+  /// A_i (p_j + lift - p_i).
+  template <class N>
+  Vector<N> seen_original(Label i, const Vertex& v) const {
+    return applied<N>(i, c_.net.position<N>({v.label, {}}), v);
+  }
+
+  /// The perturbed points, the original ones, at distance <= radius of p_i in chart i, perhaps some that are a little
+  /// farther; sorted.
+  Vertices around(Label i, double radius) const;
+  Vertices originals_around(Label i, double radius) const;
+
+ private:
+  template <class N>
+  Vector<N> applied(Label i, const Vector<N>& x, const Vertex& v) const {
+    const Vector<N> centre = c_.net.position<N>({i, {}});
+    Vector<N> offset{}, result{};
+    for (std::size_t k = 0; k < c_.m_size(); ++k) offset[k] = x[k] - centre[k] + N(v.lift[k]);
+    for (std::size_t row = 0; row < c_.m_size(); ++row) {
+      N sum(0);
+      for (std::size_t k = row; k < c_.m_size(); ++k) {
+        if constexpr (std::is_same_v<N, Interval>) {
+          sum = sum + filters_[i](row, k) * offset[k];
+        } else {
+          sum = sum + matrices_[i](row, k) * offset[k];
+        }
+      }
+      result[row] = sum;
+    }
+    return result;
+  }
+  std::array<double, 4> cell_widths() const;
+  Vertices within(const TorusCells& cells, Label i, double radius, bool perturbed) const;
+
+  const Certificate& c_;
+  std::vector<SquareMatrix<Rational>> matrices_;
+  std::vector<SquareMatrix<Interval>> filters_;
+  std::vector<std::array<double, 4>> stretches_;  // upper bounds of sqrt((B_i^-1)_kk)
+  std::vector<Vector<Rational>> points_;
+  std::vector<Vector<Interval>> originals_, enclosed_;
+  std::vector<TorusCells> cells_;  // of perturbed and of original points
+};
+
+/// The perturbed points that chart i shows within a radius.
+class AffineChart {
+ public:
+  AffineChart(const AffineCharts& charts, Label i, const Quantity& radius);
+
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::size_t size() const { return seen_.size(); }
+  const Vertex& vertex(std::size_t at) const { return seen_[at]; }
+  /// A lower bound of the distance from the origin of the chart.
+  double distance(std::size_t at) const { return distance_[at]; }
+  template <class N>
+  Vector<N> position(std::size_t at) const {
+    if constexpr (std::is_same_v<N, Interval>) {
+      return filter_[at];
+    } else {
+      return charts_.seen<N>(label_, seen_[at]);
+    }
+  }
+  template <class N>
+  std::vector<Vector<N>> positions(const std::vector<std::size_t>& places) const {
+    std::vector<Vector<N>> result;
+    for (const std::size_t at : places) result.push_back(position<N>(at));
+    return result;
+  }
+  /// The places of the label and the others; empty, with a reason, if one is not seen exactly once.
+  std::vector<std::size_t> find(Label first, const Label* others, std::string& reason) const;
+
+ private:
+  const AffineCharts& charts_;
+  Label label_;
+  Vertices seen_;
+  std::vector<Vector<Interval>> filter_;
+  std::vector<double> distance_;
+};
+
+template <class F>
+void TorusCells::visit(const Vector<Interval>& centre, const std::array<double, 4>& half_widths, const F& f) const {
+  std::array<std::int64_t, 4> first{}, last{};
+  double number = 1;
+  for (std::size_t k = 0; k < m_; ++k) {
+    const Interval box = centre[k] + Interval::between(-half_widths[k] - slack, half_widths[k] + slack);
+    const auto cells = static_cast<double>(cells_[k]);
+    const double low = std::floor(box.lower() * cells), high = std::floor(box.upper() * cells);
+    number *= high - low + 1;
+    if (!(number <= 1e7 && low > -0x1p30 && high < 0x1p30)) throw Undecided("a box meets too many cells");
+    first[k] = static_cast<std::int64_t>(low);
+    last[k] = static_cast<std::int64_t>(high);
+  }
+  std::array<std::int64_t, 4> at = first;
+  while (true) {
+    std::size_t cell = 0;
+    std::array<std::int64_t, 4> turns{};
+    for (std::size_t k = 0; k < m_; ++k) {
+      turns[k] = (at[k] >= 0 ? at[k] : at[k] - cells_[k] + 1) / cells_[k];
+      cell = cell * static_cast<std::size_t>(cells_[k]) + static_cast<std::size_t>(at[k] - turns[k] * cells_[k]);
+    }
+    for (std::size_t v = begin_[cell]; v < begin_[cell + 1]; ++v) {
+      Vertex vertex = vertices_[v];
+      for (std::size_t k = 0; k < m_; ++k) vertex.lift[k] += static_cast<std::int32_t>(turns[k]);
+      f(vertex);
+    }
+    std::size_t k = 0;
+    while (k < m_ && ++at[k] > last[k]) {
+      at[k] = first[k];
+      ++k;
+    }
+    if (k == m_) return;
+  }
+}
+
+}  // namespace delcert::checker

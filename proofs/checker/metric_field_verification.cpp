@@ -1,0 +1,139 @@
+#include "proofs/checker/metric_field.hpp"
+#include "proofs/checker/metric_field_levels.hpp"
+
+namespace delcert::checker {
+namespace {
+
+constexpr std::size_t most_boxes_of_patch = std::size_t{1} << 14;
+
+template <class N>
+SquareMatrix<N> combination(const N& a, const SquareMatrix<N>& x, const N& b, const SquareMatrix<N>& y) {
+  SquareMatrix<N> result(x.order());
+  for (std::size_t i = 0; i < x.order(); ++i) {
+    for (std::size_t k = 0; k < x.order(); ++k) result(i, k) = a * x(i, k) + b * y(i, k);
+  }
+  return result;
+}
+
+template <class N>
+SquareMatrix<N> converted(const SquareMatrix<Rational>& a) {
+  SquareMatrix<N> result(a.order());
+  for (std::size_t i = 0; i < a.order(); ++i) {
+    for (std::size_t k = 0; k < a.order(); ++k) {
+      if constexpr (std::is_same_v<N, Interval>) {
+        result(i, k) = enclosure(a(i, k));
+      } else {
+        result(i, k) = N(a(i, k));
+      }
+    }
+  }
+  return result;
+}
+
+/// low x < y < high x, as quadratic forms.
+template <class N>
+Verdict is_between(const N& low, const N& high, const SquareMatrix<N>& x, const SquareMatrix<N>& y) {
+  return conjunction(is_positive_definite(combination(N(1), y, -low, x)),
+                     is_positive_definite(combination(high, x, N(-1), y)));
+}
+
+/// (1 - a)^2 x < y < (1 + a)^2 x.
+template <class N>
+Verdict is_distorted_by_less(const N& a, const SquareMatrix<N>& x, const SquareMatrix<N>& y) {
+  return is_between(square(N(1) - a), square(N(1) + a), x, y);
+}
+
+class ChartChecker {
+ public:
+  ChartChecker(const Certificate& c, Report& report) : c_(c), field_(*c.metric_field), report_(report) {
+    for (Label i = 0; i < c.n; ++i) {
+      exact_.push_back(gram_of_chart(c, i));
+      filter_.push_back(converted<Interval>(exact_.back()));
+    }
+  }
+
+  void check(const AffineCharts& charts, Label i) {
+    const Vector<Rational> centre = c_.net.position<Rational>({i, {}});
+    const Box point{{centre.begin(), centre.begin() + c_.m}, std::vector<Rational>(c_.m_size())};
+    const auto reject = [&](const char* rule, const char* what) {
+      report_.reject(rule, [&] { return "label " + std::to_string(i) + ": " + what; });
+    };
+    const bool rounded = holds_within(field_, point, 1, [&](const SquareMatrix<Ball>& g) {
+      const Ball eta(field_.rounding.exact);
+      return is_between(Ball(1) - eta, Ball(1) + eta, g, converted<Ball>(exact_[i]));
+    });
+    if (!rounded) reject("field.chart", "the chart is not that of the metric, up to rounding");
+    const Rational squared_radius = square(field_.patch_radius.exact);
+    Box patch = point;
+    const SquareMatrix<Rational> inverse = inverse_of_triangle(charts.matrix(i));
+    bool small = true;
+    for (std::size_t k = 0; k < c_.m_size(); ++k) {
+      Rational squared_stretch(0);
+      for (std::size_t j = k; j < c_.m_size(); ++j) squared_stretch = squared_stretch + square(inverse(k, j));
+      small = small && less(Rational(9) * squared_radius * squared_stretch, Rational(1)) == Verdict::proved;
+      patch.half_widths[k] = above_root(squared_radius * squared_stretch);
+    }
+    if (!small) reject("field.patch", "3 patch_radius, in coordinates, is not below 1");
+    const bool near = holds_within(field_, patch, most_boxes_of_patch, [&](const SquareMatrix<Ball>& g) {
+      return is_distorted_by_less(Ball(field_.metric_distortion.exact), converted<Ball>(exact_[i]), g);
+    });
+    if (!near) reject("field.metric", "in its patch the metric differs from its chart by more than metric_distortion");
+    if (!small) return;
+    for (const Vertex& v : charts.originals_around(i, field_.patch_radius.filter.upper())) {
+      if (exact_[v.label] == exact_[i]) continue;
+      const bool alike = decide(
+          [&]<class N>(In<N>) { return is_distorted_by_less(c_.distortion.as<N>(), gram<N>(i), gram<N>(v.label)); });
+      if (alike) continue;
+      report_.reject("field.distortion", [&] {
+        return "charts of " + std::to_string(i) + " and " + std::to_string(v.label) +
+               " are distorted by more than distortion";
+      });
+    }
+  }
+
+ private:
+  /// A rational number that is a little above the root of a positive one.
+  static Rational above_root(const Rational& x) {
+    const BallScope scope(64);
+    const Ball root = square_root(Ball(x));
+    arf_t upper;
+    arf_init(upper);
+    arb_get_ubound_arf(upper, root.raw(), 40);
+    Rational result;
+    arf_get_fmpq(result.raw(), upper);
+    arf_clear(upper);
+    return result;
+  }
+  template <class N>
+  const SquareMatrix<N>& gram(Label i) const {
+    if constexpr (std::is_same_v<N, Interval>) {
+      return filter_[i];
+    } else {
+      return exact_[i];
+    }
+  }
+
+  const Certificate& c_;
+  const MetricField& field_;
+  Report& report_;
+  std::vector<SquareMatrix<Rational>> exact_;
+  std::vector<SquareMatrix<Interval>> filter_;
+};
+
+}  // namespace
+
+SquareMatrix<Rational> gram_of_chart(const Certificate& c, std::uint32_t label) {
+  const SquareMatrix<Rational> a = upper_triangle(c.m_size(), c.chart_entries(label));
+  return a.transposed() * a;
+}
+
+std::string check_metric_field(const AffineCharts& charts, Report& report) {
+  const Certificate& c = charts.certificate();
+  ChartChecker checker(c, report);
+  for (Label i = 0; i < c.n; ++i) checker.check(charts, i);
+  return std::to_string(c.metric_field->waves.size()) + " waves; " + std::to_string(c.n) +
+         " charts, distorted by <= " + about(c.distortion.filter) +
+         ", and by <= " + about(c.metric_field->metric_distortion.filter) + " from the metric";
+}
+
+}  // namespace delcert::checker

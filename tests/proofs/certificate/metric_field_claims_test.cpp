@@ -1,0 +1,65 @@
+#include "proofs/certificate/metric_field_claims.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/proofs/certificate/metric_field_run.hpp"
+
+namespace delcert::test {
+namespace {
+
+TEST(MetricFieldClaims, claim_what_a_certified_run_reaches) {
+  const auto& sample = sheared_run();
+  ASSERT_TRUE(sample.run.is_certified());
+  std::vector<std::string> reasons;
+  const auto claims = sample.claims(reasons);
+  EXPECT_EQ(claims.names(), (std::vector<std::string>{"1", "2", "2s", "5"}));
+  EXPECT_EQ(reasons, (std::vector<std::string>{"level 4: not claimed on metric fields"}));
+  EXPECT_LE(claims.stars->protection, Rational::exactly(sample.run.margins.protection));
+  EXPECT_GE(claims.stars->protection * ratio(1001, 1000), Rational::exactly(sample.run.margins.protection));
+  EXPECT_GE(claims.stars->circumradius, Rational::exactly(sample.run.margins.circumradius));
+  EXPECT_EQ(claims.manifold->euler_characteristic, 0);
+  EXPECT_EQ(group_text(claims.manifold->homology[1]), "Z^2");
+  EXPECT_LT(*claims.reach, sample.atlas.patch_radius());
+}
+
+TEST(MetricFieldClaims, are_no_more_than_what_was_selected) {
+  std::vector<std::string> reasons;
+  EXPECT_EQ(sheared_run().claims(reasons, {"1", "2"}).names(), (std::vector<std::string>{"1", "2"}));
+  EXPECT_EQ(sheared_run().claims(reasons, {"5"}).names(), std::vector<std::string>{});
+  EXPECT_EQ(sheared_run().claims(reasons, {"2", "5"}).names(), (std::vector<std::string>{"1", "2", "5"}));
+  EXPECT_TRUE(reasons.empty());
+}
+
+TEST(MetricFieldClaims, say_what_is_not_reached) {
+  auto sample = sheared_run();
+  const auto reasons_of = [&] {
+    std::vector<std::string> reasons;
+    (void)sample.claims(reasons, {"1", "2", "2s", "5"});
+    return reasons;
+  };
+  sample.measures.stability.differing = 3;
+  sample.measures.stability.stars = 2;
+  EXPECT_TRUE(mentions(reasons_of().at(0), "level 2s: 2 stars are not the same in all charts (3 of "));
+  sample.measures = sheared_run().measures;
+  sample.measures.stability.margins.reach = 1;
+  EXPECT_EQ(reasons_of().at(0), "level 2s: a star does not fit into the patches of its vertices");
+  sample.measures = sheared_run().measures;
+  sample.measures.triangulation.other_lifts = 1;
+  EXPECT_TRUE(mentions(reasons_of().at(0), "level 5: 1 simplices are seen at other lifts"));
+  sample.measures.triangulation = sheared_run().measures.triangulation;
+  sample.measures.triangulation.most_sheets = 2;
+  EXPECT_TRUE(mentions(reasons_of().at(0), "at most 2.0"));
+  sample.run.margins.circumradius = 1;
+  EXPECT_EQ(reasons_of(),
+            std::vector<std::string>{"level 1: a circumball with its protection does not fit into a patch"});
+}
+
+TEST(MetricFieldClaims, geometry_has_the_stretch_of_the_charts) {
+  const auto geometry = geometry_of<2>(sheared_run().atlas, {Rational(0), Rational(0), ratio(1, 5)});
+  EXPECT_EQ(geometry.curvature, Curvature::zero);
+  EXPECT_EQ(geometry.patch_factor, sheared_run().atlas.patch_factor());
+  EXPECT_EQ(geometry.distortion, ratio(1, 2));
+}
+
+}  // namespace
+}  // namespace delcert::test

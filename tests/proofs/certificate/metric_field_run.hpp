@@ -1,0 +1,56 @@
+#pragma once
+
+#include "kernel/sample/metric_field_net.hpp"
+#include "kernel/sample/metric_field_separation.hpp"
+#include "proofs/certificate/metric_field_writer.hpp"
+#include "tests/kernel/manifold/metric_field/samples.hpp"
+
+namespace delcert::test {
+
+/// A certified run on a metric field, with everything that goes into its certificate.
+template <int m>
+struct MetricFieldSample {
+  MetricFieldAtlas<m> atlas;
+  ChartDistortion distortion;
+  RunParameters parameters;
+  SpaceFormRun<m> run;
+  MetricFieldMeasures measures;
+
+  [[nodiscard]] MetricFieldClaims claims(std::vector<std::string>& reasons,
+                                         const LevelSelection& levels = all_levels()) const {
+    return derive_claims<m>(atlas, parameters, run, measures, levels, reasons);
+  }
+  void write(const std::filesystem::path& path, const MetricFieldClaims& some) const {
+    write_metric_field_certificate<m>(path, {atlas, distortion, parameters, run.points, run.complex, some});
+  }
+};
+
+template <int m>
+MetricFieldSample<m> certified_run(const MetricFieldDescription& description, const Rational& radius) {
+  MetricField<m> field(description);
+  auto net = metric_field_net<m>(field, radius, 1, no_progress());
+  MetricFieldAtlas<m> atlas(std::move(field), std::move(net.centres), radius);
+  const auto distortion = fit_patches<m>(atlas, no_progress());
+  ParameterChoice choice;
+  choice.mode = RunMode::measured;
+  const auto usual = measured_parameters(Dimension(m), 1);
+  choice.tolerance = usual.tolerance;
+  auto parameters = parameters_for(Dimension(m), measure_separation<m>(atlas), choice);
+  parameters.algorithm.clearance = usual.clearance;
+  parameters.algorithm.choices = usual.choices;
+  RunRequest request;
+  request.certify_model = false;
+  const auto geometry = geometry_of<m>(atlas, distortion);
+  auto run = run_on_space_form<m>(atlas, geometry, parameters.algorithm, request, no_progress());
+  MetricFieldMeasures measures{check_stability<m>(atlas, run.points, geometry, run.complex, no_progress()),
+                               check_affine_triangulation<m>(atlas, run.points, run.complex)};
+  return {std::move(atlas), distortion, parameters, std::move(run), std::move(measures)};
+}
+
+/// Some 400 points on a sheared torus, made once.
+[[nodiscard]] inline const MetricFieldSample<2>& sheared_run() {
+  static const auto run = certified_run<2>(shear(), ratio(1, 20));
+  return run;
+}
+
+}  // namespace delcert::test
