@@ -164,7 +164,8 @@ void add_certify(CLI::App& program, Action& chosen) {
       options->choice.seed = options->source.seed;
       if (options->no_perturbation) options->choice.mode = RunMode::none;
       if (const auto form = space_form_if_one(options->source.manifold)) return certify_space_form(*options, *form);
-      if (const auto field = metric_field_if_one(options->source.manifold)) return certify_metric_field(*options, *field);
+      if (const auto field = metric_field_if_one(options->source.manifold))
+        return certify_metric_field(*options, *field);
       const ManifoldDescription manifold = find_manifold(options->source.manifold);
       return with_dimension(manifold.dimension, [&]<int m>() { return certify<m>(*options, manifold); });
     };

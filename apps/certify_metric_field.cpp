@@ -19,8 +19,9 @@ namespace {
 /// The options of the command line in measured mode, completed for this dimension.
 RunParameters parameters_of(const CertifyOptions& options, int dimension, const Rational& separation) {
   if (options.mode_is_given && options.choice.mode == RunMode::theory)
-    throw Rejection("mode theory on a metric field: charts are distorted, and the paper's constants ask for far less; "
-                    "use --mode measured");
+    throw Rejection(
+        "mode theory on a metric field: charts are distorted, and the paper's constants ask for far less; "
+        "use --mode measured");
   const PerturbationParameters usual = measured_parameters(Dimension(dimension), options.choice.seed);
   ParameterChoice choice = options.choice;
   choice.mode = options.no_perturbation ? RunMode::none : RunMode::measured;
@@ -64,8 +65,7 @@ ExitStatus certify(const CertifyOptions& options, const MetricFieldDescription& 
   request.perturb = !options.no_perturbation;
   request.most_repair_rounds = options.repair_rounds;
   request.certify_model = false;
-  if (options.required_protection)
-    request.required_protection = *options.required_protection * atlas.sampling_radius();
+  if (options.required_protection) request.required_protection = *options.required_protection * atlas.sampling_radius();
   const ModelGeometry geometry = geometry_of<m>(atlas, report.distortion);
   const SpaceFormRun<m> run = run_on_space_form<m>(atlas, geometry, report.parameters.algorithm, request, progress);
   line.clear();

@@ -25,8 +25,9 @@ std::string level_line(const MetricFieldReport& report, const std::string& level
                        claims.manifold->euler_characteristic, fmt::join(homology_texts(*claims.manifold), ", "));
   }
   if (level == "2s") return "stable stars: every star is the same in the chart of each of its vertices";
-  return fmt::format("triangulation: by simplices that are straight in the torus, {} of them with agreeing lifts, one sheet",
-                     claims.manifold->simplices);
+  return fmt::format(
+      "triangulation: by simplices that are straight in the torus, {} of them with agreeing lifts, one sheet",
+      claims.manifold->simplices);
 }
 
 }  // namespace

@@ -24,8 +24,7 @@ Interval volume(const std::vector<Vector<Interval, m>>& positions, Label i, cons
   Matrix<Interval, m> edges;
   for (std::size_t at = 0; at < m; ++at) {
     for (std::size_t axis = 0; axis < m; ++axis) {
-      edges[at][axis] =
-          positions[others[at].index][axis] - positions[i.value][axis] + Interval(others[at].shift[axis]);
+      edges[at][axis] = positions[others[at].index][axis] - positions[i.value][axis] + Interval(others[at].shift[axis]);
     }
   }
   if constexpr (m == 2) {

@@ -1,8 +1,9 @@
+#include "kernel/delaunay/stable_stars.hpp"
+
 #include <algorithm>
 #include <limits>
 #include <map>
 
-#include "kernel/delaunay/stable_stars.hpp"
 #include "kernel/parallel/parts.hpp"
 #include "kernel/simplex/dimensions.hpp"
 

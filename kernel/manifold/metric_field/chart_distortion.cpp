@@ -140,9 +140,9 @@ Rational relative_stretch(const ChartDistortion& distortion) {
   return (Rational(1) + distortion.metric) / (Rational(1) - distortion.metric) - Rational(1);
 }
 
-#define DELCERT_INSTANTIATE(m)                                                                                    \
-  template std::optional<ChartDistortion> measure_distortion<m>(const MetricFieldAtlas<m>&, const Rational&,      \
-                                                                const Progress&);                                 \
+#define DELCERT_INSTANTIATE(m)                                                                               \
+  template std::optional<ChartDistortion> measure_distortion<m>(const MetricFieldAtlas<m>&, const Rational&, \
+                                                                const Progress&);                            \
   template ChartDistortion fit_patches<m>(MetricFieldAtlas<m>&, const Progress&);
 DELCERT_INSTANTIATE(2)
 DELCERT_INSTANTIATE(3)

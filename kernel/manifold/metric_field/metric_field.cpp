@@ -56,7 +56,8 @@ template <class S, class WaveOf>
 Matrix<S, m> MetricField<m>::summed(const WaveOf& wave_of) const {
   Matrix<S, m> result;
   for (std::size_t row = 0; row < m; ++row) {
-    for (std::size_t column = 0; column < m; ++column) result[row][column] = scalar_from<S>(description_.constant[row][column]);
+    for (std::size_t column = 0; column < m; ++column)
+      result[row][column] = scalar_from<S>(description_.constant[row][column]);
   }
   for (const auto& term : description_.waves) {
     const Wave<S> wave = wave_of(term.frequency);
@@ -162,9 +163,9 @@ void MetricField<m>::find_bounds() {
   bounds_ = {lower, upper};
 }
 
-#define DELCERT_INSTANTIATE(m)                                                                      \
-  template class MetricField<m>;                                                                    \
-  template Matrix<Interval, m> MetricField<m>::at<Interval>(const Vector<Rational, m>&) const;      \
+#define DELCERT_INSTANTIATE(m)                                                                 \
+  template class MetricField<m>;                                                               \
+  template Matrix<Interval, m> MetricField<m>::at<Interval>(const Vector<Rational, m>&) const; \
   template Matrix<BigInterval, m> MetricField<m>::at<BigInterval>(const Vector<Rational, m>&) const;
 DELCERT_INSTANTIATE(2)
 DELCERT_INSTANTIATE(3)

@@ -63,8 +63,10 @@ void MetricFieldAtlas<m>::make_charts() {
     charts_.push_back(rounded_chart<m>(gram));
     const AffineChart<m>& chart = charts_.back();
     const RoundingGuard guard;
-    Enclosed enclosed{matrix_on<Interval>(chart.matrix()), matrix_on<Interval>(chart.inverse()),
-                      matrix_on<Interval>(chart.gram()), {}};
+    Enclosed enclosed{matrix_on<Interval>(chart.matrix()),
+                      matrix_on<Interval>(chart.inverse()),
+                      matrix_on<Interval>(chart.gram()),
+                      {}};
     for (std::size_t axis = 0; axis < m; ++axis)
       enclosed.stretch[axis] = square_root(scalar_from<Interval>(chart.squared_stretch(axis))).upper();
     enclosed_.push_back(enclosed);
@@ -139,8 +141,7 @@ Vector<S, m> MetricFieldAtlas<m>::carried(Label i, const Sighting<m>& seen, cons
   const Vector<S, m> from = centres_.template coordinates<S>(i);
   const Vector<S, m> to = centres_.template coordinates<S>(label_of<m>(seen));
   Vector<S, m> offset;
-  for (std::size_t axis = 0; axis < m; ++axis)
-    offset[axis] = to[axis] - from[axis] + S(seen.shift[axis]) + moved[axis];
+  for (std::size_t axis = 0; axis < m; ++axis) offset[axis] = to[axis] - from[axis] + S(seen.shift[axis]) + moved[axis];
   return applied_triangle(matrix, offset);
 }
 

@@ -10,7 +10,8 @@
 
 namespace delcert {
 
-/// The files of examples/manifolds/metric-fields, ordered by name. The definition is generated (cmake/EmbedFiles.cmake).
+/// The files of examples/manifolds/metric-fields, ordered by name. The definition is generated
+/// (cmake/EmbedFiles.cmake).
 [[nodiscard]] const std::vector<BuiltinManifold>& builtin_metric_fields();
 
 /// Reads a metric field in TOML (docs/metric-fields.md); `source` is the file's name for messages. Whether the metric

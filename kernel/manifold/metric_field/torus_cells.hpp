@@ -55,8 +55,8 @@ class TorusCells {
         std::int64_t turns = cell[axis] / cells_[axis];
         if (turns * cells_[axis] > cell[axis]) --turns;
         shift[axis] = static_cast<std::int32_t>(turns);
-        flat = flat * static_cast<std::size_t>(cells_[axis]) +
-               static_cast<std::size_t>(cell[axis] - turns * cells_[axis]);
+        flat =
+            flat * static_cast<std::size_t>(cells_[axis]) + static_cast<std::size_t>(cell[axis] - turns * cells_[axis]);
       }
       for (const std::uint32_t index : entries_[flat]) {
         if (visit(Lift<m>{index, shift})) return;
