@@ -4,8 +4,9 @@
 
 #include <iostream>
 
-#include "apps/certify_metric_field_net.hpp"
-#include "apps/certify_metric_field_report.hpp"
+#include "apps/chart_run.hpp"
+#include "apps/metric_field_net.hpp"
+#include "apps/metric_field_report.hpp"
 #include "apps/progress_line.hpp"
 #include "apps/report_parts.hpp"
 #include "kernel/error.hpp"
@@ -16,32 +17,13 @@ namespace delcert {
 
 namespace {
 
-/// The options of the command line in measured mode, completed for this dimension.
-RunParameters parameters_of(const CertifyOptions& options, int dimension, const Rational& separation) {
-  if (options.mode_is_given && options.choice.mode == RunMode::theory)
+template <int m>
+ExitStatus certify(const CertifyOptions& options, const MetricFieldDescription& description) {
+  if (options.mode_is_given && options.choice.mode == RunMode::theory) {
     throw Rejection(
         "mode theory on a metric field: charts are distorted, and the paper's constants ask for far less; "
         "use --mode measured");
-  const PerturbationParameters usual = measured_parameters(Dimension(dimension), options.choice.seed);
-  ParameterChoice choice = options.choice;
-  choice.mode = options.no_perturbation ? RunMode::none : RunMode::measured;
-  if (!options.no_perturbation && !choice.tolerance) choice.tolerance = usual.tolerance;
-  RunParameters result = parameters_for(Dimension(dimension), separation, choice);
-  result.algorithm.clearance = usual.clearance;
-  result.algorithm.choices = usual.choices;
-  return result;
-}
-
-template <int m>
-void require_certified(const SpaceFormRun<m>& run) {
-  if (run.is_certified()) return;
-  std::vector<StarFailure> failures = run.star_failures;
-  failures.insert(failures.end(), run.agreement.failures.begin(), run.agreement.failures.end());
-  throw Rejection(star_failures_text(failures, run.repair_rounds));
-}
-
-template <int m>
-ExitStatus certify(const CertifyOptions& options, const MetricFieldDescription& description) {
+  }
   ProgressLine line;
   StageClock clock;
   const Progress progress = clock.callback(line.callback());
@@ -59,13 +41,10 @@ ExitStatus certify(const CertifyOptions& options, const MetricFieldDescription& 
   const Rational separation = measure_separation<m>(atlas);
   report.points = atlas.size();
   report.sampling_radius = atlas.sampling_radius();
-  report.parameters = parameters_of(options, m, separation);
+  report.parameters = measured_run_parameters(options, Dimension(m), separation);
 
-  RunRequest request;
-  request.perturb = !options.no_perturbation;
-  request.most_repair_rounds = options.repair_rounds;
+  RunRequest request = run_request(options, atlas.sampling_radius());
   request.certify_model = false;
-  if (options.required_protection) request.required_protection = *options.required_protection * atlas.sampling_radius();
   const ModelGeometry geometry = geometry_of<m>(atlas, report.distortion);
   const SpaceFormRun<m> run = run_on_space_form<m>(atlas, geometry, report.parameters.algorithm, request, progress);
   line.clear();
@@ -83,12 +62,7 @@ ExitStatus certify(const CertifyOptions& options, const MetricFieldDescription& 
       report.certificate, {atlas, report.distortion, report.parameters, run.points, run.complex, report.claims},
       progress);
 
-  report.simplices = run.complex.simplices().size();
-  report.statistics = run.statistics;
-  report.repair_rounds = run.repair_rounds;
-  report.repaired_points = run.repaired_points;
-  report.first_failures = run.first_failures;
-  report.first_disagreeing = run.first_agreement.stars;
+  report.take<m>(run);
   report.stages = clock.finish();
   report.peak_memory_mib = peak_memory_in_mib();
   line.clear();

@@ -4,6 +4,7 @@
 
 #include <iostream>
 
+#include "apps/chart_run.hpp"
 #include "apps/distortion_report.hpp"
 #include "apps/progress_line.hpp"
 #include "apps/report_parts.hpp"
@@ -20,27 +21,6 @@ namespace {
 /// What the theorems of the paper ask of a curved manifold, in place of a run.
 [[noreturn]] void refuse_theory(const Rational& separation, int dimension, const MeasuredNet& net) {
   throw Rejection(theory_refusal(constants_for(Dimension(dimension), separation, separation / Rational(4)), net));
-}
-
-/// The options of the command line in measured mode, completed for this dimension.
-RunParameters parameters_of(const CertifyOptions& options, int dimension, const Rational& separation) {
-  const PerturbationParameters usual = measured_parameters(Dimension(dimension), options.choice.seed);
-  ParameterChoice choice = options.choice;
-  choice.mode = options.no_perturbation ? RunMode::none : RunMode::measured;
-  if (!options.no_perturbation && !choice.tolerance) choice.tolerance = usual.tolerance;
-  RunParameters result = parameters_for(Dimension(dimension), separation, choice);
-  result.algorithm.clearance = usual.clearance;
-  result.algorithm.choices = usual.choices;
-  return result;
-}
-
-template <int m>
-void require_certified(const SpaceFormRun<m>& run) {
-  if (run.is_certified()) return;
-  std::vector<StarFailure> failures = run.star_failures;
-  failures.insert(failures.end(), run.agreement.failures.begin(), run.agreement.failures.end());
-  failures.insert(failures.end(), run.model.failures.begin(), run.model.failures.end());
-  throw Rejection(star_failures_text(failures, run.repair_rounds) + disagreement_text(run.agreement.labels));
 }
 
 template <int m>
@@ -60,12 +40,9 @@ ExitStatus certify(const CertifyOptions& options, SpaceForm form, ProgressLine& 
   report.sampling_radius = sampling_radius;
   if (options.mode_is_given && options.choice.mode == RunMode::theory && atlas.curvature() != Curvature::zero)
     refuse_theory(separation, m, {sign_of(report.curvature), report.injectivity_radius, sampling_radius, atlas.size()});
-  report.parameters = parameters_of(options, m, separation);
+  report.parameters = measured_run_parameters(options, Dimension(m), separation);
 
-  RunRequest request;
-  request.perturb = !options.no_perturbation;
-  request.most_repair_rounds = options.repair_rounds;
-  if (options.required_protection) request.required_protection = *options.required_protection * sampling_radius;
+  const RunRequest request = run_request(options, sampling_radius);
   const SpaceFormRun<m> run = run_on_space_form<m>(atlas, report.parameters.algorithm, request, progress);
   line.clear();
   require_certified<m>(run);
@@ -90,12 +67,7 @@ ExitStatus certify(const CertifyOptions& options, SpaceForm form, ProgressLine& 
       report.certificate, {atlas.form(), report.parameters, report.sampling_radius, net, vectors, stars, report.claims},
       progress);
 
-  report.simplices = run.complex.simplices().size();
-  report.statistics = run.statistics;
-  report.repair_rounds = run.repair_rounds;
-  report.repaired_points = run.repaired_points;
-  report.first_failures = run.first_failures;
-  report.first_disagreeing = run.first_agreement.stars;
+  report.take<m>(run);
   report.stages = clock.finish();
   report.peak_memory_mib = peak_memory_in_mib();
   line.clear();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace delcert {
@@ -11,10 +12,17 @@ namespace {
 
 constexpr std::array<const char*, rung_count> rung_names{"interval", "big interval", "rational", "algebraic"};
 
+/// Four significant digits of x moved by half a unit of the last of them, times this sign: rounding moves back by no
+/// more.
+std::string moved_decimal(const Rational& x, int sign) {
+  const double value = approximate_double(x);
+  return fmt::format("{:.3e}", value + sign * std::abs(value) * 0.0005);
+}
+
 }  // namespace
 
-std::string decimal_lower(const Rational& x) { return fmt::format("{:.3e}", approximate_double(x) * (1 - 0.0005)); }
-std::string decimal_upper(const Rational& x) { return fmt::format("{:.3e}", approximate_double(x) * (1 + 0.0005)); }
+std::string decimal_lower(const Rational& x) { return moved_decimal(x, -1); }
+std::string decimal_upper(const Rational& x) { return moved_decimal(x, 1); }
 
 std::vector<std::string> homology_texts(const ManifoldClaim& manifold) {
   std::vector<std::string> result;

@@ -4,8 +4,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "apps/certify_metric_field_net.hpp"
 #include "apps/commands.hpp"
+#include "apps/metric_field_net.hpp"
 #include "apps/net_source.hpp"
 #include "apps/progress_line.hpp"
 #include "kernel/manifold/manifold_file.hpp"

@@ -42,12 +42,13 @@ const LevelSelection& all_levels() {
   return levels;
 }
 
+bool selects(const LevelSelection& selection, std::string_view level) {
+  return std::find(selection.begin(), selection.end(), level) != selection.end();
+}
+
 template <int m>
 Claims derive_claims(const FlatAtlas<m>& atlas, const RunParameters& parameters, const RunResult<m>& run,
                      const LevelSelection& selection, const Progress& progress, std::vector<std::string>& reasons) {
-  const auto selected = [&selection](const char* level) {
-    return std::find(selection.begin(), selection.end(), level) != selection.end();
-  };
   Claims claims;
   const bool torus = atlas.space().is_torus();
   const StarMargins& margins = run.protection.margins.value();
@@ -55,18 +56,18 @@ Claims derive_claims(const FlatAtlas<m>& atlas, const RunParameters& parameters,
     reasons.emplace_back("level 1: a circumball with its protection does not fit into a patch");
     return claims;
   }
-  if (selected("0")) claims.input = parameters.mode == RunMode::theory;
-  if (selected("1") || selected("2")) {
+  if (selects(selection, "0")) claims.input = parameters.mode == RunMode::theory;
+  if (selects(selection, "1") || selects(selection, "2")) {
     claims.stars = margins;
     claims.manifold = ManifoldClaim{run.complex.simplices().size(), run.complex.euler_characteristic(), torus,
                                     homology(run.complex.label_complex())};
   }
   const Rational shift = Rational(2) * parameters.algorithm.perturbation * atlas.sampling_radius();
-  if (selected("2s") && claims.manifold && claims.input) {
+  if (selects(selection, "2s") && claims.manifold && claims.input) {
     claims.stable_stars = Rational(4) * margins.circumradius + shift < Rational(9) * atlas.sampling_radius();
     if (!claims.stable_stars) reasons.emplace_back("level 2s: a star does not fit into the patches of its vertices");
   }
-  if (selected("3") && claims.input) {
+  if (selects(selection, "3") && claims.input) {
     const auto search = search_forbidden<m>(atlas, run.points, parameters.forbidden(atlas.sampling_radius()),
                                             parameters.algorithm.perturbation * atlas.sampling_radius(), progress);
     if (search.found) {
@@ -78,10 +79,10 @@ Claims derive_claims(const FlatAtlas<m>& atlas, const RunParameters& parameters,
                             " points, " + std::to_string(search.decided_exactly) + " of them by exact P1 to P4";
     }
   }
-  claims.delaunay = selected("4") && claims.manifold;
-  claims.triangulation = selected("5") && claims.delaunay && torus;
-  claims.metric = selected("6") && claims.triangulation;
-  if (!torus && (selected("5") || selected("6"))) {
+  claims.delaunay = selects(selection, "4") && claims.manifold;
+  claims.triangulation = selects(selection, "5") && claims.delaunay && torus;
+  claims.metric = selects(selection, "6") && claims.triangulation;
+  if (!torus && (selects(selection, "5") || selects(selection, "6"))) {
     reasons.emplace_back("levels 5 and 6: are for closed manifolds; the net of a ball has none to triangulate");
   }
   return claims;

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "kernel/perturb/run.hpp"
@@ -37,6 +38,7 @@ struct Claims {
 using LevelSelection = std::vector<std::string>;
 /// All of them.
 [[nodiscard]] const LevelSelection& all_levels();
+[[nodiscard]] bool selects(const LevelSelection& selection, std::string_view level);
 
 /// Derives the levels from a certified run, checking the inequalities of the format on the way; reasons for levels
 /// that are not reached are appended to `reasons`. Level 3 is searched only if selected. Precondition: the input items

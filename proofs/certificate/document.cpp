@@ -36,6 +36,11 @@ std::string parameters_object(const RunParameters& parameters, const Rational& s
       number(parameters.squared_flake_parameter), number(algorithm.tolerance));
 }
 
+std::string star_margins_object(const StarMargins& margins) {
+  return fmt::format(R"({{"protection":{},"thickness":{},"circumradius":{}}})", number(margins.protection),
+                     number(margins.thickness), number(margins.circumradius));
+}
+
 std::string manifold_claim_object(const ManifoldClaim& claim) {
   const auto group = [](const AbelianGroup& g) { return quoted(group_text(g)); };
   return fmt::format("{{\"simplices\":{},\"euler_characteristic\":{},\"closed\":{},\"homology\":{}}}", claim.simplices,

@@ -31,7 +31,8 @@ template <class Range, class Text>
 [[nodiscard]] std::string parameters_object(const RunParameters& parameters, const Rational& sampling_radius,
                                             const Rational& distortion = Rational(0));
 
-/// The value of level 2.
+/// The values of levels 1 and 2.
+[[nodiscard]] std::string star_margins_object(const StarMargins& margins);
 [[nodiscard]] std::string manifold_claim_object(const ManifoldClaim& claim);
 
 /// "theory", "measured", "none"; "pruned", "whole", "printed": as in files.

@@ -26,7 +26,10 @@ struct MetricFieldClaims {
 /// Patches, and how much longer a vector may be there than at home: what certification asks of a metric field.
 template <int m>
 [[nodiscard]] ModelGeometry geometry_of(const MetricFieldAtlas<m>& atlas, const ChartDistortion& distortion) {
-  return {Curvature::zero, Rational(1), atlas.patch_factor(), relative_stretch(distortion)};
+  ModelGeometry geometry;
+  geometry.patch_factor = atlas.patch_factor();
+  geometry.distortion = relative_stretch(distortion);
+  return geometry;
 }
 
 /// What is measured of a certified run beyond levels 1 and 2.

@@ -27,11 +27,7 @@ std::string manifold_text(const MetricFieldContent<m>& content) {
 
 std::string levels_text(const MetricFieldClaims& claims) {
   std::vector<std::string> levels;
-  if (claims.stars) {
-    levels.push_back(fmt::format("\"1\":{{\"protection\":{},\"thickness\":{},\"circumradius\":{}}}",
-                                 number(claims.stars->protection), number(claims.stars->thickness),
-                                 number(claims.stars->circumradius)));
-  }
+  if (claims.stars) levels.push_back("\"1\":" + star_margins_object(*claims.stars));
   if (claims.manifold) levels.push_back("\"2\":" + manifold_claim_object(*claims.manifold));
   if (claims.reach) levels.push_back(fmt::format("\"2s\":{{\"reach\":{}}}", number(*claims.reach)));
   if (claims.triangulation) levels.emplace_back("\"5\":{\"route\":\"affine-charts\"}");

@@ -1,30 +1,13 @@
 #include "proofs/certificate/space_form_claims.hpp"
 
-#include <algorithm>
-
 #include "kernel/manifold/space_form/distortion.hpp"
 #include "kernel/topology/homology.hpp"
+#include "proofs/certificate/stability_claim.hpp"
+#include "proofs/certificate/stated_bounds.hpp"
 
 namespace delcert {
 
 namespace {
-
-constexpr long slack_exponent = -20;
-constexpr long digits_of_lengths = 12;
-constexpr long digits_of_stretches = 30;
-
-/// The number with this many binary digits next below x(1 − 2⁻²⁰). Precondition: x > 0.
-Rational below(double x, long digits = digits_of_lengths) {
-  const Rational weaker = Rational::exactly(x) * (Rational(1) - Rational::power_of_two(slack_exponent));
-  return rounded_down(weaker, binary_exponent(weaker) - digits + 1);
-}
-
-/// The number with this many binary digits next above x(1 + 2⁻²⁰). Precondition: x > 0.
-Rational above(const Rational& x, long digits = digits_of_lengths) {
-  const Rational weaker = x * (Rational(1) + Rational::power_of_two(slack_exponent));
-  return rounded_up(weaker, binary_exponent(weaker) - digits + 1);
-}
-Rational above(double x, long digits = digits_of_lengths) { return above(Rational::exactly(x), digits); }
 
 template <int m>
 class Derivation {
@@ -51,15 +34,13 @@ class Derivation {
   }
 
  private:
-  [[nodiscard]] bool selects(const char* level) const {
-    return std::find(selection_.begin(), selection_.end(), level) != selection_.end();
-  }
+  [[nodiscard]] bool selects(const char* level) const { return delcert::selects(selection_, level); }
   [[nodiscard]] bool fits(const Rational& reach) const { return reach < patch_radius_ && reach < injectivity_radius_; }
 
   void derive_stars() {
     if (!selects("1") && !selects("2")) return;
-    const StarMargins margins{below(run_.margins.protection), below(run_.margins.thickness),
-                              above(run_.margins.circumradius)};
+    const StarMargins margins{stated_below(run_.margins.protection), stated_below(run_.margins.thickness),
+                              stated_above(run_.margins.circumradius)};
     if (!fits(shift_ + Rational(2) * margins.circumradius + margins.protection)) {
       reasons_.emplace_back("level 1: a circumball with its protection does not fit into a patch");
       return;
@@ -72,23 +53,13 @@ class Derivation {
 
   void derive_stability() {
     if (!selects("2s") || !claims_.manifold) return;
-    const StarStability& stability = measures_.stability;
-    if (stability.differing > 0) {
-      reasons_.push_back("level 2s: " + std::to_string(stability.stars) + " stars are not the same in all charts (" +
-                         std::to_string(stability.differing) + " of " + std::to_string(stability.pairs) + " pairs)");
-      return;
-    }
-    const Rational reach = above(std::max(run_.margins.reach, stability.margins.reach));
-    if (fits(reach)) {
-      claims_.reach = reach;
-    } else {
-      reasons_.emplace_back("level 2s: a star does not fit into the patches of its vertices");
-    }
+    claims_.reach = derive_reach(
+        measures_.stability, run_.margins.reach, [&](const Rational& reach) { return fits(reach); }, reasons_);
   }
 
   void derive_delaunay() {
     if (!claims_.manifold || (!selects("4") && !selects("0"))) return;
-    const SpaceFormClaims::Delaunay found{below(run_.model.protection), above(run_.model.circumradius)};
+    const SpaceFormClaims::Delaunay found{stated_below(run_.model.protection), stated_above(run_.model.circumradius)};
     if (!fits(shift_ + Rational(2) * found.circumradius + found.protection)) {
       reasons_.emplace_back("level 4: a circumball with its protection does not fit into a patch");
       return;
@@ -96,7 +67,7 @@ class Derivation {
     claims_.delaunay = found;
     if (!selects("0")) return;
     if (has_whole_patches_) {
-      claims_.density = above(shift_ + found.circumradius);
+      claims_.density = stated_above(shift_ + found.circumradius);
       derive_distortion();
     } else {
       reasons_.emplace_back("level 0: patches are smaller than 9 sampling radii");
@@ -106,16 +77,16 @@ class Derivation {
   void derive_distortion() {
     if (curvature_ == Curvature::zero) return;
     const Rational interest = patch_radius_ * Rational(2) / Rational(3);  // 6ε
-    claims_.distortion = above(transition_distortion(curvature_, patch_radius_, interest).of_pairs.upper);
-    claims_.metric_distortion = above(metric_distortion(curvature_, interest));
+    claims_.distortion = stated_above(transition_distortion(curvature_, patch_radius_, interest).of_pairs.upper);
+    claims_.metric_distortion = stated_above(metric_distortion(curvature_, interest));
   }
 
   void derive_triangulation() {
     if (!selects("5") || !claims_.delaunay) return;
     claims_.triangulation = true;
     if (!is_proved(measures_.simplices.holds)) return;
-    const SpaceFormClaims::RiemannianSimplices found{below(measures_.simplices.thickness),
-                                                     above(measures_.simplices.star_radius)};
+    const SpaceFormClaims::RiemannianSimplices found{stated_below(measures_.simplices.thickness),
+                                                     stated_above(measures_.simplices.star_radius)};
     const bool is_small = Rational(4) * found.radius <= injectivity_radius_ &&
                           (curvature_ == Curvature::zero || Rational(6) * found.radius <= found.thickness);
     if (is_small) claims_.riemannian = found;
@@ -128,10 +99,11 @@ class Derivation {
       reasons_.push_back("level 6: of " + std::to_string(flat.unrealised) + " simplices no flat one is certain");
       return;
     }
-    SpaceFormClaims::Metric metric{{}, below(flat.lower, digits_of_stretches), above(flat.upper, digits_of_stretches)};
+    SpaceFormClaims::Metric metric{
+        {}, stated_below(flat.lower, digits_of_stretches), stated_above(flat.upper, digits_of_stretches)};
     if (m == 2) {
       if (flat.is_self_delaunay()) {
-        metric.weight = below(flat.least_weight);
+        metric.weight = stated_below(flat.least_weight);
       } else {
         reasons_.push_back("level 6: " + std::to_string(flat.not_delaunay + flat.undecided) + " of " +
                            std::to_string(flat.hinges) + " hinges are not certainly locally Delaunay");

@@ -41,7 +41,7 @@ std::string element_text(const FieldElement& x) {
   return coefficients.empty() ? "[\"0\"]" : listed(coefficients, number);
 }
 
-std::string matrix_text(const FieldMatrix& a) {
+std::string field_matrix_text(const FieldMatrix& a) {
   std::vector<std::string> rows;
   for (std::size_t row = 0; row < a.order(); ++row) {
     std::vector<FieldElement> entries;
@@ -57,11 +57,7 @@ std::string levels_text(const SpaceFormClaims& claims) {
     levels.push_back(fmt::format("\"0\":{{\"density\":{},\"distortion\":{},\"metric_distortion\":{}}}",
                                  number(*claims.density), number(claims.distortion), number(claims.metric_distortion)));
   }
-  if (claims.stars) {
-    levels.push_back(fmt::format("\"1\":{{\"protection\":{},\"thickness\":{},\"circumradius\":{}}}",
-                                 number(claims.stars->protection), number(claims.stars->thickness),
-                                 number(claims.stars->circumradius)));
-  }
+  if (claims.stars) levels.push_back("\"1\":" + star_margins_object(*claims.stars));
   if (claims.manifold) levels.push_back("\"2\":" + manifold_claim_object(*claims.manifold));
   if (claims.reach) levels.push_back(fmt::format("\"2s\":{{\"reach\":{}}}", number(*claims.reach)));
   if (claims.delaunay) {
@@ -95,8 +91,8 @@ std::string manifold_object(const SpaceForm& form) {
       "{{\"name\":{},\"family\":\"{}\",\"dimension\":{},{},\"time\":{},\"gram\":{},\"generators\":{},"
       "\"injectivity_radius\":{}}}",
       quoted(form.description.name), family_of(form.form().curvature()), form.form().dimension(),
-      field_entries(field_of(form)), element_text(form.form().time()), matrix_text(form.form().gram()),
-      listed(form.description.generators, matrix_text), number(form.injectivity_radius.lower));
+      field_entries(field_of(form)), element_text(form.form().time()), field_matrix_text(form.form().gram()),
+      listed(form.description.generators, field_matrix_text), number(form.injectivity_radius.lower));
 }
 
 template <int m>

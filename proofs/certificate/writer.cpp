@@ -20,11 +20,7 @@ std::string manifold_object(const ManifoldDescription& manifold) {
 std::string levels_object(const Claims& claims) {
   std::vector<std::string> levels;
   if (claims.input) levels.push_back(fmt::format("\"0\":{{\"hypotheses_2\":{}}}", *claims.input));
-  if (claims.stars) {
-    levels.push_back(fmt::format("\"1\":{{\"protection\":{},\"thickness\":{},\"circumradius\":{}}}",
-                                 number(claims.stars->protection), number(claims.stars->thickness),
-                                 number(claims.stars->circumradius)));
-  }
+  if (claims.stars) levels.push_back("\"1\":" + star_margins_object(*claims.stars));
   if (claims.manifold) levels.push_back("\"2\":" + manifold_claim_object(*claims.manifold));
   if (claims.stable_stars) levels.emplace_back("\"2s\":{}");
   if (claims.no_forbidden) levels.push_back(fmt::format("\"3\":{{\"tested\":{}}}", quoted(*claims.no_forbidden)));

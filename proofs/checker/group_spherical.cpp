@@ -7,9 +7,16 @@ namespace {
 
 constexpr std::size_t limit = 2000;
 
-/// cos(2 rho) J - (J a + a^T J) / 2 is positive definite: no x has <x, a x> >= cos(2 rho), so a moves all points by
-/// more than 2 rho.
+Ball pi() {
+  Ball result;
+  arb_const_pi(result.raw(), Ball::precision);
+  return result;
+}
+
+/// 2 rho < pi and cos(2 rho) J - (J a + a^T J) / 2 is positive definite: no x has <x, a x> >= cos(2 rho), so a moves
+/// all points by more than 2 rho.
 bool moves_all_far(const SpaceForm& form, const FieldMatrix& a) {
+  if (!decide_with_balls([&] { return less(Ball(2) * form.injectivity_radius.as<Ball>(), pi()); })) return false;
   const FieldMatrix J = form.form(), Ja = J * a, twice = Ja + Ja.transposed();
   return decide_with_balls([&] {
     const Ball cosine = Ball::apply(arb_cos, Ball(2) * form.injectivity_radius.as<Ball>());
@@ -34,14 +41,9 @@ Group spherical_group(const SpaceForm& form, Report& report) {
       if (known.insert(product).second) group.elements.push_back(product);
     }
   }
-  const bool possible = decide_with_balls([&] {
-    Ball pi;
-    arb_const_pi(pi.raw(), Ball::precision);
-    return less(form.injectivity_radius.as<Ball>(), known.size() == 1 ? pi : pi / Ball(2));
-  });
-  if (!possible)
+  if (!decide_with_balls([&] { return less(form.injectivity_radius.as<Ball>(), pi()); }))
     report.reject("group.injectivity", [] { return "the injectivity radius is not below that of a sphere"; });
-  for (std::size_t at = 1; at < group.elements.size() && possible; ++at) {
+  for (std::size_t at = 1; at < group.elements.size(); ++at) {
     if (moves_all_far(form, group.elements[at])) continue;
     report.reject("group.injectivity", [&] {
       return "element " + std::to_string(at) + " moves a point by at most twice the injectivity radius " +

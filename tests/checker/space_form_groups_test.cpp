@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "kernel/manifold/space_form/space_form_file.hpp"
+#include "kernel/number/exact_text.hpp"
 #include "proofs/certificate/space_form_writer.hpp"
 #include "proofs/checker/group.hpp"
 #include "tests/checker/upwards.hpp"
@@ -75,6 +76,24 @@ TEST(SpaceFormGroups, with_one_wrong_entry_are_rejected) {
     }
   }
   EXPECT_GE(refused, 20);
+}
+
+/// The stated injectivity radius, made greater by a thousandth.
+TEST(SpaceFormGroups, that_move_points_by_less_than_stated_are_rejected) {
+  const std::vector<Written>& all = all_written();
+  const test::Upwards upwards;
+  for (const Written& written : all) {
+    auto wrong = nlohmann::ordered_json::parse(written.text);
+    const Rational stated = parse_exact(wrong["injectivity_radius"].get<std::string>());
+    wrong["injectivity_radius"] = exact_text(stated * Rational(1001) / Rational(1000));
+    const std::string text = wrong.dump();
+    const checker::SpaceForm form = read(written, text);
+    checker::Report report;
+    const checker::Rational reach = checker::Rational(1) / checker::Rational(10);
+    (void)check_group(form, reach, reach, report);
+    ASSERT_FALSE(report.findings.empty()) << text.substr(0, 60);
+    EXPECT_EQ(report.findings[0].rule, "group.injectivity") << text.substr(0, 60);
+  }
 }
 
 /// The manifold block of a group over the rational numbers.

@@ -50,7 +50,9 @@ void expect_all_lifts_in_boxes(const Vector<double, m>& widths) {
         bool is_inside = true;
         for (std::size_t axis = 0; axis < m; ++axis)
           is_inside = is_inside && std::fabs(points[index][axis] + shift[axis] - centre[axis]) <= half[axis];
-        if (is_inside) EXPECT_TRUE(found.contains({index, shift}));
+        if (is_inside) {
+          EXPECT_TRUE(found.contains({index, shift}));
+        }
       }
       std::size_t axis = 0;
       while (axis < m && ++shift[axis] > 3) shift[axis++] = -3;

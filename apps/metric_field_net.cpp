@@ -1,10 +1,10 @@
-#include "apps/certify_metric_field_net.hpp"
+#include "kernel/sample/metric_field_net.hpp"
 
 #include <algorithm>
 
+#include "apps/metric_field_net.hpp"
 #include "kernel/error.hpp"
 #include "kernel/number/exact_text.hpp"
-#include "kernel/sample/metric_field_net.hpp"
 #include "kernel/sample/point_file.hpp"
 
 namespace delcert {
