@@ -26,7 +26,7 @@ delcert_run_test(disk --manifold disk --radius 1/12 --seed 1 LEVELS "${ball}")
 delcert_run_test(ball-lattice --manifold disk --lattice 12 --seed 1 LEVELS "${ball}")
 delcert_run_test(torus-3 --manifold torus-3 --radius 1/24 --seed 1 LEVELS "${all}")
 
-delcert_run_test(metric-field --manifold torus-2-hills --radius 1/24 --seed 1 LEVELS
+delcert_run_test(metric-field --manifold torus-2-hills --radius 1/40 --seed 1 LEVELS
   "metric       positive definite everywhere.*levels\n  1 .*\n  2 .*homology Z, Z.2, Z\n  2s .*\n  5 .*\n  not reached: level 4")
 
 delcert_cli_test(certify-raw-lattice STATUS 1 OUTPUT "^$" ERROR "nothing is certified.*star of 0: simplex"
