@@ -17,6 +17,7 @@ void add_sample(CLI::App& program, Action& chosen);
 void add_certify(CLI::App& program, Action& chosen);
 void add_check(CLI::App& program, Action& chosen);
 void add_info(CLI::App& program, Action& chosen);
+void add_homology(CLI::App& program, Action& chosen);
 void add_claims(CLI::App& program, Action& chosen);
 void add_attack(CLI::App& program, Action& chosen);
 void add_tighten(CLI::App& program, Action& chosen);

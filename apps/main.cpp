@@ -13,8 +13,9 @@
 namespace delcert {
 namespace {
 
-constexpr AddCommand commands[] = {add_constants, add_sample,  add_certify, add_check,  add_info,   add_claims,
-                                   add_attack,    add_tighten, add_prove,   add_errata, add_tables, add_formalise};
+constexpr AddCommand commands[] = {add_constants, add_sample, add_certify,  add_check,   add_info,
+                                   add_homology,  add_claims, add_attack,   add_tighten, add_prove,
+                                   add_errata,    add_tables, add_formalise};
 
 /// Rigour rests on rounding that is really directed, on no contraction, on the libraries: refuse to go on without.
 bool arithmetic_is_sound() {

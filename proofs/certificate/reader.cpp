@@ -1,49 +1,16 @@
 #include "proofs/certificate/reader.hpp"
 
-#include <zstd.h>
-
-#include <fstream>
-#include <iterator>
-#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "kernel/error.hpp"
 #include "kernel/number/exact_text.hpp"
+#include "proofs/certificate/file_text.hpp"
 
 namespace delcert {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::string_view zstd_magic("\x28\xB5\x2F\xFD", 4);
-
-std::string file_bytes(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw InputError(path.string() + ": cannot be opened");
-  std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (in.bad()) throw InputError(path.string() + ": cannot be read");
-  return bytes;
-}
-
-std::string decompressed(const std::string& bytes, const std::filesystem::path& path) {
-  const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
-  if (!context) throw std::bad_alloc();
-  std::string result;
-  std::string chunk(ZSTD_DStreamOutSize(), '\0');
-  ZSTD_inBuffer in{bytes.data(), bytes.size(), 0};
-  std::size_t left = 1;
-  while (left != 0) {
-    const std::size_t before = in.pos;
-    ZSTD_outBuffer out{chunk.data(), chunk.size(), 0};
-    left = ZSTD_decompressStream(context.get(), &out, &in);
-    if (ZSTD_isError(left) != 0) throw InputError(path.string() + ": zstd: " + ZSTD_getErrorName(left));
-    result.append(chunk, 0, out.pos);
-    if (left != 0 && out.pos == 0 && in.pos == before)
-      throw InputError(path.string() + ": zstd: the file ends too early");
-  }
-  return result;
-}
 
 /// Of a list, the texts of its elements with commas between.
 std::string text_of(const Json& value) {
@@ -100,8 +67,7 @@ CertificateSummary summary_of(const Json& json) {
 }  // namespace
 
 CertificateSummary read_certificate(const std::filesystem::path& path) {
-  std::string bytes = file_bytes(path);
-  if (bytes.starts_with(zstd_magic)) bytes = decompressed(bytes, path);
+  const std::string bytes = read_text(path);
   try {
     return summary_of(Json::parse(bytes));
   } catch (const Json::exception& error) {

@@ -109,4 +109,16 @@ bool decide_enclosed(const Predicate& predicate) {
   throw Undecided("a comparison is left open by enclosures of 1024 bits");
 }
 
+/// Decides with balls alone.
+template <class Predicate>
+bool decide_with_balls(const Predicate& predicate) {
+  return decide_enclosed([&]<class N>(In<N>) {
+    if constexpr (std::is_same_v<N, Ball>) {
+      return predicate();
+    } else {
+      return Verdict::undecided;
+    }
+  });
+}
+
 }  // namespace delcert::checker

@@ -23,16 +23,4 @@ Group spherical_group(const SpaceForm& form, Report& report);
 Group flat_group(const SpaceForm& form, const Rational& reach, const Rational& spread, Report& report);
 Group hyperbolic_group(const SpaceForm& form, const Rational& reach, const Rational& spread, Report& report);
 
-/// Decides with balls alone.
-template <class Predicate>
-bool decide_with_balls(const Predicate& predicate) {
-  return decide_enclosed([&]<class N>(In<N>) {
-    if constexpr (std::is_same_v<N, Ball>) {
-      return predicate();
-    } else {
-      return Verdict::undecided;
-    }
-  });
-}
-
 }  // namespace delcert::checker

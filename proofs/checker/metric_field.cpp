@@ -1,5 +1,8 @@
 #include "proofs/checker/metric_field.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "proofs/checker/exact_number.hpp"
 
 namespace delcert::checker {
@@ -22,23 +25,40 @@ Quantity parse_quantity(Cursor& cursor, std::string_view key) {
   return Quantity(exact_value(cursor.number()));
 }
 
-Ball symmetric_ball(const Ball& radius) {
-  Ball result(0);
-  arb_add_error(result.raw(), radius.raw());
+/// scale * a, added to the sum.
+template <class N, class M>
+void add_multiple(SquareMatrix<N>& sum, const SquareMatrix<M>& a, const N& scale) {
+  for (std::size_t i = 0; i < a.order(); ++i) {
+    for (std::size_t k = 0; k < a.order(); ++k) sum(i, k) = sum(i, k) + N(a(i, k)) * scale;
+  }
+}
+
+struct Turn {
+  Ball cosine, sine;
+};
+/// Of 2 pi times the phase.
+Turn turn(const Ball& phase) {
+  Turn result;
+  arb_sin_cos_pi(result.sine.raw(), result.cosine.raw(), (Ball(2) * phase).raw(), Ball::precision);
   return result;
 }
 
-/// x, or 1 if x may be larger.
-Ball cut_off_at_one(const Ball& x) { return less(x, Ball(1)) == Verdict::proved ? x : Ball(1); }
+/// Rounding upwards, it is not above the upper end.
+double middle_of(const Interval& x) { return (x.lower() + x.upper()) / 2; }
+
+constexpr double above_two_pi = 0x1.921fb54442d19p+2;
 
 }  // namespace
 
-MetricField::MetricField(int dimension, Cursor& cursor) : m(static_cast<std::size_t>(dimension)), constant(m) {
+MetricField::MetricField(int dimension, Cursor& cursor)
+    : m(static_cast<std::size_t>(dimension)), constant(m), constant_filter(m) {
   cursor.expect(",\"constant\":");
   constant = parse_symmetric(cursor, m);
+  constant_filter = enclosure(constant);
   cursor.expect(",\"waves\":");
   cursor.array([&] {
-    Wave wave{{}, SquareMatrix<Rational>(m), SquareMatrix<Rational>(m)};
+    Wave wave{
+        {}, SquareMatrix<Rational>(m), SquareMatrix<Rational>(m), SquareMatrix<Interval>(m), SquareMatrix<Interval>(m)};
     cursor.expect("{\"frequency\":");
     cursor.row(dimension, [&] {
       const std::int64_t k = cursor.integer();
@@ -49,6 +69,8 @@ MetricField::MetricField(int dimension, Cursor& cursor) : m(static_cast<std::siz
     wave.cosine = parse_symmetric(cursor, m);
     cursor.expect(",\"sine\":");
     wave.sine = parse_symmetric(cursor, m);
+    wave.cosine_filter = enclosure(wave.cosine);
+    wave.sine_filter = enclosure(wave.sine);
     cursor.expect("}");
     waves.push_back(std::move(wave));
   });
@@ -63,64 +85,85 @@ MetricField::MetricField(int dimension, Cursor& cursor) : m(static_cast<std::siz
   Report::require("form.ranges", patch_radius.exact.sign() > 0, "patch_radius is not positive");
 }
 
-SquareMatrix<Ball> MetricField::within(const Box& box) const {
+SquareMatrix<Ball> MetricField::at(const std::vector<Rational>& point) const {
   SquareMatrix<Ball> result(m);
-  const auto add = [&](const SquareMatrix<Rational>& matrix, const Ball& factor) {
-    for (std::size_t i = 0; i < m; ++i) {
-      for (std::size_t k = 0; k < m; ++k) {
-        if (matrix(i, k).sign() != 0) result(i, k) = result(i, k) + Ball(matrix(i, k)) * factor;
-      }
-    }
-  };
-  add(constant, Ball(1));
+  add_multiple(result, constant, Ball(1));
   for (const Wave& wave : waves) {
-    Rational middle(0), half_width(0);
+    Rational phase(0);
+    for (std::size_t k = 0; k < m; ++k) phase = phase + Rational(wave.frequency[k]) * point[k];
+    const Turn turned = turn(Ball(phase));
+    add_multiple(result, wave.cosine, turned.cosine);
+    add_multiple(result, wave.sine, turned.sine);
+  }
+  return result;
+}
+
+SquareMatrix<Interval> MetricField::within(const Box& box) const {
+  SquareMatrix<Interval> result = constant_filter;
+  for (const Wave& wave : waves) {
+    double half_width = 0;
+    std::array<double, 4> middle{};
     for (std::size_t k = 0; k < m; ++k) {
-      middle = middle + Rational(wave.frequency[k]) * box.middle[k];
-      half_width = half_width + Rational(std::abs(wave.frequency[k])) * box.half_widths[k];
+      middle[k] = middle_of(box[k]);
+      const double half = std::max(box[k].upper() - middle[k], middle[k] - box[k].lower());
+      half_width += std::abs(wave.frequency[k]) * half;
     }
-    Ball sine, cosine, pi;
-    arb_sin_cos_pi(sine.raw(), cosine.raw(), Ball(Rational(2) * middle).raw(), Ball::precision);
-    if (half_width.sign() != 0) {
-      // cos(a + b) = cos a - (1 - cos b) cos a - sin b sin a, with |b| <= h: |1 - cos b| <= h^2/2, |sin b| <= h.
-      arb_const_pi(pi.raw(), Ball::precision);
-      const Ball h = Ball(2) * pi * Ball(half_width);
-      const Ball bend = symmetric_ball(square(h) / Ball(2)), slope = symmetric_ball(cut_off_at_one(h));
-      const Ball before = cosine;
-      cosine = cosine + bend * cosine + slope * sine;
-      sine = sine + bend * sine + slope * before;
+    Interval cosine, sine;
+    {
+      const BallScope scope(64);
+      Ball phase(0), x;
+      for (std::size_t k = 0; k < m; ++k) {
+        arb_set_d(x.raw(), middle[k]);
+        phase = phase + Ball(wave.frequency[k]) * x;
+      }
+      const Turn turned = turn(phase);
+      cosine = turned.cosine.enclosure();
+      sine = turned.sine.enclosure();
     }
-    add(wave.cosine, cosine);
-    add(wave.sine, sine);
+    // cos(a + b) = cos b cos a - sin b sin a, sin(a + b) = cos b sin a + sin b cos a; |b| <= h: cos b >= 1 - h^2/2,
+    // |sin b| <= h.
+    const double h = above_two_pi * half_width, slope = std::min(h, 1.0);
+    const Interval bend = Interval(1) - Interval::between(0, std::min(h * h / 2, 2.0));
+    const Interval sway = Interval::between(-slope, slope);
+    add_multiple(result, wave.cosine_filter, bend * cosine + sway * sine);
+    add_multiple(result, wave.sine_filter, bend * sine + sway * cosine);
   }
   return result;
 }
 
 bool holds_within(const MetricField& field, const Box& box, std::size_t most,
-                  const std::function<Verdict(const SquareMatrix<Ball>&)>& property) {
-  const BallScope scope(64);
-  const Rational half = Rational(1) / Rational(2);
+                  const std::function<Verdict(const SquareMatrix<Interval>&)>& property) {
   std::vector<Box> open{box};
   for (std::size_t looked_at = 0; !open.empty(); ++looked_at) {
     if (looked_at == most) throw Undecided("the metric is not known well enough on boxes");
-    const Box part = std::move(open.back());
+    Box part = std::move(open.back());
     open.pop_back();
     const Verdict verdict = property(field.within(part));
     if (verdict == Verdict::proved) continue;
-    const std::vector<Rational> point(field.m);
-    if (verdict == Verdict::refuted || property(field.within({part.middle, point})) == Verdict::refuted) return false;
+    if (verdict == Verdict::refuted) return false;
+    Box point = part;
     std::size_t widest = 0;
-    for (std::size_t k = 1; k < field.m; ++k) {
-      if (less(part.half_widths[widest], part.half_widths[k]) == Verdict::proved) widest = k;
+    for (std::size_t k = 0; k < field.m; ++k) {
+      const double middle = middle_of(part[k]);
+      point[k] = Interval::between(middle, middle);
+      if (part[k].upper() - part[k].lower() > part[widest].upper() - part[widest].lower()) widest = k;
     }
-    for (const int side : {-1, 1}) {
-      Box next = part;
-      next.half_widths[widest] = next.half_widths[widest] * half;
-      next.middle[widest] = next.middle[widest] + Rational(side) * next.half_widths[widest];
-      open.push_back(std::move(next));
-    }
+    if (property(field.within(point)) == Verdict::refuted) return false;
+    Box lower = part;
+    lower[widest] = Interval::between(part[widest].lower(), point[widest].upper());
+    part[widest] = Interval::between(point[widest].lower(), part[widest].upper());
+    open.push_back(std::move(lower));
+    open.push_back(std::move(part));
   }
   return true;
+}
+
+SquareMatrix<Interval> enclosure(const SquareMatrix<Rational>& a) {
+  SquareMatrix<Interval> result(a.order());
+  for (std::size_t i = 0; i < a.order(); ++i) {
+    for (std::size_t k = 0; k < a.order(); ++k) result(i, k) = enclosure(a(i, k));
+  }
+  return result;
 }
 
 SquareMatrix<Rational> upper_triangle(std::size_t m, const std::vector<Rational>& entries) {

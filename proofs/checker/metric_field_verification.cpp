@@ -15,17 +15,10 @@ SquareMatrix<N> combination(const N& a, const SquareMatrix<N>& x, const N& b, co
   return result;
 }
 
-template <class N>
-SquareMatrix<N> converted(const SquareMatrix<Rational>& a) {
-  SquareMatrix<N> result(a.order());
+SquareMatrix<Ball> balls(const SquareMatrix<Rational>& a) {
+  SquareMatrix<Ball> result(a.order());
   for (std::size_t i = 0; i < a.order(); ++i) {
-    for (std::size_t k = 0; k < a.order(); ++k) {
-      if constexpr (std::is_same_v<N, Interval>) {
-        result(i, k) = enclosure(a(i, k));
-      } else {
-        result(i, k) = N(a(i, k));
-      }
-    }
+    for (std::size_t k = 0; k < a.order(); ++k) result(i, k) = Ball(a(i, k));
   }
   return result;
 }
@@ -48,34 +41,35 @@ class ChartChecker {
   ChartChecker(const Certificate& c, Report& report) : c_(c), field_(*c.metric_field), report_(report) {
     for (Label i = 0; i < c.n; ++i) {
       exact_.push_back(gram_of_chart(c, i));
-      filter_.push_back(converted<Interval>(exact_.back()));
+      filter_.push_back(enclosure(exact_.back()));
     }
   }
 
   void check(const AffineCharts& charts, Label i) {
-    const Vector<Rational> centre = c_.net.position<Rational>({i, {}});
-    const Box point{{centre.begin(), centre.begin() + c_.m}, std::vector<Rational>(c_.m_size())};
+    const Vector<Rational> position = c_.net.position<Rational>({i, {}});
+    const std::vector<Rational> centre(position.begin(), position.begin() + c_.m);
     const auto reject = [&](const char* rule, const char* what) {
       report_.reject(rule, [&] { return "label " + std::to_string(i) + ": " + what; });
     };
-    const bool rounded = holds_within(field_, point, 1, [&](const SquareMatrix<Ball>& g) {
+    const bool rounded = decide_with_balls([&] {
       const Ball eta(field_.rounding.exact);
-      return is_between(Ball(1) - eta, Ball(1) + eta, g, converted<Ball>(exact_[i]));
+      return is_between(Ball(1) - eta, Ball(1) + eta, field_.at(centre), balls(exact_[i]));
     });
     if (!rounded) reject("field.chart", "the chart is not that of the metric, up to rounding");
     const Rational squared_radius = square(field_.patch_radius.exact);
-    Box patch = point;
+    Box patch;
     const SquareMatrix<Rational> inverse = inverse_of_triangle(charts.matrix(i));
     bool small = true;
     for (std::size_t k = 0; k < c_.m_size(); ++k) {
       Rational squared_stretch(0);
       for (std::size_t j = k; j < c_.m_size(); ++j) squared_stretch = squared_stretch + square(inverse(k, j));
       small = small && less(Rational(9) * squared_radius * squared_stretch, Rational(1)) == Verdict::proved;
-      patch.half_widths[k] = above_root(squared_radius * squared_stretch);
+      const double half = upper_root(enclosure(squared_radius * squared_stretch));
+      patch.push_back(enclosure(centre[k]) + Interval::between(-half, half));
     }
     if (!small) reject("field.patch", "3 patch_radius, in coordinates, is not below 1");
-    const bool near = holds_within(field_, patch, most_boxes_of_patch, [&](const SquareMatrix<Ball>& g) {
-      return is_distorted_by_less(Ball(field_.metric_distortion.exact), converted<Ball>(exact_[i]), g);
+    const bool near = holds_within(field_, patch, most_boxes_of_patch, [&](const SquareMatrix<Interval>& g) {
+      return is_distorted_by_less(field_.metric_distortion.filter, filter_[i], g);
     });
     if (!near) reject("field.metric", "in its patch the metric differs from its chart by more than metric_distortion");
     if (!small) return;
@@ -92,18 +86,6 @@ class ChartChecker {
   }
 
  private:
-  /// A rational number that is a little above the root of a positive one.
-  static Rational above_root(const Rational& x) {
-    const BallScope scope(64);
-    const Ball root = square_root(Ball(x));
-    arf_t upper;
-    arf_init(upper);
-    arb_get_ubound_arf(upper, root.raw(), 40);
-    Rational result;
-    arf_get_fmpq(result.raw(), upper);
-    arf_clear(upper);
-    return result;
-  }
   template <class N>
   const SquareMatrix<N>& gram(Label i) const {
     if constexpr (std::is_same_v<N, Interval>) {

@@ -75,6 +75,12 @@ delcert_cli_test(sample-too-many STATUS 1 OUTPUT "^$" ERROR "more than 4000000 p
 
 delcert_cli_test(info STATUS 0 OUTPUT "torus-2 .flat-torus, dimension 2.*levels claimed.*homology Z, Z.2, Z.*sha256 [0-9a-f]+" ERROR "^$"
   FIXTURES run-square COMMAND ${delcert} info run-square.json.zst --picture square.svg)
+delcert_cli_test(homology STATUS 0 OUTPUT "components   1\nfacets       0 in one simplex, 0 in three or more\norientable   yes\nEuler        0\nhomology     Z, Z.2, Z\n$" ERROR "^$"
+  FIXTURES run-square COMMAND ${delcert} homology run-square.json.zst)
+delcert_cli_test(homology-json STATUS 0 OUTPUT "\"components\": 1,.*\"orientable\": true,.*\"homology\": .*\"Z.2\"" ERROR "^$"
+  FIXTURES run-square COMMAND ${delcert} homology run-square.json.zst --json)
+delcert_cli_test(homology-without-stars STATUS 3 OUTPUT "^$" ERROR "points.txt: " FIXTURES run-points
+  COMMAND ${delcert} homology points.txt)
 delcert_cli_test(info-json STATUS 0 OUTPUT "\"levels_claimed\": .*\"homology\": \"Z, Z.2, Z\"" ERROR "^$" FIXTURES run-square
   COMMAND ${delcert} info run-square.json.zst --json)
 delcert_cli_test(info-picture-of-dimension-3 STATUS 3 ERROR "pictures are of two-dimensional" FIXTURES run-torus-3

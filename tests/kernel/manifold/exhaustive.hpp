@@ -12,6 +12,7 @@
 #include "kernel/manifold/flat_atlas.hpp"
 #include "kernel/simplex/circumsphere.hpp"
 #include "tests/kernel/simplex/instances.hpp"
+#include "tests/support/message_of.hpp"
 
 // Flat spaces and points to try things on, and the slow way to every answer: all lifts, all subsets, in rationals.
 namespace delcert::test {
@@ -246,21 +247,6 @@ bool is_empty(const FlatSpace<m>& space, const ExactPoints<m>& points, const Bal
   return std::none_of(near.begin(), near.end(), [&](const Lift<m>& lift) {
     return squared_distance<m>(space, at<m>(points, lift), ball.centre) < ball.squared_radius;
   });
-}
-
-/// Whether `text` has `part` in it.
-inline bool mentions(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-/// The message of the exception of this type that the action throws; fails the test if it throws none.
-template <class Exception, class Action>
-std::string message_of(const Action& action) {
-  try {
-    action();
-  } catch (const Exception& exception) {
-    return exception.what();
-  }
-  ADD_FAILURE() << "nothing was thrown";
-  return {};
 }
 
 }  // namespace delcert::test

@@ -7,6 +7,7 @@
 #include "kernel/error.hpp"
 #include "kernel/manifold/space_form/field_matrix.hpp"
 #include "kernel/manifold/space_form/polynomial_text.hpp"
+#include "tests/support/message_of.hpp"
 #include "tests/support/ratio.hpp"
 
 namespace delcert::test {
@@ -32,18 +33,5 @@ inline FieldMatrix matrix(const FieldElement::Field& field, const std::vector<st
   }
   return result;
 }
-
-/// The message of the exception, "accepted" if there is none.
-template <class Exception, class Action>
-std::string message_of(const Action& action) {
-  try {
-    action();
-  } catch (const Exception& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
-inline bool mentions(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace delcert::test
