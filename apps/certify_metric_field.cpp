@@ -53,7 +53,8 @@ ExitStatus certify(const CertifyOptions& options, const MetricFieldDescription& 
   clock.begin("derive levels");
   report.measures = {check_stability<m>(atlas, run.points, geometry, run.complex, progress),
                      check_affine_triangulation<m>(atlas, run.points, run.complex)};
-  report.claims = derive_claims<m>(atlas, report.parameters, run, report.measures, options.levels, report.reasons);
+  report.claims = derive_claims<m>(atlas, report.parameters, report.distortion, run, report.measures, options.levels,
+                                   report.reasons);
   if (report.claims.names().empty())
     throw Rejection("no level is reached: " + fmt::format("{}", fmt::join(report.reasons, "; ")));
   clock.begin("write the certificate");

@@ -11,6 +11,21 @@ namespace delcert {
 
 namespace {
 
+// A square of a length in units of ε².
+std::string lower(const Rational& x, const MetricFieldReport& report) {
+  return decimal_lower(x / square(report.sampling_radius));
+}
+std::string upper(const Rational& x, const MetricFieldReport& report) {
+  return decimal_upper(x / square(report.sampling_radius));
+}
+
+std::string margin_text(const MetricFieldReport& report) {
+  const std::optional<DelaunayMargin>& margin = report.claims.stability;
+  if (!margin) return "";
+  return fmt::format("stability    the metric changes powers of points by ≤ {} ε², {} ε² are allowed: margin ≥ {} ε²\n",
+                     upper(margin->change, report), lower(margin->allowed, report), lower(margin->value(), report));
+}
+
 std::vector<LevelLine> lines_of(const MetricFieldReport& report) {
   const MetricFieldClaims& claims = report.claims;
   std::vector<LevelLine> lines;
@@ -18,6 +33,10 @@ std::vector<LevelLine> lines_of(const MetricFieldReport& report) {
   if (claims.manifold) lines.push_back({"2", manifold_line(*claims.manifold)});
   if (claims.reach)
     lines.push_back({"2s", "stable stars: every star is the same in the chart of each of its vertices"});
+  if (claims.delaunay) {
+    lines.push_back({"4", fmt::format("Delaunay for the distance of the metric: margin of stability ≥ {} ε²",
+                                      lower(claims.delaunay->margin, report))});
+  }
   if (claims.triangulation) {
     lines.push_back({"5", fmt::format("triangulation: by simplices that are straight in the torus, {} of them with "
                                       "agreeing lifts, one sheet",
@@ -37,8 +56,8 @@ std::string report_text(const MetricFieldReport& report) {
          fmt::format("charts       on patches of {} ε: ξ₀ ≤ {} of each other, κ ≤ {} of the metric, rounded by ≤ {}\n",
                      report.patch_factor, decimal_upper(report.distortion.transition),
                      decimal_upper(report.distortion.metric), decimal_upper(report.distortion.rounding)) +
-         perturbation_text(report) + levels_text(report, lines_of(report)) + stability_text(report.measures.stability) +
-         ending_text(report);
+         perturbation_text(report) + levels_text(report, lines_of(report)) + margin_text(report) +
+         stability_text(report.measures.stability) + ending_text(report);
 }
 
 std::string report_json(const MetricFieldReport& report) {
@@ -50,6 +69,13 @@ std::string report_json(const MetricFieldReport& report) {
                         {"rounding", exact_text(report.distortion.rounding)}};
   json.update(parameters_json(report));
   json.update(levels_json(report, lines_of(report), report.claims.manifold, report.measures.stability));
+  if (const auto& margin = report.claims.stability) {
+    json["delaunay_margin"] = {{"edge", exact_text(margin->edge)},
+                               {"change", exact_text(margin->change)},
+                               {"allowed", exact_text(margin->allowed)},
+                               {"margin", exact_text(margin->value())},
+                               {"is_enough", report.claims.delaunay.has_value()}};
+  }
   json.update(ending_json(report));
   return json.dump(2) + "\n";
 }

@@ -13,13 +13,15 @@ struct AffineTriangulationReport {
   /// 5.volume: an enclosure of Σ |det| over all m-simplices, over m!: the number of sheets.
   double least_sheets = 0;
   double most_sheets = 0;
+  /// 4.edge: in the chart of each star every simplex of it has an edge of at least this length.
+  double edge = 0;
 
   /// Whether straight simplices triangulate the torus, given that levels 1 and 2 hold.
   [[nodiscard]] bool holds() const { return listed > 0 && other_lifts == 0 && most_sheets < 2; }
 };
 
-/// Compares lifts and adds up volumes, each simplex at its smallest label. Precondition: the stars of the complex are
-/// certified and agree; rounding to nearest.
+/// Compares lifts, measures edges, and adds up volumes, each simplex at its smallest label. Precondition: the stars of
+/// the complex are certified and agree; rounding to nearest.
 template <int m>
 [[nodiscard]] AffineTriangulationReport check_affine_triangulation(const MetricFieldAtlas<m>& atlas,
                                                                    const PointSet<m>& points,

@@ -3,6 +3,7 @@
 #include "kernel/topology/homology.hpp"
 #include "proofs/certificate/stability_claim.hpp"
 #include "proofs/certificate/stated_bounds.hpp"
+#include "proofs/constants/decimal_bounds.hpp"
 
 namespace delcert {
 
@@ -14,14 +15,39 @@ std::vector<std::string> MetricFieldClaims::names() const {
   add(stars.has_value(), "1");
   add(manifold.has_value(), "2");
   add(reach.has_value(), "2s");
+  add(delaunay.has_value(), "4");
   add(triangulation, "5");
   return result;
 }
 
+namespace {
+
+/// Level 4, or why it is not reached.
+void claim_delaunay(MetricFieldClaims& claims, Dimension dimension, const ChartDistortion& distortion,
+                    const AffineTriangulationReport& triangulation, const Rational& sampling_radius,
+                    std::vector<std::string>& reasons) {
+  if (!triangulation.holds()) {
+    reasons.emplace_back("level 4: straight simplices do not triangulate the torus");
+    return;
+  }
+  const DelaunayMargin margin =
+      delaunay_margin(dimension, distortion.metric, *claims.stars, stated_below(triangulation.edge));
+  claims.stability = margin;
+  if (Rational(0) < margin.value()) {
+    claims.delaunay = {margin.edge, stated_below(margin.value())};
+  } else {
+    reasons.push_back("level 4: the metric varies too much in a patch: margin of stability ≥ " +
+                      decimal_lower(margin.value() / square(sampling_radius), 4) + " ε²");
+  }
+}
+
+}  // namespace
+
 template <int m>
 MetricFieldClaims derive_claims(const MetricFieldAtlas<m>& atlas, const RunParameters& parameters,
-                                const SpaceFormRun<m>& run, const MetricFieldMeasures& measures,
-                                const LevelSelection& selection, std::vector<std::string>& reasons) {
+                                const ChartDistortion& distortion, const SpaceFormRun<m>& run,
+                                const MetricFieldMeasures& measures, const LevelSelection& selection,
+                                std::vector<std::string>& reasons) {
   MetricFieldClaims claims;
   const Rational patch = atlas.patch_radius();
   const Rational shift = parameters.algorithm.perturbation * atlas.sampling_radius();
@@ -41,7 +67,8 @@ MetricFieldClaims derive_claims(const MetricFieldAtlas<m>& atlas, const RunParam
     claims.reach = derive_reach(
         measures.stability, run.margins.reach, [&](const Rational& reach) { return reach < patch; }, reasons);
   }
-  if (selects(selection, "4")) reasons.emplace_back("level 4: not claimed on metric fields");
+  if (selects(selection, "4") && claims.manifold)
+    claim_delaunay(claims, Dimension(m), distortion, measures.triangulation, atlas.sampling_radius(), reasons);
   if (selects(selection, "5") && claims.manifold) {
     claims.triangulation = measures.triangulation.holds();
     if (!claims.triangulation)
@@ -52,10 +79,10 @@ MetricFieldClaims derive_claims(const MetricFieldAtlas<m>& atlas, const RunParam
   return claims;
 }
 
-#define DELCERT_INSTANTIATE(m)                                                                    \
-  template MetricFieldClaims derive_claims<m>(const MetricFieldAtlas<m>&, const RunParameters&,   \
-                                              const SpaceFormRun<m>&, const MetricFieldMeasures&, \
-                                              const LevelSelection&, std::vector<std::string>&);
+#define DELCERT_INSTANTIATE(m)                                                                          \
+  template MetricFieldClaims derive_claims<m>(                                                          \
+      const MetricFieldAtlas<m>&, const RunParameters&, const ChartDistortion&, const SpaceFormRun<m>&, \
+      const MetricFieldMeasures&, const LevelSelection&, std::vector<std::string>&);
 DELCERT_INSTANTIATE(2)
 DELCERT_INSTANTIATE(3)
 #undef DELCERT_INSTANTIATE

@@ -9,15 +9,25 @@
 #include "kernel/manifold/metric_field/chart_distortion.hpp"
 #include "kernel/perturb/space_form_run.hpp"
 #include "proofs/certificate/claims.hpp"
+#include "proofs/certificate/delaunay_margin.hpp"
 
 namespace delcert {
 
+/// What a certificate claims at level 4 of a metric field.
+struct MetricFieldDelaunayClaim {
+  Rational edge;    ///< a lower bound of the longest edge of every simplex
+  Rational margin;  ///< of stability, in squares of lengths
+};
+
 /// The levels that a run on a metric field reaches, with their margins: lengths in the charts, not in units of ε.
 struct MetricFieldClaims {
-  std::optional<StarMargins> stars;       ///< level 1
-  std::optional<ManifoldClaim> manifold;  ///< level 2
-  std::optional<Rational> reach;          ///< level 2s: how far charts have to show
-  bool triangulation = false;             ///< level 5
+  std::optional<StarMargins> stars;                  ///< level 1
+  std::optional<ManifoldClaim> manifold;             ///< level 2
+  std::optional<Rational> reach;                     ///< level 2s: how far charts have to show
+  std::optional<MetricFieldDelaunayClaim> delaunay;  ///< level 4
+  bool triangulation = false;                        ///< level 5
+  /// For level 4, wherever it was asked for and levels 1, 2 and 5 hold.
+  std::optional<DelaunayMargin> stability;
 
   /// The names of the levels claimed, in order.
   [[nodiscard]] std::vector<std::string> names() const;
@@ -35,7 +45,7 @@ template <int m>
 /// What is measured of a certified run beyond levels 1 and 2.
 struct MetricFieldMeasures {
   StarStability stability;                  ///< level 2s
-  AffineTriangulationReport triangulation;  ///< level 5
+  AffineTriangulationReport triangulation;  ///< levels 4 and 5
 };
 
 /// Derives the levels from a certified run and its measures, checking the inequalities of docs/certificate-format.md
@@ -43,7 +53,8 @@ struct MetricFieldMeasures {
 /// than what was found by a relative 2⁻²⁰ at least.
 template <int m>
 [[nodiscard]] MetricFieldClaims derive_claims(const MetricFieldAtlas<m>& atlas, const RunParameters& parameters,
-                                              const SpaceFormRun<m>& run, const MetricFieldMeasures& measures,
-                                              const LevelSelection& selection, std::vector<std::string>& reasons);
+                                              const ChartDistortion& distortion, const SpaceFormRun<m>& run,
+                                              const MetricFieldMeasures& measures, const LevelSelection& selection,
+                                              std::vector<std::string>& reasons);
 
 }  // namespace delcert

@@ -30,6 +30,9 @@ std::string levels_text(const MetricFieldClaims& claims) {
   if (claims.stars) levels.push_back("\"1\":" + star_margins_object(*claims.stars));
   if (claims.manifold) levels.push_back("\"2\":" + manifold_claim_object(*claims.manifold));
   if (claims.reach) levels.push_back(fmt::format("\"2s\":{{\"reach\":{}}}", number(*claims.reach)));
+  if (claims.delaunay)
+    levels.push_back(fmt::format("\"4\":{{\"edge\":{},\"margin\":{}}}", number(claims.delaunay->edge),
+                                 number(claims.delaunay->margin)));
   if (claims.triangulation) levels.emplace_back("\"5\":{\"route\":\"affine-charts\"}");
   return "{" + fmt::format("{}", fmt::join(levels, ",")) + "}";
 }

@@ -44,7 +44,8 @@ struct Certificate {
   bool closed = false;
   std::vector<std::string> homology;   // m + 1 groups, or none
   Quantity reach_2s;                   // level 2s on a space form
-  Quantity empty_margin, ball_radius;  // level 4
+  Quantity empty_margin, ball_radius;  // level 4 on a space form
+  Quantity edge, stability_margin;     // level 4 on a metric field
   bool riemannian_simplices = false;   // level 5: whether the two that follow are there
   Quantity riemannian_thickness, riemannian_radius;
   bool self_delaunay = true;  // level 6

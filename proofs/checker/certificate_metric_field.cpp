@@ -12,6 +12,8 @@ std::vector<Rational> Certificate::chart_entries(Label i) const {
 /// Without the last no chart can be looked at.
 void Certificate::require_metric_field() const {
   Report::require("form.ranges", !claimed[level_2s] || reach_2s.exact.sign() > 0, "reach is not positive");
+  Report::require("form.ranges", !claimed[level_4] || (edge.exact.sign() > 0 && stability_margin.exact.sign() >= 0),
+                  "the edge of level 4 is not positive or its margin negative");
   Report::require("form.family", !theory, "the mode theory is not for metric fields");
   for (Label i = 0; i < n; ++i) {
     const std::vector<Rational> entries = chart_entries(i);

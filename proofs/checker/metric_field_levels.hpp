@@ -13,5 +13,6 @@ std::string check_metric_field(const AffineCharts& charts, Report& report);
 // The levels of metric fields other than 2, which is that of all families, and 5, which follows. As those of run.hpp.
 std::string check_stars_of_metric_field(const AffineCharts& charts, Report& report);         // 1
 std::string check_stable_stars_of_metric_field(const AffineCharts& charts, Report& report);  // 2s
+std::string check_delaunay_of_metric_field(const AffineCharts& charts, Report& report);      // 4
 
 }  // namespace delcert::checker

@@ -127,6 +127,11 @@ void Certificate::parse_metric_field_level(Cursor& cursor, std::size_t level) {
   if (level == level_2s) {
     cursor.expect("{\"reach\":");
     reach_2s = parse_quantity(cursor);
+  } else if (level == level_4) {
+    cursor.expect("{\"edge\":");
+    edge = parse_quantity(cursor);
+    cursor.expect(",\"margin\":");
+    stability_margin = parse_quantity(cursor);
   } else if (level == level_5) {
     cursor.expect("{\"route\":\"affine-charts\"");
   } else {

@@ -58,6 +58,7 @@ Check check_of_level(const AffineCharts& charts, std::size_t level) {
     if (level == level_1) return check_stars_of_metric_field(charts, report);
     if (level == level_2) return check_level_2(charts.certificate(), report);
     if (level == level_2s) return check_stable_stars_of_metric_field(charts, report);
+    if (level == level_4) return check_delaunay_of_metric_field(charts, report);
     if (level == level_5) return "follows from levels 1 and 2 in small patches of affine charts";
     throw std::logic_error("a level that metric fields do not have");
   };

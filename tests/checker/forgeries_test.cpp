@@ -17,7 +17,7 @@ namespace {
 std::vector<Forgery> all_forgeries() {
   std::vector<Forgery> all;
   for (const auto& part : {form_forgeries(), level_0_forgeries(), star_forgeries(), configuration_forgeries(),
-                           space_form_forgeries(), metric_field_forgeries()})
+                           space_form_forgeries(), metric_field_forgeries(), metric_field_delaunay_forgeries()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -2,66 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <functional>
-#include <iterator>
-
-#include "kernel/number/exact_text.hpp"
-#include "tests/checker/support/certificate_text.hpp"
 #include "tests/checker/support/forgeries.hpp"
-#include "tests/checker/support/run_checker.hpp"
-#include "tests/proofs/certificate/metric_field_run.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/checker/support/metric_field_documents.hpp"
 
 namespace delcert::checker_tests {
 namespace {
-
-using test::certified_run;
-using test::MetricFieldSample;
-using test::ratio;
-using Change = std::function<void(Json&)>;
-
-template <int m>
-std::string bytes_of(const MetricFieldSample<m>& sample, const MetricFieldClaims& claims) {
-  const test::TemporaryFolder folder;
-  sample.write(folder / "run.json", claims);
-  std::ifstream file(folder / "run.json", std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(file), {});
-}
-
-template <int m>
-MetricFieldClaims claims_of(const MetricFieldSample<m>& sample) {
-  std::vector<std::string> reasons;
-  return sample.claims(reasons);
-}
-
-template <int m>
-Json document_of(const MetricFieldSample<m>& sample) {
-  Json result = Json::parse(bytes_of<m>(sample, claims_of<m>(sample)));
-  result.erase("sha256");
-  return result;
-}
-
-const Json& sheared_document() {
-  static const Json document = document_of<2>(test::sheared_run());
-  return document;
-}
-
-/// Rejected by the rule alone; accepted without it.
-void expect_forgery(const std::string& rule, const Json& valid, const Change& change, int status = 1) {
-  SCOPED_TRACE(rule);
-  Json document = valid;
-  change(document);
-  const CheckerRun run = run_checker(sealed(document));
-  EXPECT_EQ(run.status, status) << run.output;
-  EXPECT_EQ(run.rules, std::set<std::string>{rule}) << run.output;
-  if (status != 1) return;
-  EXPECT_EQ(run_checker(sealed(document), rule).status, 0) << run_checker(sealed(document), rule).output;
-}
-
-std::string times(const Json& number, const Rational& factor) {
-  return exact_text(parse_exact(number.get<std::string>()) * factor);
-}
 
 Change stated(const std::string& block, const std::string& key, const Rational& factor) {
   return [=](Json& j) { j[block][key] = times(j[block][key], factor); };
@@ -73,38 +18,14 @@ TEST(MetricField, a_run_on_a_sheared_torus_is_accepted) {
   std::printf("%zu points: %s", test::sheared_run().atlas.size(), run.output.c_str());
 }
 
-/// The lattice A_3* in a metric that is nearly its own: nothing is perturbed.
 TEST(MetricField, a_lattice_of_dimension_3_is_accepted) {
-  MetricFieldDescription description = test::constant_field({{Rational(3), Rational(-1), Rational(-1)},
-                                                             {Rational(-1), Rational(3), Rational(-1)},
-                                                             {Rational(-1), Rational(-1), Rational(3)}});
-  description.waves.push_back({{1, 0, 1}, test::multiple_of_identity(3, ratio(1, 50)), test::zero_matrix(3)});
-  description.waves[0].sine[0][1] = description.waves[0].sine[1][0] = ratio(1, 50);
-  MetricFieldAtlas<3> atlas(MetricField<3>(description), test::lattice_points<3>(11), ratio(11, 100));
-  const auto distortion = fit_patches<3>(atlas, no_progress());
-  ParameterChoice choice;
-  choice.mode = RunMode::none;
-  const RunParameters parameters = parameters_for(Dimension(3), measure_separation<3>(atlas), choice);
-  RunRequest request;
-  request.perturb = false;
-  request.certify_model = false;
-  const auto geometry = geometry_of<3>(atlas, distortion);
-  auto run = run_on_space_form<3>(atlas, geometry, parameters.algorithm, request, no_progress());
-  ASSERT_TRUE(run.is_certified());
-  const auto triangulation = check_affine_triangulation<3>(atlas, run.points, run.complex);
-  MetricFieldSample<3> sample{std::move(atlas), distortion, parameters, std::move(run), {{}, triangulation}};
+  const MetricFieldSample<3> sample = lattice_sample(ratio(1, 50));
+  ASSERT_TRUE(sample.run.is_certified());
   std::vector<std::string> reasons;
   const auto claims = sample.claims(reasons, {"1", "2", "5"});
   EXPECT_EQ(group_text(claims.manifold->homology[1]), "Z^3");
   const CheckerRun checked = run_checker(bytes_of<3>(sample, claims));
   EXPECT_EQ(checked.status, 0) << checked.output;
-}
-
-/// Of a constant metric, whose charts are the same everywhere.
-const Json& flat_document() {
-  static const Json document = document_of<2>(
-      certified_run<2>(test::constant_field({{Rational(1), ratio(1, 3)}, {ratio(1, 3), Rational(2)}}), ratio(1, 20)));
-  return document;
 }
 
 TEST(MetricField, another_metric_has_other_charts) {
@@ -241,7 +162,7 @@ TEST(MetricField, the_document_has_its_form) {
   malformed("form.family", [](Json& j) {
     const Json last = j["levels"]["5"];
     j["levels"].erase("5");
-    j["levels"]["4"] = Json::object();
+    j["levels"]["3"] = Json::parse(R"({"tested":"nothing"})");
     j["levels"]["5"] = last;
   });
   malformed("form.levels", [](Json& j) {

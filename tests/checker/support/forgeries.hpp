@@ -20,8 +20,9 @@ std::vector<Forgery> level_0_forgeries();
 std::vector<Forgery> star_forgeries();  // levels 1, 2, 2s
 std::vector<Forgery> configuration_forgeries();
 std::vector<Forgery> space_form_forgeries();
-/// In metric_field_test.cpp, as they are made from a run.
+/// In metric_field_test.cpp and metric_field_delaunay_test.cpp, as they are made from a run.
 std::vector<Forgery> metric_field_forgeries();
+std::vector<Forgery> metric_field_delaunay_forgeries();
 
 /// The certificates from which the forgeries are made, by name; they are valid.
 std::vector<std::pair<std::string, std::string>> valid_certificates();

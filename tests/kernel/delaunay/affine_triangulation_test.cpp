@@ -43,10 +43,16 @@ TEST(AffineTriangulation, of_lattices_covers_the_torus_once) {
   EXPECT_LE(report.least_sheets, 1);
   EXPECT_GE(report.most_sheets, 1);
   EXPECT_LE(report.most_sheets - report.least_sheets, 1e-10);
+  // All edges have the length √2/12, but for what charts are rounded by.
+  EXPECT_LE(report.edge * report.edge, 2.0 / 144 * (1 + 1e-7));
+  EXPECT_GE(report.edge * report.edge, 2.0 / 144 * (1 - 1e-7));
   const auto space = lattice_atlas<3>(10, ratio(117, 1000));
   const auto solid = report_of<3>(space, stars_of<3>(space));
   EXPECT_TRUE(solid.holds());
   EXPECT_EQ(solid.listed, 1000U * 24);
+  // Every tetrahedron has two edges of the length 2/10, and four of √3/10.
+  EXPECT_LE(solid.edge, 0.2 * (1 + 1e-7));
+  EXPECT_GE(solid.edge, 0.2 * (1 - 1e-7));
   EXPECT_LE(solid.most_sheets - solid.least_sheets, 1e-10);
   EXPECT_GE(solid.most_sheets, 1);
 }
@@ -82,7 +88,9 @@ TEST(AffineTriangulation, counts_sheets) {
 
 TEST(AffineTriangulation, of_nothing_does_not_hold) {
   const auto atlas = lattice_atlas<2>(12, ratio(1, 10));
-  EXPECT_FALSE(report_of<2>(atlas, std::vector<ChartStar<2>>(atlas.size())).holds());
+  const auto report = report_of<2>(atlas, std::vector<ChartStar<2>>(atlas.size()));
+  EXPECT_FALSE(report.holds());
+  EXPECT_EQ(report.edge, 0);
 }
 
 }  // namespace

@@ -13,7 +13,11 @@ TEST(MetricFieldClaims, claim_what_a_certified_run_reaches) {
   std::vector<std::string> reasons;
   const auto claims = sample.claims(reasons);
   EXPECT_EQ(claims.names(), (std::vector<std::string>{"1", "2", "2s", "5"}));
-  EXPECT_EQ(reasons, (std::vector<std::string>{"level 4: not claimed on metric fields"}));
+  ASSERT_EQ(reasons.size(), 1U);
+  EXPECT_TRUE(mentions(reasons[0], "level 4: the metric varies too much in a patch: margin of stability ≥ -"))
+      << reasons[0];
+  ASSERT_TRUE(claims.stability.has_value());
+  EXPECT_LT(claims.stability->value(), Rational(0));
   EXPECT_LE(claims.stars->protection, Rational::exactly(sample.run.margins.protection));
   EXPECT_GE(claims.stars->protection * ratio(1001, 1000), Rational::exactly(sample.run.margins.protection));
   EXPECT_GE(claims.stars->circumradius, Rational::exactly(sample.run.margins.circumradius));
@@ -22,9 +26,45 @@ TEST(MetricFieldClaims, claim_what_a_certified_run_reaches) {
   EXPECT_LT(*claims.reach, sample.atlas.patch_radius());
 }
 
+TEST(MetricFieldClaims, reach_level_4_where_the_metric_varies_little) {
+  for (const auto* sample : {&flat_run(), &nearly_flat_run()}) {
+    ASSERT_TRUE(sample->run.is_certified());
+    std::vector<std::string> reasons;
+    const auto claims = sample->claims(reasons);
+    EXPECT_EQ(claims.names(), (std::vector<std::string>{"1", "2", "2s", "4", "5"}));
+    EXPECT_TRUE(reasons.empty());
+    EXPECT_GT(claims.delaunay->margin, Rational(0));
+    EXPECT_LT(claims.delaunay->margin, claims.stability->value());
+    EXPECT_LT(claims.delaunay->edge, Rational::exactly(sample->measures.triangulation.edge));
+    EXPECT_GT(claims.delaunay->edge * ratio(1001, 1000), Rational::exactly(sample->measures.triangulation.edge));
+    const auto margin =
+        delaunay_margin(Dimension(2), sample->distortion.metric, *claims.stars, claims.delaunay->edge).value();
+    EXPECT_EQ(claims.stability->value(), margin);
+  }
+  EXPECT_LT(flat_run().distortion.metric, Rational::power_of_two(-30));
+  EXPECT_GT(nearly_flat_run().distortion.metric, Rational::power_of_two(-20));
+}
+
+TEST(MetricFieldClaims, do_not_reach_level_4_where_charts_are_distorted_or_do_not_fit) {
+  auto sample = flat_run();
+  const auto reason = [&] {
+    std::vector<std::string> reasons;
+    EXPECT_EQ(sample.claims(reasons, {"1", "2", "4"}).names(), (std::vector<std::string>{"1", "2"}));
+    return reasons.at(0);
+  };
+  sample.distortion.metric = ratio(1, 100);
+  EXPECT_TRUE(mentions(reason(), "margin of stability ≥ -"));
+  sample.distortion.metric = flat_run().distortion.metric;
+  sample.measures.triangulation.other_lifts = 1;
+  EXPECT_EQ(reason(), "level 4: straight simplices do not triangulate the torus");
+}
+
 TEST(MetricFieldClaims, are_no_more_than_what_was_selected) {
   std::vector<std::string> reasons;
   EXPECT_EQ(sheared_run().claims(reasons, {"1", "2"}).names(), (std::vector<std::string>{"1", "2"}));
+  EXPECT_EQ(flat_run().claims(reasons, {"1", "2", "5"}).names(), (std::vector<std::string>{"1", "2", "5"}));
+  EXPECT_EQ(flat_run().claims(reasons, {"2", "4"}).names(), (std::vector<std::string>{"1", "2", "4"}));
+  EXPECT_EQ(flat_run().claims(reasons, {"4"}).names(), std::vector<std::string>{});
   EXPECT_EQ(sheared_run().claims(reasons, {"5"}).names(), std::vector<std::string>{});
   EXPECT_EQ(sheared_run().claims(reasons, {"2", "5"}).names(), (std::vector<std::string>{"1", "2", "5"}));
   EXPECT_TRUE(reasons.empty());

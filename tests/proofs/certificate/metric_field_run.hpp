@@ -18,7 +18,7 @@ struct MetricFieldSample {
 
   [[nodiscard]] MetricFieldClaims claims(std::vector<std::string>& reasons,
                                          const LevelSelection& levels = all_levels()) const {
-    return derive_claims<m>(atlas, parameters, run, measures, levels, reasons);
+    return derive_claims<m>(atlas, parameters, distortion, run, measures, levels, reasons);
   }
   void write(const std::filesystem::path& path, const MetricFieldClaims& some) const {
     write_metric_field_certificate<m>(path, {atlas, distortion, parameters, run.points, run.complex, some});
@@ -50,6 +50,19 @@ MetricFieldSample<m> certified_run(const MetricFieldDescription& description, co
 /// Some 400 points on a sheared torus, made once.
 [[nodiscard]] inline const MetricFieldSample<2>& sheared_run() {
   static const auto run = certified_run<2>(shear(), ratio(1, 20));
+  return run;
+}
+
+/// In a constant metric, made once.
+[[nodiscard]] inline const MetricFieldSample<2>& flat_run() {
+  static const auto run =
+      certified_run<2>(constant_field({{Rational(1), ratio(1, 3)}, {ratio(1, 3), Rational(2)}}), ratio(1, 20));
+  return run;
+}
+
+/// In a metric that varies so little that charts show which simplices are Delaunay for its distance; made once.
+[[nodiscard]] inline const MetricFieldSample<2>& nearly_flat_run() {
+  static const auto run = certified_run<2>(hills(2, ratio(1, 10000)), ratio(1, 20));
   return run;
 }
 

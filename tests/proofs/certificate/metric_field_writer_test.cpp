@@ -59,5 +59,19 @@ TEST(MetricFieldWriter, WritesTheKeysOfTheFormatAndTheReaderReadsThem) {
   EXPECT_EQ(read.levels.size(), 4U);
 }
 
+TEST(MetricFieldWriter, WritesTheMarginsOfLevel4) {
+  const auto& sample = flat_run();
+  const TemporaryFolder folder;
+  std::vector<std::string> reasons;
+  const auto claims = sample.claims(reasons);
+  sample.write(folder / "m.json", claims);
+  const Json json = Json::parse(bytes_of(folder / "m.json"));
+  EXPECT_EQ(keys_of(json["levels"]), (std::vector<std::string>{"1", "2", "2s", "4", "5"}));
+  EXPECT_EQ(keys_of(json["levels"]["4"]), (std::vector<std::string>{"edge", "margin"}));
+  EXPECT_EQ(exact(json["levels"]["4"]["edge"]), claims.delaunay->edge);
+  EXPECT_EQ(exact(json["levels"]["4"]["margin"]), claims.delaunay->margin);
+  EXPECT_EQ(read_certificate(folder / "m.json").levels.size(), 5U);
+}
+
 }  // namespace
 }  // namespace delcert::test
