@@ -10,8 +10,9 @@ std::optional<Rational> derive_reach(const StarStability& stability, double own_
                                      const std::function<bool(const Rational&)>& fits,
                                      std::vector<std::string>& reasons) {
   if (stability.differing > 0) {
-    reasons.push_back("level 2s: " + std::to_string(stability.stars) + " stars are not the same in all charts (" +
-                      std::to_string(stability.differing) + " of " + std::to_string(stability.pairs) + " pairs)");
+    reasons.push_back("level 2s: " + std::to_string(stability.stars) +
+                      " stars are not certified to be the same in all charts (" + std::to_string(stability.differing) +
+                      " of " + std::to_string(stability.pairs) + " pairs)");
     return {};
   }
   const Rational reach = stated_above(std::max(own_reach, stability.margins.reach));

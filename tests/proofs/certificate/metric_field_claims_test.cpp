@@ -79,7 +79,7 @@ TEST(MetricFieldClaims, say_what_is_not_reached) {
   };
   sample.measures.stability.differing = 3;
   sample.measures.stability.stars = 2;
-  EXPECT_TRUE(mentions(reasons_of().at(0), "level 2s: 2 stars are not the same in all charts (3 of "));
+  EXPECT_TRUE(mentions(reasons_of().at(0), "level 2s: 2 stars are not certified to be the same in all charts (3 of "));
   sample.measures = sheared_run().measures;
   sample.measures.stability.margins.reach = 1;
   EXPECT_EQ(reasons_of().at(0), "level 2s: a star does not fit into the patches of its vertices");

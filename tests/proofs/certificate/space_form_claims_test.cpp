@@ -93,7 +93,7 @@ TEST(SpaceFormClaims, are_not_made_where_a_measure_does_not_allow_them) {
   measures.stability.stars = 2;
   Derived derived = derive(run, measures);
   EXPECT_FALSE(derived.claims.reach.has_value());
-  EXPECT_TRUE(derived.has_reason("level 2s: 2 stars are not the same in all charts (3 of "));
+  EXPECT_TRUE(derived.has_reason("level 2s: 2 stars are not certified to be the same in all charts (3 of "));
   measures = on_sphere().measures;
   measures.stability.margins.reach = 1.2;
   derived = derive(run, measures);

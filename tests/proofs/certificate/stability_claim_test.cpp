@@ -32,7 +32,8 @@ TEST(StabilityClaim, is_not_made_of_stars_that_differ) {
   stability.differing = 3;
   std::vector<std::string> reasons;
   EXPECT_FALSE(derive_reach(stability, 0.25, always, reasons));
-  EXPECT_EQ(reasons, std::vector<std::string>{"level 2s: 2 stars are not the same in all charts (3 of 12 pairs)"});
+  EXPECT_EQ(reasons, std::vector<std::string>{
+                         "level 2s: 2 stars are not certified to be the same in all charts (3 of 12 pairs)"});
 }
 
 TEST(StabilityClaim, is_not_made_where_stars_do_not_fit) {
