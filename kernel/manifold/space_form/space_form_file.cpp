@@ -1,10 +1,5 @@
 #include "kernel/manifold/space_form/space_form_file.hpp"
 
-// As in kernel/manifold/manifold_file.cpp: toml++ 3.3.0 asserts what a file can break.
-#undef NDEBUG
-#define TOML_ASSERT(condition) static_cast<void>(0)
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <array>
 #include <fstream>
@@ -13,20 +8,19 @@
 #include "kernel/error.hpp"
 #include "kernel/manifold/space_form/polynomial_text.hpp"
 #include "kernel/manifold/space_form/space_form_families.hpp"
+#include "kernel/manifold/toml_reader.hpp"
 #include "kernel/number/exact_text.hpp"
 
 namespace delcert {
 
 namespace {
 
-using Keys = std::vector<std::string_view>;
-
 constexpr std::array<std::string_view, 5> families{"space-form", "sphere", "projective-space", "lens-space",
                                                    "regular-polygon-surface"};
 
-class SpaceFormReader {
+class SpaceFormReader : TomlReader {
  public:
-  SpaceFormReader(const toml::table& table, const std::string& source) : table_(table), source_(source) {}
+  SpaceFormReader(const toml::table& table, const std::string& source) : TomlReader(table, source) {}
 
   SpaceFormDescription read() const {
     const std::string family = text("family");
@@ -38,22 +32,22 @@ class SpaceFormReader {
  private:
   SpaceFormDescription of_family(const std::string& family) const {
     if (family == "space-form") {
-      allow({"name", "family", "dimension", "curvature", "field", "root", "time", "gram", "generators",
-             "first_homology", "order"});
+      allow(table(), {"name", "family", "dimension", "curvature", "field", "root", "time", "gram", "generators",
+                      "first_homology", "order"});
       return general();
     }
     if (family == "sphere" || family == "projective-space") {
-      allow({"name", "family", "dimension"});
+      allow(table(), {"name", "family", "dimension"});
       const int m = integer("dimension", 2, 3);
       return family == "sphere" ? sphere(m) : projective_space(m);
     }
     if (family == "lens-space") {
-      allow({"name", "family", "p", "q"});
+      allow(table(), {"name", "family", "p", "q"});
       const int p = integer("p", 3, 1000);
       return lens_space(p, integer("q", 1, p - 1));
     }
     if (family == "regular-polygon-surface") {
-      allow({"name", "family", "genus"});
+      allow(table(), {"name", "family", "genus"});
       return regular_polygon_surface(integer("genus", 2, 50));
     }
     fail(node("family"), "key \"family\"",
@@ -65,14 +59,14 @@ class SpaceFormReader {
     const int curvature = integer("curvature", -1, 1);
     const FieldElement::Field field = this->field();
     FieldElement time(curvature);
-    if (table_.contains("time")) time = element(field, node("time"), "key \"time\"");
+    if (table().contains("time")) time = element(field, node("time"), "key \"time\"");
     if (time.sign() != curvature)
       fail(node("time"), "key \"time\"", "a number with the sign of the curvature, " + std::to_string(curvature));
     FieldMatrix gram = FieldMatrix::identity(m);
-    if (table_.contains("gram")) gram = matrix(field, node("gram"), m, "key \"gram\"");
+    if (table().contains("gram")) gram = matrix(field, node("gram"), m, "key \"gram\"");
     SpaceFormDescription result{"", form(time, gram), generators(field, m + 1), {}, {}};
     result.first_homology = text("first_homology");
-    if (table_.contains("order")) result.order = static_cast<std::size_t>(integer("order", 1, 100000));
+    if (table().contains("order")) result.order = static_cast<std::size_t>(integer("order", 1, 100000));
     return result;
   }
 
@@ -85,7 +79,7 @@ class SpaceFormReader {
   }
 
   FieldElement::Field field() const {
-    if (!table_.contains("field")) return nullptr;
+    if (!table().contains("field")) return nullptr;
     const toml::node& node = this->node("field");
     const auto polynomial = of_text(node, "key \"field\"", [](const std::string& x) { return parse_polynomial(x); });
     const toml::node& root = this->node("root");
@@ -113,17 +107,11 @@ class SpaceFormReader {
 
   FieldMatrix matrix(const FieldElement::Field& field, const toml::node& node, std::size_t order,
                      const std::string& what) const {
-    const std::string size = std::to_string(order);
-    const auto* rows = node.as_array();
-    if (rows == nullptr || rows->size() != order) fail(node, what, "an array of " + size + " rows");
     FieldMatrix result(order);
-    for (std::size_t row = 0; row < order; ++row) {
-      const auto* entries = (*rows)[row].as_array();
-      const std::string name = what + ", row " + std::to_string(row + 1);
-      if (entries == nullptr || entries->size() != order) fail((*rows)[row], name, "an array of " + size + " numbers");
-      for (std::size_t column = 0; column < order; ++column)
-        result(row, column) = element(field, (*entries)[column], name + ", entry " + std::to_string(column + 1));
-    }
+    for_each_entry(node, order, what,
+                   [&](std::size_t row, std::size_t column, const toml::node& entry, const std::string& name) {
+                     result(row, column) = element(field, entry, name);
+                   });
     return result;
   }
 
@@ -151,69 +139,12 @@ class SpaceFormReader {
       fail_at(node, what + ": " + error.what());
     }
   }
-
-  const toml::node& node(std::string_view key) const {
-    const toml::node* node = table_.get(key);
-    if (node == nullptr) throw InputError(source_ + ": key \"" + std::string(key) + "\" is missing");
-    return *node;
-  }
-
-  std::string text(std::string_view key) const {
-    const toml::node& node = this->node(key);
-    const auto* value = node.as_string();
-    if (value == nullptr || value->get().empty() || value->get().size() > 64)
-      fail(node, "key \"" + std::string(key) + "\"", "a string of 1 to 64 bytes");
-    return value->get();
-  }
-
-  int integer(std::string_view key, int least, int greatest) const {
-    const toml::node& node = this->node(key);
-    const auto* value = node.as_integer();
-    if (value == nullptr || value->get() < least || value->get() > greatest)
-      fail(node, "key \"" + std::string(key) + "\"",
-           "an integer from " + std::to_string(least) + " to " + std::to_string(greatest));
-    return static_cast<int>(value->get());
-  }
-
-  void allow(const Keys& keys) const {
-    for (const auto& [key, node] : table_) {
-      if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;
-      std::string known;
-      for (const std::string_view name : keys) known += (known.empty() ? "" : ", ") + std::string(name);
-      throw InputError(position(key.source()) + "unknown key \"" + std::string(key.str()) + "\", expected: " + known);
-    }
-  }
-
-  std::string position(const toml::source_region& where) const {
-    return source_ + ":" + std::to_string(where.begin.line) + ":" + std::to_string(where.begin.column) + ": ";
-  }
-  [[noreturn]] void fail_at(const toml::node& node, const std::string& message) const {
-    throw InputError(position(node.source()) + message);
-  }
-  [[noreturn]] void fail(const toml::node& node, const std::string& what, const std::string& expected) const {
-    std::string found = "a value of another type";
-    if (const auto* integer = node.as_integer()) found = std::to_string(integer->get());
-    if (const auto* string = node.as_string()) found = "\"" + string->get().substr(0, 80) + "\"";
-    if (const auto* array = node.as_array()) found = "an array of length " + std::to_string(array->size());
-    if (node.is_floating_point()) found = "a floating-point number, which would be rounded before it is read";
-    fail_at(node, what + ": found " + found + ", expected " + expected);
-  }
-
-  const toml::table& table_;
-  const std::string& source_;
 };
 
 }  // namespace
 
 SpaceFormDescription parse_space_form(std::string_view text, const std::string& source) {
-  try {
-    const toml::table table = toml::parse(text, source);
-    return SpaceFormReader(table, source).read();
-  } catch (const toml::parse_error& error) {
-    const auto& where = error.source().begin;
-    throw InputError(source + ":" + std::to_string(where.line) + ":" + std::to_string(where.column) +
-                     ": not TOML: " + std::string(error.description()));
-  }
+  return read_toml<SpaceFormReader>(text, source);
 }
 
 SpaceFormDescription read_space_form(const std::filesystem::path& path) {
