@@ -94,7 +94,8 @@ nlohmann::ordered_json levels_json(const ChartRunReport& report, const std::vect
     json["homology"] = homology_texts(*manifold);
   }
   json["not_reached"] = report.reasons;
-  json["star_chart_pairs"] = {{"all", stability.pairs}, {"differing", stability.differing}};
+  json["star_chart_pairs"] = {
+      {"all", stability.pairs}, {"differing", stability.differing}, {"stars_differing", stability.stars}};
   return json;
 }
 

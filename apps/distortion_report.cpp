@@ -83,10 +83,10 @@ std::string distortion_text(const SpaceFormDistortion& found) {
 }
 
 nlohmann::ordered_json distortion_json(const SpaceFormDistortion& found) {
-  using Json = nlohmann::ordered_json;
   const TransitionDistortion& transitions = found.transitions;
-  Json json{{"distortion", {{"proved", above(transitions.proved)}, {"at_most", above(transitions.of_pairs.upper)}}},
-            {"metric_distortion", above(found.metric)}};
+  nlohmann::ordered_json json{
+      {"distortion", {{"proved", above(transitions.proved)}, {"at_most", above(transitions.of_pairs.upper)}}},
+      {"metric_distortion", above(found.metric)}};
   json["distortion"]["farthest_pair"] = below(found.farthest);
   json["distortion"]["of_that_pair_at_least"] = below(found.needed);
   if (found.stability) {

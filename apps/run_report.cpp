@@ -66,9 +66,8 @@ std::string report_text(const RunReport& report) {
 }
 
 std::string report_json(const RunReport& report) {
-  using Json = nlohmann::ordered_json;
   const PerturbationParameters& algorithm = report.parameters.algorithm;
-  Json json;
+  nlohmann::ordered_json json;
   json["manifold"] = report.manifold;
   json["mode"] = name_of(report.parameters.mode);
   json["candidates"] = name_of(algorithm.candidates);

@@ -19,6 +19,24 @@ std::string triangulation_line(const SpaceFormClaims& claims, const Rational& un
       decimal_lower(claims.riemannian->thickness), decimal_upper(claims.riemannian->radius / unit));
 }
 
+/// What the theorem of Dyer, Vegter and Wintraecken asks of simplices, and what they are.
+std::string riemannian_text(const RiemannianSimplices& simplices, const Rational& unit) {
+  if (simplices.holds == Verdict::undecided) return "Riemannian   not every star could be measured\n";
+  return fmt::format(
+      "Riemannian   thickness ≥ {} in charts at the points, stars within {} ε; Dyer, Vegter and Wintraecken ask for {} "
+      "ε\n",
+      decimal_lower(Rational::exactly(simplices.thickness)),
+      decimal_upper(Rational::exactly(simplices.star_radius) / unit),
+      decimal_lower(Rational::exactly(simplices.scale) / unit));
+}
+
+nlohmann::ordered_json riemannian_json(const RiemannianSimplices& simplices) {
+  if (simplices.holds == Verdict::undecided) return nullptr;
+  return {{"thickness", exact_text(Rational::exactly(simplices.thickness))},
+          {"star_radius", exact_text(Rational::exactly(simplices.star_radius))},
+          {"most_star_radius", exact_text(Rational::exactly(simplices.scale))}};
+}
+
 std::vector<LevelLine> lines_of(const SpaceFormReport& report) {
   const SpaceFormClaims& claims = report.claims;
   const Rational& unit = report.sampling_radius;
@@ -59,7 +77,8 @@ std::string report_text(const SpaceFormReport& report) {
          perturbation_text(report) + levels_text(report, lines_of(report)) + stability_text(report.measures.stability) +
          fmt::format("hinges       {} of {} not certainly locally Delaunay in the flat metric\n",
                      flat.not_delaunay + flat.undecided, flat.hinges) +
-         distortion_text(report.distortion) + ending_text(report);
+         riemannian_text(report.measures.simplices, report.sampling_radius) + distortion_text(report.distortion) +
+         ending_text(report);
 }
 
 std::string report_json(const SpaceFormReport& report) {
@@ -72,6 +91,7 @@ std::string report_json(const SpaceFormReport& report) {
   json.update(parameters_json(report));
   json.update(levels_json(report, lines_of(report), report.claims.manifold, report.measures.stability));
   json["hinges"] = {{"all", flat.hinges}, {"not_locally_delaunay", flat.not_delaunay}, {"undecided", flat.undecided}};
+  json["riemannian_simplices"] = riemannian_json(report.measures.simplices);
   json.update(distortion_json(report.distortion));
   json.update(ending_json(report));
   return json.dump(2) + "\n";

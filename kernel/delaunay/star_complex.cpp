@@ -32,6 +32,15 @@ std::size_t face_count(const std::vector<LiftedSimplex<m>>& simplices, int count
 
 }  // namespace
 
+std::vector<Label> labels_concerned_by(const std::vector<StarFailure>& failures) {
+  std::vector<Label> result;
+  for (const StarFailure& failure : failures)
+    result.insert(result.end(), failure.concerned.begin(), failure.concerned.end());
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
 template <int m>
 StarComplex<m>::StarComplex(std::vector<LiftedSimplex<m>> simplices, const std::vector<bool>& interior)
     : simplices_(std::move(simplices)), interior_(interior), first_(interior.size() + 1, 0) {

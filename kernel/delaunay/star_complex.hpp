@@ -15,6 +15,9 @@ struct StarFailure {
   std::vector<Label> concerned;  ///< the points that it lies with
 };
 
+/// All points that failures lie with, each once, in increasing order.
+[[nodiscard]] std::vector<Label> labels_concerned_by(const std::vector<StarFailure>& failures);
+
 /// What is certified of all simplices together: lengths, not multiples of ε.
 struct StarMargins {
   Rational protection;    ///< δ > 0: every simplex is δ-protected

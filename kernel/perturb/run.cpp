@@ -17,16 +17,6 @@ StarComplex<m> stars_of(const FlatAtlas<m>& atlas, const PointSet<m>& points, co
   return StarComplex<m>(std::move(simplices), interior);
 }
 
-std::vector<Label> concerned_by(const std::vector<StarFailure>& failures) {
-  std::vector<Label> result;
-  for (const StarFailure& failure : failures) {
-    result.insert(result.end(), failure.concerned.begin(), failure.concerned.end());
-  }
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
-}
-
 }  // namespace
 
 template <int m>
@@ -52,7 +42,7 @@ RunResult<m> run_algorithm(const FlatAtlas<m>& atlas, const PerturbationParamete
     }
     std::vector<StarFailure> failures = protection.failures;
     failures.insert(failures.end(), combinatorial.begin(), combinatorial.end());
-    const std::vector<Label> labels = concerned_by(failures);
+    const std::vector<Label> labels = labels_concerned_by(failures);
     repaired += labels.size();
     perturbation.place_anew(labels, progress);
   }

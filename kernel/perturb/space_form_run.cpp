@@ -10,16 +10,6 @@ namespace delcert {
 
 namespace {
 
-std::vector<Label> concerned_by(const std::vector<StarFailure>& failures) {
-  std::vector<Label> result;
-  for (const StarFailure& failure : failures) {
-    result.insert(result.end(), failure.concerned.begin(), failure.concerned.end());
-  }
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
-}
-
 /// The stars of all labels, kept up to date while points move.
 template <int m>
 class Stars {
@@ -139,7 +129,7 @@ SpaceFormRun<m> run_on_space_form(const Atlas<m>& atlas, const ModelGeometry& ge
       model = check_model_delaunay<m>(atlas, perturbation.points(), geometry, complex, progress);
       all = model.failures;
     }
-    const auto labels = concerned_by(all);
+    const auto labels = labels_concerned_by(all);
     if (labels.empty() || !request.perturb || round == request.most_repair_rounds) {
       return {perturbation.points(),
               std::move(complex),

@@ -8,6 +8,7 @@
 #include "kernel/manifold/space_form/model_space.hpp"
 #include "kernel/number/plain_double.hpp"
 #include "kernel/number/rounding_guard.hpp"
+#include "kernel/sample/net_grid.hpp"
 #include "kernel/sample/spatial_order.hpp"
 
 namespace delcert {
@@ -15,8 +16,6 @@ namespace delcert {
 namespace {
 
 using Direction = std::array<double, 3>;
-
-constexpr double grid_step = 0x1p-48;
 
 /// Corners: (0, ±1, ±φ), (±1, ±φ, 0), (±φ, 0, ±1).
 std::array<Direction, 12> corners() {
@@ -60,7 +59,7 @@ Vector<double, 2> turned_coordinates(const Direction& x) {
   const auto conformal = conformal_coordinates<PlainDouble, 2>(applied(rotation, point));
   Vector<double, 2> result;
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    result[axis] = std::nearbyint(conformal[axis].lower() / grid_step) * grid_step;
+    result[axis] = on_net_grid(conformal[axis].lower());
   }
   return result;
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "kernel/error.hpp"
+#include "kernel/sample/net_grid.hpp"
 #include "kernel/sample/spatial_order.hpp"
 #include "kernel/sample/voronoi_cells.hpp"
 
@@ -12,8 +13,6 @@ namespace delcert {
 
 namespace {
 
-/// Coordinates are multiples of this, so that they are exact doubles after any translation that occurs.
-constexpr double grid_step = 0x1p-48;
 constexpr std::uint32_t batch = 4096;
 /// Darts are thrown until fewer than one in this many lands.
 constexpr std::uint32_t worth_throwing = 20;
@@ -131,7 +130,7 @@ class MetricFieldSampling {
 
   [[nodiscard]] static Vector<double, m> on_grid(Vector<double, m> x) {
     for (double& coordinate : x) {
-      coordinate = std::nearbyint(coordinate / grid_step) * grid_step;
+      coordinate = on_net_grid(coordinate);
       coordinate -= std::floor(coordinate);
     }
     return x;

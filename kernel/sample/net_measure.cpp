@@ -9,16 +9,16 @@
 #include "kernel/error.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "kernel/sample/counter_random.hpp"
+#include "kernel/sample/net_grid.hpp"
 #include "kernel/simplex/dimensions.hpp"
 
 namespace delcert {
 
 namespace {
 
+/// Displaced coordinates are on the grid of nets: in a Cartesian frame cospherical points are then triangulated the
+/// same way in every copy, in others nearly always.
 constexpr double jitter = 0x1p-32;
-/// Displaced coordinates are multiples of this, so that they stay exact doubles after any translation that occurs: in a
-/// Cartesian frame cospherical points are then triangulated the same way in every copy, in others nearly always.
-constexpr double grid_step = 0x1p-48;
 constexpr std::uint32_t most_displacements = 4;
 constexpr long separation_exponent = -20;
 /// ε is rounded up to this many binary digits: far less than the 0.1 % that it may exceed the covering radius by.
@@ -30,7 +30,7 @@ std::vector<Vector<double, m>> jittered(const PointSet<m>& net, std::uint32_t at
   for (std::uint32_t index = 0; index < points.size(); ++index) {
     CounterRandom random(0, RandomPurpose::jitter, index, attempt);
     for (double& coordinate : points[index]) {
-      coordinate = std::nearbyint((coordinate + jitter * (2 * random.next_unit() - 1)) / grid_step) * grid_step;
+      coordinate = on_net_grid(coordinate + jitter * (2 * random.next_unit() - 1));
     }
   }
   return points;

@@ -7,14 +7,13 @@
 #include "kernel/delaunay/proposal.hpp"
 #include "kernel/error.hpp"
 #include "kernel/sample/counter_random.hpp"
+#include "kernel/sample/net_grid.hpp"
 #include "kernel/simplex/dimensions.hpp"
 
 namespace delcert {
 
 namespace {
 
-/// Coordinates are multiples of this, so that they are exact doubles after any translation that occurs.
-constexpr double grid_step = 0x1p-48;
 /// A gap counts when it exceeds the radius by this factor: more than the slack of `approximately_occupied`, so that
 /// its centre can be inserted.
 constexpr double clearance = 1 + 0x1p-28;
@@ -120,7 +119,7 @@ class Sampler {
 
   void insert_if_free(Vector<double, m> x) {
     for (double& coordinate : x) {
-      coordinate = std::nearbyint(coordinate / grid_step) * grid_step;
+      coordinate = on_net_grid(coordinate);
       if (space_.is_torus()) coordinate -= std::floor(coordinate);
     }
     if (!is_sampled(x)) return;

@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include "kernel/number/rounding_guard.hpp"
+#include "kernel/sample/net_grid.hpp"
 
 namespace delcert {
 
 namespace {
 
-constexpr double grid_step = 0x1p-48;
 /// A lift is taken for nearer if it is by more than what rounding may do.
 constexpr double nearer = 0x1p-40;
 
@@ -101,7 +101,7 @@ Vector<double, m> SpaceFormDomain<m>::reduced(Point x) const {
   const auto coordinates = conformal_coordinates<PlainDouble, m>(x);
   Vector<double, m> result;
   for (std::size_t axis = 0; axis < m; ++axis) {
-    result[axis] = std::nearbyint(coordinates[axis].lower() / grid_step) * grid_step;
+    result[axis] = on_net_grid(coordinates[axis].lower());
   }
   return result;
 }

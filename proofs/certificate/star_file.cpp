@@ -9,7 +9,7 @@ namespace delcert {
 
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 /// The value of this key of the whole, as the only one that is kept.
 Json only(const char* key, const std::string& text) {

@@ -5,7 +5,7 @@
 namespace delcert::checker {
 namespace {
 
-constexpr std::size_t limit = 2000;
+constexpr std::size_t most_elements = 2000;
 
 Ball pi() {
   Ball result;
@@ -35,7 +35,7 @@ Group spherical_group(const SpaceForm& form, Report& report) {
   const FieldMatrix identity = FieldMatrix::identity(form.m + 1);
   Group group{{identity}, ""};
   std::set<FieldMatrix> known{identity};
-  for (std::size_t at = 0; at < group.elements.size() && known.size() <= limit; ++at) {
+  for (std::size_t at = 0; at < group.elements.size() && known.size() <= most_elements; ++at) {
     for (const FieldMatrix& generator : form.generators) {
       const FieldMatrix product = group.elements[at] * generator;
       if (known.insert(product).second) group.elements.push_back(product);
@@ -51,7 +51,8 @@ Group spherical_group(const SpaceForm& form, Report& report) {
     });
   }
   // Of infinitely many some move points very little: that is found first.
-  if (known.size() > limit && report.findings.empty()) throw Undecided("the group has too many elements to look at");
+  if (known.size() > most_elements && report.findings.empty())
+    throw Undecided("the group has too many elements to look at");
   group.summary = "a finite group of order " + std::to_string(known.size());
   return group;
 }

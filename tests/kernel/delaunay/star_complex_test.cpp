@@ -33,6 +33,12 @@ std::vector<LiftedSimplex<m>> torus_simplices(const FlatSpace<m>& space, std::si
   return propose_delaunay<m>(space, approximate_all<m>(random_points<m>(count, 1, 20)), 0.2);
 }
 
+TEST(StarFailures, concern_each_label_once) {
+  const std::vector<StarFailure> failures{{Label(3), "", {Label(5), Label(3)}}, {Label(1), "", {Label(3), Label(2)}}};
+  EXPECT_EQ(labels_concerned_by(failures), (std::vector<Label>{Label(2), Label(3), Label(5)}));
+  EXPECT_TRUE(labels_concerned_by({}).empty());
+}
+
 TEST(StarComplex, has_the_stars_of_its_labels) {
   const auto simplices = torus_simplices<2>(hexagonal_torus(), 40);
   const StarComplex<2> complex(simplices, std::vector<bool>(40, true));
