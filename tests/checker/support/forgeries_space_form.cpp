@@ -134,13 +134,14 @@ std::vector<Forgery> forgeries_of_stars() {
 /// What charts do to distances, stated a little too well.
 std::vector<Forgery> forgeries_of_distortion() {
   std::vector<Forgery> result;
-  for (const auto& [name, sample] : {std::pair("the sphere", icosphere()),
-                                     {"the projective plane", projective_plane()},
-                                     {"the Bolza surface", bolza_surface()}}) {
+  for (const auto& of : {std::pair("the sphere", icosphere()),
+                         {"the projective plane", projective_plane()},
+                         {"the Bolza surface", bolza_surface()}}) {
+    const SpaceFormSample& sample = of.second;
     const auto forge = [&](const std::string& rule, const std::string& key, double value) {
       Json document = sample.document();
       document["levels"]["0"][key] = at_most(value / 1.003).text();
-      result.push_back({"charts of " + std::string(name) + " better than they are", rule, sealed(document)});
+      result.push_back({"charts of " + std::string(of.first) + " better than they are", rule, sealed(document)});
     };
     forge("0.distortion", "distortion", transition_distortion(sample.model));
     forge("0.metric-distortion", "metric_distortion", metric_distortion(sample.model));
