@@ -17,7 +17,7 @@ void BoxIndex<m>::fill(const std::vector<Vector<Filter, m>>& points) {
       entry.lower[axis] = point[axis].lower();
       entry.upper[axis] = point[axis].upper();
     }
-    widest = maximum(widest, Filter::exactly(entry.upper[0]) - Filter::exactly(entry.lower[0]));
+    widest = maximum(widest, point[0] - point[0]);
     entries_.push_back(entry);
   }
   widest_ = widest.upper();
@@ -30,7 +30,7 @@ template <int m>
 void BoxIndex<m>::meeting(const Vector<double, m>& lowest, const Vector<double, m>& highest,
                           std::vector<std::uint32_t>& out) const {
   out.clear();
-  const double first = (Filter::exactly(lowest[0]) - Filter::exactly(widest_)).lower();
+  const double first = (Filter::between(lowest[0], lowest[0]) - Filter::between(widest_, widest_)).lower();
   auto entry = std::lower_bound(entries_.begin(), entries_.end(), first,
                                 [](const Entry& one, double bound) { return one.lower[0] < bound; });
   for (; entry != entries_.end() && !(entry->lower[0] > highest[0]); ++entry) {
