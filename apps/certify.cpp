@@ -13,15 +13,15 @@
 #include "apps/progress_line.hpp"
 #include "apps/report_parts.hpp"
 #include "apps/run_report.hpp"
-#include "kernel/error.hpp"
 #include "kernel/manifold/manifold_file.hpp"
-#include "kernel/manifold/metric_field/metric_field_file.hpp"
-#include "kernel/manifold/space_form/space_form_file.hpp"
+#include "kernel/manifold/metric_field_file.hpp"
+#include "kernel/manifold/space_form_file.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "kernel/parallel/threads.hpp"
 #include "kernel/sample/net_measure.hpp"
 #include "kernel/simplex/dimensions.hpp"
 #include "proofs/certificate/writer.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -9,9 +9,9 @@
 #include "apps/metric_field_report.hpp"
 #include "apps/progress_line.hpp"
 #include "apps/report_parts.hpp"
-#include "kernel/error.hpp"
 #include "kernel/sample/metric_field_separation.hpp"
 #include "proofs/certificate/metric_field_writer.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 
@@ -46,7 +46,7 @@ ExitStatus certify(const CertifyOptions& options, const MetricFieldDescription& 
   RunRequest request = run_request(options, atlas.sampling_radius());
   request.certify_model = false;
   const ModelGeometry geometry = geometry_of<m>(atlas, report.distortion);
-  const SpaceFormRun<m> run = run_on_space_form<m>(atlas, geometry, report.parameters.algorithm, request, progress);
+  const ChartRun<m> run = run_in_charts<m>(atlas, geometry, report.parameters.algorithm, request, progress);
   line.clear();
   require_certified<m>(run);
 

@@ -2,7 +2,7 @@
 
 #include "apps/certify_options.hpp"
 #include "apps/exit_status.hpp"
-#include "kernel/manifold/metric_field/metric_field.hpp"
+#include "kernel/manifold/gluing/metric_field.hpp"
 
 namespace delcert {
 

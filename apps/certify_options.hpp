@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "apps/net_source.hpp"
-#include "kernel/delaunay/star_complex.hpp"
+#include "kernel/stars/star_complex.hpp"
 #include "proofs/certificate/claims.hpp"
 #include "proofs/certificate/run_parameters.hpp"
 

@@ -9,10 +9,10 @@
 #include "apps/progress_line.hpp"
 #include "apps/report_parts.hpp"
 #include "apps/space_form_report.hpp"
-#include "kernel/error.hpp"
-#include "kernel/manifold/space_form/patch_size.hpp"
+#include "kernel/manifold/quotient/patch_size.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "kernel/sample/space_form_separation.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 
@@ -43,7 +43,7 @@ ExitStatus certify(const CertifyOptions& options, SpaceForm form, ProgressLine& 
   report.parameters = measured_run_parameters(options, Dimension(m), separation);
 
   const RunRequest request = run_request(options, sampling_radius);
-  const SpaceFormRun<m> run = run_on_space_form<m>(atlas, report.parameters.algorithm, request, progress);
+  const ChartRun<m> run = run_in_charts<m>(atlas, report.parameters.algorithm, request, progress);
   line.clear();
   require_certified<m>(run);
 

@@ -2,7 +2,7 @@
 
 #include "apps/certify_options.hpp"
 #include "apps/exit_status.hpp"
-#include "kernel/manifold/space_form/space_form.hpp"
+#include "kernel/manifold/quotient/space_form.hpp"
 
 namespace delcert {
 

@@ -1,6 +1,6 @@
 #include "apps/chart_run.hpp"
 
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 
@@ -24,7 +24,7 @@ RunRequest run_request(const CertifyOptions& options, const Rational& sampling_r
 }
 
 template <int m>
-void require_certified(const SpaceFormRun<m>& run) {
+void require_certified(const ChartRun<m>& run) {
   if (run.is_certified()) return;
   std::vector<StarFailure> failures = run.star_failures;
   failures.insert(failures.end(), run.agreement.failures.begin(), run.agreement.failures.end());
@@ -32,7 +32,7 @@ void require_certified(const SpaceFormRun<m>& run) {
   throw Rejection(star_failures_text(failures, run.repair_rounds) + disagreement_text(run.agreement.labels));
 }
 
-template void require_certified<2>(const SpaceFormRun<2>&);
-template void require_certified<3>(const SpaceFormRun<3>&);
+template void require_certified<2>(const ChartRun<2>&);
+template void require_certified<3>(const ChartRun<3>&);
 
 }  // namespace delcert

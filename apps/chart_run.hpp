@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/certify_options.hpp"
-#include "kernel/perturb/space_form_run.hpp"
+#include "kernel/run/chart_run.hpp"
 
 namespace delcert {
 
@@ -16,6 +16,6 @@ namespace delcert {
 
 /// Throws Rejection, which names the stars that failed, unless everything that was asked for is certified.
 template <int m>
-void require_certified(const SpaceFormRun<m>& run);
+void require_certified(const ChartRun<m>& run);
 
 }  // namespace delcert

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "apps/stage_clock.hpp"
-#include "kernel/delaunay/stable_stars.hpp"
-#include "kernel/perturb/space_form_run.hpp"
+#include "kernel/run/chart_run.hpp"
+#include "kernel/stars/stable_stars.hpp"
 #include "proofs/certificate/claims.hpp"
 #include "proofs/certificate/run_parameters.hpp"
 
@@ -31,7 +31,7 @@ struct ChartRunReport {
   std::string certificate;  ///< the file
 
   template <int m>
-  void take(const SpaceFormRun<m>& run) {
+  void take(const ChartRun<m>& run) {
     simplices = run.complex.simplices().size();
     statistics = run.statistics;
     repair_rounds = run.repair_rounds;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/text_table.hpp"
+#include "kernel/number/decimal_bounds.hpp"
 #include "kernel/number/exact_text.hpp"
-#include "proofs/constants/decimal_bounds.hpp"
 
 namespace delcert {
 

@@ -4,7 +4,7 @@
 #include <new>
 
 #include "apps/interruption.hpp"
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

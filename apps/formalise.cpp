@@ -6,9 +6,9 @@
 
 #include "apps/claim_options.hpp"
 #include "apps/commands.hpp"
-#include "kernel/error.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "proofs/formal/step_lemma.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.hpp"
-#include "proofs/certificate/atomic_file.hpp"
 #include "proofs/certificate/picture.hpp"
 #include "proofs/certificate/reader.hpp"
+#include "support/atomic_file.hpp"
 
 namespace delcert {
 

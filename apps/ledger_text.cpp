@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/text_table.hpp"
+#include "kernel/number/decimal_bounds.hpp"
 #include "kernel/number/exact_text.hpp"
-#include "proofs/constants/decimal_bounds.hpp"
 #include "proofs/constants/ledger_entries.hpp"
 
 namespace delcert {

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "apps/metric_field_net.hpp"
-#include "kernel/error.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "kernel/sample/point_file.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "apps/net_source.hpp"
-#include "kernel/manifold/metric_field/metric_field_atlas.hpp"
+#include "kernel/manifold/gluing/metric_field_atlas.hpp"
 
 namespace delcert {
 

@@ -1,13 +1,13 @@
 #include "apps/net_source.hpp"
 
 #include "apps/exact_option.hpp"
-#include "kernel/error.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "kernel/sample/icosphere.hpp"
 #include "kernel/sample/point_file.hpp"
 #include "kernel/sample/poisson_disk.hpp"
 #include "kernel/sample/space_form_net.hpp"
 #include "kernel/simplex/dimensions.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

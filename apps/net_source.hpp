@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "kernel/manifold/flat_space.hpp"
-#include "kernel/manifold/space_form/space_form.hpp"
-#include "kernel/progress.hpp"
+#include "kernel/manifold/quotient/space_form.hpp"
 #include "kernel/sample/lattice_net.hpp"
+#include "support/progress.hpp"
 
 namespace delcert {
 

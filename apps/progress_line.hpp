@@ -5,7 +5,7 @@
 #include <ostream>
 #include <string>
 
-#include "kernel/progress.hpp"
+#include "support/progress.hpp"
 
 namespace delcert {
 

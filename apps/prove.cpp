@@ -10,9 +10,9 @@
 #include "apps/claim_options.hpp"
 #include "apps/commands.hpp"
 #include "apps/proof_report.hpp"
-#include "kernel/error.hpp"
-#include "proofs/certificate/atomic_file.hpp"
 #include "proofs/prover/proof_log.hpp"
+#include "support/atomic_file.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -9,10 +9,10 @@
 #include "apps/net_source.hpp"
 #include "apps/progress_line.hpp"
 #include "kernel/manifold/manifold_file.hpp"
-#include "kernel/manifold/metric_field/metric_field_file.hpp"
-#include "kernel/manifold/space_form/patch_size.hpp"
-#include "kernel/manifold/space_form/space_form_atlas.hpp"
-#include "kernel/manifold/space_form/space_form_file.hpp"
+#include "kernel/manifold/metric_field_file.hpp"
+#include "kernel/manifold/quotient/patch_size.hpp"
+#include "kernel/manifold/quotient/space_form_atlas.hpp"
+#include "kernel/manifold/space_form_file.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "kernel/sample/metric_field_separation.hpp"
 #include "kernel/sample/net_measure.hpp"
@@ -20,7 +20,7 @@
 #include "kernel/sample/space_form_net.hpp"
 #include "kernel/sample/space_form_separation.hpp"
 #include "kernel/simplex/dimensions.hpp"
-#include "proofs/certificate/atomic_file.hpp"
+#include "support/atomic_file.hpp"
 
 namespace delcert {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "kernel/number/ladder.hpp"
-#include "kernel/progress.hpp"
+#include "support/progress.hpp"
 
 namespace delcert {
 

@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "apps/commands.hpp"
-#include "kernel/error.hpp"
 #include "proofs/tables/constant_table.hpp"
 #include "properties/attack/attempt.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

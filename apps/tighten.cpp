@@ -12,10 +12,10 @@
 #include "apps/commands.hpp"
 #include "apps/interruption.hpp"
 #include "apps/progress_line.hpp"
-#include "kernel/error.hpp"
-#include "proofs/certificate/atomic_file.hpp"
 #include "properties/attack/search_plan.hpp"
 #include "properties/attack/twins.hpp"
+#include "support/atomic_file.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

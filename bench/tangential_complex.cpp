@@ -13,13 +13,13 @@
 #include <iostream>
 #include <string>
 
-#include "kernel/delaunay/stable_stars.hpp"
-#include "kernel/error.hpp"
-#include "kernel/manifold/space_form/patch_size.hpp"
-#include "kernel/manifold/space_form/space_form_file.hpp"
+#include "kernel/manifold/quotient/patch_size.hpp"
+#include "kernel/manifold/space_form_file.hpp"
 #include "kernel/number/exact_text.hpp"
-#include "kernel/perturb/space_form_run.hpp"
+#include "kernel/run/chart_run.hpp"
 #include "kernel/sample/space_form_net.hpp"
+#include "kernel/stars/stable_stars.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 namespace {
@@ -79,10 +79,10 @@ void compare(const SpaceForm& form, const Rational& radius) {
   RunRequest raw;
   raw.perturb = false;
   const auto parameters = measured_parameters(Dimension(m), 1);
-  const auto before = run_on_space_form<m>(atlas, parameters, raw, no_progress());
+  const auto before = run_in_charts<m>(atlas, parameters, raw, no_progress());
   line("stars of the net, each certified in its chart", clock.lap(),
        fmt::format("{} simplices missing in a star", before.agreement.missing));
-  const auto run = run_on_space_form<m>(atlas, parameters, {}, no_progress());
+  const auto run = run_in_charts<m>(atlas, parameters, {}, no_progress());
   line("perturbed, certified on levels 1, 2, 4", clock.lap(), run.is_certified() ? "certified" : "not certified");
   const auto stability = check_stability<m>(atlas, run.points, geometry_of(atlas), run.complex, no_progress());
   line("level 2s", clock.lap(), fmt::format("{} of {} pairs differ", stability.differing, stability.pairs));

@@ -4,15 +4,16 @@ include(CMakePackageConfigHelpers)
 set(DELCERT_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/delcert)
 
 set_target_properties(delcert_rigour PROPERTIES EXPORT_NAME rigour)
+set_target_properties(delcert_support PROPERTIES EXPORT_NAME support)
 set_target_properties(delcert_kernel PROPERTIES EXPORT_NAME kernel)
 set_target_properties(delcert_proofs PROPERTIES EXPORT_NAME proofs)
 set_target_properties(delcert_properties PROPERTIES EXPORT_NAME properties)
-install(TARGETS delcert_rigour delcert_kernel delcert_proofs delcert_properties EXPORT delcert
+install(TARGETS delcert_rigour delcert_support delcert_kernel delcert_proofs delcert_properties EXPORT delcert
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS delcert delcert-check delcert-replay RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 
 # Below include/delcert/, so that consumers write the same includes as we do.
-foreach(folder kernel proofs/constants proofs/certificate proofs/formula proofs/prover properties/instances properties/attack)
+foreach(folder support kernel proofs/constants proofs/certificate proofs/formula proofs/prover properties/instances properties/attack)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/delcert/${folder}
     FILES_MATCHING PATTERN "*.hpp")
 endforeach()

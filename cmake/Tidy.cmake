@@ -28,7 +28,7 @@ add_custom_command(OUTPUT ${commands}
 '${PROJECT_BINARY_DIR}/compile_commands.json' >'${commands}'"
   DEPENDS ${PROJECT_BINARY_DIR}/compile_commands.json VERBATIM)
 set(stamps)
-foreach(folder kernel proofs properties apps)
+foreach(folder support kernel proofs properties apps)
   delcert_targets_below(${PROJECT_SOURCE_DIR}/${folder} targets)
   foreach(target IN LISTS targets)
     get_target_property(type ${target} TYPE)

@@ -4,10 +4,10 @@
 # Sources that are tested under another name, and why. Each line: stem, reason. A stem that has a twin must not
 # stand here.
 set(DELCERT_TWIN_EXEMPTIONS
-  "kernel/error" "exception types without behaviour of their own"
-  "kernel/progress" "the type of a callback without behaviour of its own"
-  "kernel/manifold/toml_reader" "tested through the readers of space forms and of metric fields"
-  "kernel/manifold/atlas" "an interface, tested through flat_atlas"
+  "support/error" "exception types without behaviour of their own"
+  "support/progress" "the type of a callback without behaviour of its own"
+  "support/toml_reader" "tested through the readers of space forms and of metric fields"
+  "kernel/chart/atlas" "an interface, tested through flat_atlas"
   "proofs/formula/builtin_claims" "a declaration of what is generated, read in tests/proofs/formula/claim_test.cpp"
   "proofs/errata/builtin_errata" "a declaration of what is generated, read in tests/proofs/errata/erratum_test.cpp"
   "proofs/replay/main" "the program itself, run in tests/cli/prove.cmake"
@@ -32,7 +32,7 @@ function(delcert_twin_complaints root exemptions result)
     set(on_change)
   endif()
   set(stems)
-  foreach(folder kernel proofs/constants proofs/certificate proofs/formal proofs/formula proofs/prover proofs/replay proofs/errata proofs/tables
+  foreach(folder support kernel proofs/constants proofs/certificate proofs/formal proofs/formula proofs/prover proofs/replay proofs/errata proofs/tables
       properties/instances properties/attack)
     file(GLOB_RECURSE sources ${on_change} RELATIVE ${root} ${root}/${folder}/*.hpp ${root}/${folder}/*.cpp)
     file(GLOB_RECURSE tests ${on_change} RELATIVE ${root}/tests ${root}/tests/${folder}/*_test.cpp)

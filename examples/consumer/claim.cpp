@@ -2,9 +2,9 @@
 
 #include <iostream>
 
-#include "kernel/progress.hpp"
 #include "properties/attack/tally.hpp"
 #include "properties/attack/twins.hpp"
+#include "support/progress.hpp"
 
 namespace {
 

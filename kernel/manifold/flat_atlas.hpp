@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "kernel/manifold/atlas.hpp"
+#include "kernel/chart/atlas.hpp"
 
 namespace delcert {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "kernel/error.hpp"
 #include "kernel/simplex/dimensions.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "kernel/manifold/point_grid.hpp"
+#include "kernel/chart/point_grid.hpp"
 
 namespace delcert {
 

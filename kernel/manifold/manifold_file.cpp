@@ -14,11 +14,11 @@
 #include <sstream>
 #include <system_error>
 
-#include "kernel/error.hpp"
 #include "kernel/manifold/builtin_manifolds.hpp"
-#include "kernel/manifold/metric_field/metric_field_file.hpp"
-#include "kernel/manifold/space_form/space_form_file.hpp"
+#include "kernel/manifold/metric_field_file.hpp"
+#include "kernel/manifold/space_form_file.hpp"
 #include "kernel/number/exact_text.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "kernel/error.hpp"
 #include "kernel/number/scalar.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

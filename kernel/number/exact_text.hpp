@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "kernel/error.hpp"
 #include "kernel/number/rational.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

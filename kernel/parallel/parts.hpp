@@ -13,7 +13,7 @@
 #include "kernel/number/ladder.hpp"
 #include "kernel/number/nearest_rounding.hpp"
 #include "kernel/parallel/threads.hpp"
-#include "kernel/progress.hpp"
+#include "support/progress.hpp"
 
 namespace delcert {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "kernel/manifold/atlas.hpp"
-#include "kernel/progress.hpp"
+#include "kernel/chart/atlas.hpp"
+#include "support/progress.hpp"
 
 namespace delcert {
 

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/manifold/atlas.hpp"
-#include "kernel/progress.hpp"
+#include "kernel/chart/atlas.hpp"
 #include "kernel/simplex/forbidden_configuration.hpp"
+#include "support/progress.hpp"
 
 namespace delcert {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "kernel/manifold/atlas.hpp"
-#include "kernel/sample/counter_random.hpp"
+#include "kernel/chart/atlas.hpp"
+#include "kernel/random/counter_random.hpp"
 
 namespace delcert {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "kernel/manifold/atlas.hpp"
+#include "kernel/chart/atlas.hpp"
 
 namespace delcert {
 

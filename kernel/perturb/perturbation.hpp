@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "kernel/perturb/placement.hpp"
-#include "kernel/progress.hpp"
+#include "support/progress.hpp"
 
 namespace delcert {
 

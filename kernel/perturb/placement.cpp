@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <string>
 
-#include "kernel/error.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "kernel/simplex/dimensions.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

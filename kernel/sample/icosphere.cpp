@@ -4,12 +4,12 @@
 #include <cmath>
 #include <string>
 
-#include "kernel/error.hpp"
-#include "kernel/manifold/space_form/model_space.hpp"
+#include "kernel/chart/model_space.hpp"
+#include "kernel/chart/net_grid.hpp"
 #include "kernel/number/plain_double.hpp"
 #include "kernel/number/rounding_guard.hpp"
-#include "kernel/sample/net_grid.hpp"
 #include "kernel/sample/spatial_order.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "kernel/error.hpp"
-#include "kernel/sample/counter_random.hpp"
+#include "kernel/random/counter_random.hpp"
 #include "kernel/simplex/dimensions.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

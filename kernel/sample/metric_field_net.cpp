@@ -4,10 +4,10 @@
 #include <cmath>
 #include <string>
 
-#include "kernel/error.hpp"
-#include "kernel/sample/net_grid.hpp"
+#include "kernel/chart/net_grid.hpp"
 #include "kernel/sample/spatial_order.hpp"
 #include "kernel/sample/voronoi_cells.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "kernel/manifold/metric_field/metric_field_atlas.hpp"
-#include "kernel/progress.hpp"
+#include "kernel/manifold/gluing/metric_field_atlas.hpp"
+#include "support/progress.hpp"
 
 namespace delcert {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

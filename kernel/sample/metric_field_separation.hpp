@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernel/manifold/metric_field/metric_field_atlas.hpp"
+#include "kernel/manifold/gluing/metric_field_atlas.hpp"
 
 namespace delcert {
 

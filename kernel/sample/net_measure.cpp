@@ -4,13 +4,13 @@
 #include <cmath>
 #include <limits>
 
-#include "kernel/delaunay/approximate_sphere.hpp"
-#include "kernel/delaunay/covering.hpp"
-#include "kernel/error.hpp"
+#include "kernel/chart/net_grid.hpp"
 #include "kernel/number/exact_text.hpp"
-#include "kernel/sample/counter_random.hpp"
-#include "kernel/sample/net_grid.hpp"
+#include "kernel/random/counter_random.hpp"
+#include "kernel/sample/covering.hpp"
 #include "kernel/simplex/dimensions.hpp"
+#include "kernel/stars/approximate_sphere.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/delaunay/proposal.hpp"
 #include "kernel/manifold/flat_atlas.hpp"
-#include "kernel/progress.hpp"
+#include "kernel/stars/proposal.hpp"
+#include "support/progress.hpp"
 
 namespace delcert {
 

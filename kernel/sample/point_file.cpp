@@ -5,8 +5,8 @@
 #include <iterator>
 #include <system_error>
 
-#include "kernel/error.hpp"
 #include "kernel/number/exact_text.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

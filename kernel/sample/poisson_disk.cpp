@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/delaunay/approximate_sphere.hpp"
-#include "kernel/delaunay/proposal.hpp"
-#include "kernel/error.hpp"
-#include "kernel/sample/counter_random.hpp"
-#include "kernel/sample/net_grid.hpp"
+#include "kernel/chart/net_grid.hpp"
+#include "kernel/random/counter_random.hpp"
 #include "kernel/simplex/dimensions.hpp"
+#include "kernel/stars/approximate_sphere.hpp"
+#include "kernel/stars/proposal.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "kernel/manifold/flat_atlas.hpp"
-#include "kernel/progress.hpp"
+#include "support/progress.hpp"
 
 namespace delcert {
 

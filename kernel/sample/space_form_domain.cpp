@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "kernel/chart/net_grid.hpp"
 #include "kernel/number/rounding_guard.hpp"
-#include "kernel/sample/net_grid.hpp"
 
 namespace delcert {
 

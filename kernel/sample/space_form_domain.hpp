@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "kernel/manifold/space_form/frame.hpp"
-#include "kernel/manifold/space_form/group_lifts.hpp"
+#include "kernel/manifold/quotient/frame.hpp"
+#include "kernel/manifold/quotient/group_lifts.hpp"
 #include "kernel/number/plain_double.hpp"
-#include "kernel/sample/counter_random.hpp"
+#include "kernel/random/counter_random.hpp"
 
 namespace delcert {
 

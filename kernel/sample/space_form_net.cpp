@@ -4,8 +4,8 @@
 #include <limits>
 #include <string>
 
-#include "kernel/error.hpp"
 #include "kernel/sample/voronoi_cells.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "kernel/progress.hpp"
 #include "kernel/sample/space_form_points.hpp"
+#include "support/progress.hpp"
 
 namespace delcert {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
-#include "kernel/error.hpp"
 #include "kernel/number/rounding_guard.hpp"
 #include "kernel/sample/spatial_order.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

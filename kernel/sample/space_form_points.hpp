@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "kernel/manifold/space_form/lift_grid.hpp"
+#include "kernel/chart/lift_grid.hpp"
 #include "kernel/sample/space_form_domain.hpp"
 
 namespace delcert {

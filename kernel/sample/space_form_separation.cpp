@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "kernel/error.hpp"
 #include "kernel/parallel/parts.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

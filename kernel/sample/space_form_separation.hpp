@@ -1,7 +1,7 @@
 #pragma once
 
-#include "kernel/manifold/space_form/space_form_atlas.hpp"
-#include "kernel/progress.hpp"
+#include "kernel/manifold/quotient/space_form_atlas.hpp"
+#include "support/progress.hpp"
 
 namespace delcert {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/manifold/space_form/model_space.hpp"
+#include "kernel/chart/model_space.hpp"
 #include "kernel/number/plain_double.hpp"
 
 namespace delcert {

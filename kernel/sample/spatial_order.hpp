@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/manifold/space_form/curved_functions.hpp"
+#include "kernel/chart/curved_functions.hpp"
 #include "kernel/simplex/vector.hpp"
 
 namespace delcert {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/delaunay/approximate_delaunay.hpp"
-#include "kernel/delaunay/approximate_sphere.hpp"
 #include "kernel/number/rounding_guard.hpp"
+#include "kernel/stars/approximate_delaunay.hpp"
+#include "kernel/stars/approximate_sphere.hpp"
 
 namespace delcert {
 

@@ -3,8 +3,8 @@
 #include <limits>
 #include <vector>
 
-#include "kernel/manifold/space_form/curved_functions.hpp"
-#include "kernel/sample/counter_random.hpp"
+#include "kernel/chart/curved_functions.hpp"
+#include "kernel/random/counter_random.hpp"
 #include "kernel/simplex/vector.hpp"
 
 namespace delcert {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "kernel/error.hpp"
 #include "kernel/simplex/dimensions.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -7,9 +7,9 @@
 #include <queue>
 #include <string>
 
-#include "kernel/error.hpp"
 #include "kernel/topology/integer_matrix.hpp"
 #include "kernel/topology/morse_matching.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

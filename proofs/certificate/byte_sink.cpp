@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "proofs/certificate/atomic_file.hpp"
+#include "support/atomic_file.hpp"
 
 namespace delcert {
 

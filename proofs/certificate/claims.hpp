@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "kernel/perturb/run.hpp"
+#include "kernel/run/run.hpp"
 #include "kernel/topology/abelian_group.hpp"
 #include "proofs/certificate/run_parameters.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernel/delaunay/star_complex.hpp"
+#include "kernel/stars/star_complex.hpp"
 
 namespace delcert {
 

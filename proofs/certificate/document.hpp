@@ -4,10 +4,10 @@
 #include <string>
 #include <string_view>
 
-#include "kernel/progress.hpp"
 #include "proofs/certificate/byte_sink.hpp"
 #include "proofs/certificate/claims.hpp"
 #include "proofs/certificate/run_parameters.hpp"
+#include "support/progress.hpp"
 
 namespace delcert {
 

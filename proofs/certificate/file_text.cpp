@@ -7,7 +7,7 @@
 #include <memory>
 #include <string_view>
 
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -1,9 +1,9 @@
 #include "proofs/certificate/metric_field_claims.hpp"
 
+#include "kernel/number/decimal_bounds.hpp"
 #include "kernel/topology/homology.hpp"
 #include "proofs/certificate/stability_claim.hpp"
 #include "proofs/certificate/stated_bounds.hpp"
-#include "proofs/constants/decimal_bounds.hpp"
 
 namespace delcert {
 
@@ -45,7 +45,7 @@ void claim_delaunay(MetricFieldClaims& claims, Dimension dimension, const ChartD
 
 template <int m>
 MetricFieldClaims derive_claims(const MetricFieldAtlas<m>& atlas, const RunParameters& parameters,
-                                const ChartDistortion& distortion, const SpaceFormRun<m>& run,
+                                const ChartDistortion& distortion, const ChartRun<m>& run,
                                 const MetricFieldMeasures& measures, const LevelSelection& selection,
                                 std::vector<std::string>& reasons) {
   MetricFieldClaims claims;
@@ -79,10 +79,10 @@ MetricFieldClaims derive_claims(const MetricFieldAtlas<m>& atlas, const RunParam
   return claims;
 }
 
-#define DELCERT_INSTANTIATE(m)                                                                          \
-  template MetricFieldClaims derive_claims<m>(                                                          \
-      const MetricFieldAtlas<m>&, const RunParameters&, const ChartDistortion&, const SpaceFormRun<m>&, \
-      const MetricFieldMeasures&, const LevelSelection&, std::vector<std::string>&);
+#define DELCERT_INSTANTIATE(m)                                                                                        \
+  template MetricFieldClaims derive_claims<m>(const MetricFieldAtlas<m>&, const RunParameters&,                       \
+                                              const ChartDistortion&, const ChartRun<m>&, const MetricFieldMeasures&, \
+                                              const LevelSelection&, std::vector<std::string>&);
 DELCERT_INSTANTIATE(2)
 DELCERT_INSTANTIATE(3)
 #undef DELCERT_INSTANTIATE

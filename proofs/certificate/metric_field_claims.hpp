@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "kernel/delaunay/affine_triangulation.hpp"
-#include "kernel/delaunay/stable_stars.hpp"
-#include "kernel/manifold/metric_field/chart_distortion.hpp"
-#include "kernel/perturb/space_form_run.hpp"
+#include "kernel/manifold/gluing/chart_distortion.hpp"
+#include "kernel/run/chart_run.hpp"
+#include "kernel/stars/stable_stars.hpp"
+#include "kernel/theorems/affine_triangulation.hpp"
 #include "proofs/certificate/claims.hpp"
 #include "proofs/certificate/delaunay_margin.hpp"
 
@@ -53,7 +53,7 @@ struct MetricFieldMeasures {
 /// than what was found by a relative 2⁻²⁰ at least.
 template <int m>
 [[nodiscard]] MetricFieldClaims derive_claims(const MetricFieldAtlas<m>& atlas, const RunParameters& parameters,
-                                              const ChartDistortion& distortion, const SpaceFormRun<m>& run,
+                                              const ChartDistortion& distortion, const ChartRun<m>& run,
                                               const MetricFieldMeasures& measures, const LevelSelection& selection,
                                               std::vector<std::string>& reasons);
 

@@ -15,7 +15,7 @@ struct MetricFieldContent {
   const ChartDistortion& distortion;
   const RunParameters& parameters;  ///< mode measured or none
   const PointSet<m>& points;        ///< home coordinates
-  const SpaceFormComplex<m>& complex;
+  const ChartComplex<m>& complex;
   const MetricFieldClaims& claims;
 };
 

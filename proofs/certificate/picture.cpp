@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

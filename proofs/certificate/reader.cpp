@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "kernel/error.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "proofs/certificate/file_text.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

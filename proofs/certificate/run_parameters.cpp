@@ -1,8 +1,8 @@
 #include "proofs/certificate/run_parameters.hpp"
 
-#include "kernel/error.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "proofs/constants/ledger.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -1,6 +1,6 @@
 #include "proofs/certificate/space_form_claims.hpp"
 
-#include "kernel/manifold/space_form/distortion.hpp"
+#include "kernel/manifold/quotient/distortion.hpp"
 #include "kernel/topology/homology.hpp"
 #include "proofs/certificate/stability_claim.hpp"
 #include "proofs/certificate/stated_bounds.hpp"
@@ -12,7 +12,7 @@ namespace {
 template <int m>
 class Derivation {
  public:
-  Derivation(const SpaceFormAtlas<m>& atlas, const RunParameters& parameters, const SpaceFormRun<m>& run,
+  Derivation(const SpaceFormAtlas<m>& atlas, const RunParameters& parameters, const ChartRun<m>& run,
              const SpaceFormMeasures& measures, const LevelSelection& selection, std::vector<std::string>& reasons)
       : run_(run),
         measures_(measures),
@@ -112,7 +112,7 @@ class Derivation {
     claims_.metric = metric;
   }
 
-  const SpaceFormRun<m>& run_;
+  const ChartRun<m>& run_;
   const SpaceFormMeasures& measures_;
   const LevelSelection& selection_;
   std::vector<std::string>& reasons_;
@@ -127,7 +127,7 @@ class Derivation {
 }  // namespace
 
 template <int m>
-SpaceFormMeasures measure_run(const SpaceFormAtlas<m>& atlas, const SpaceFormRun<m>& run, const Progress& progress) {
+SpaceFormMeasures measure_run(const SpaceFormAtlas<m>& atlas, const ChartRun<m>& run, const Progress& progress) {
   const ModelGeometry geometry = geometry_of<m>(atlas);
   return {check_stability<m>(atlas, run.points, geometry, run.complex, progress),
           measure_riemannian_simplices<m>(atlas, run.points, geometry, run.complex, progress),
@@ -135,9 +135,9 @@ SpaceFormMeasures measure_run(const SpaceFormAtlas<m>& atlas, const SpaceFormRun
 }
 
 template <int m>
-SpaceFormClaims derive_claims(const SpaceFormAtlas<m>& atlas, const RunParameters& parameters,
-                              const SpaceFormRun<m>& run, const SpaceFormMeasures& measures,
-                              const LevelSelection& selection, std::vector<std::string>& reasons) {
+SpaceFormClaims derive_claims(const SpaceFormAtlas<m>& atlas, const RunParameters& parameters, const ChartRun<m>& run,
+                              const SpaceFormMeasures& measures, const LevelSelection& selection,
+                              std::vector<std::string>& reasons) {
   return Derivation<m>(atlas, parameters, run, measures, selection, reasons).claims();
 }
 
@@ -167,10 +167,10 @@ std::vector<std::string> names_of(const SpaceFormClaims& claims) {
   return result;
 }
 
-#define DELCERT_INSTANTIATE(m)                                                                                      \
-  template SpaceFormMeasures measure_run<m>(const SpaceFormAtlas<m>&, const SpaceFormRun<m>&, const Progress&);     \
-  template SpaceFormClaims derive_claims<m>(const SpaceFormAtlas<m>&, const RunParameters&, const SpaceFormRun<m>&, \
-                                            const SpaceFormMeasures&, const LevelSelection&,                        \
+#define DELCERT_INSTANTIATE(m)                                                                                  \
+  template SpaceFormMeasures measure_run<m>(const SpaceFormAtlas<m>&, const ChartRun<m>&, const Progress&);     \
+  template SpaceFormClaims derive_claims<m>(const SpaceFormAtlas<m>&, const RunParameters&, const ChartRun<m>&, \
+                                            const SpaceFormMeasures&, const LevelSelection&,                    \
                                             std::vector<std::string>&);
 DELCERT_INSTANTIATE(2)
 DELCERT_INSTANTIATE(3)

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "kernel/delaunay/piecewise_flat.hpp"
-#include "kernel/delaunay/riemannian_simplices.hpp"
-#include "kernel/delaunay/stable_stars.hpp"
-#include "kernel/perturb/space_form_run.hpp"
+#include "kernel/run/chart_run.hpp"
+#include "kernel/stars/stable_stars.hpp"
+#include "kernel/theorems/piecewise_flat.hpp"
+#include "kernel/theorems/riemannian_simplices.hpp"
 #include "proofs/certificate/space_form_writer.hpp"
 
 namespace delcert {
@@ -20,7 +20,7 @@ struct SpaceFormMeasures {
 
 /// Precondition: the run is certified. Needs rounding to nearest.
 template <int m>
-[[nodiscard]] SpaceFormMeasures measure_run(const SpaceFormAtlas<m>& atlas, const SpaceFormRun<m>& run,
+[[nodiscard]] SpaceFormMeasures measure_run(const SpaceFormAtlas<m>& atlas, const ChartRun<m>& run,
                                             const Progress& progress);
 
 /// Derives the levels from a certified run and its measures, checking the inequalities of docs/certificate-format.md
@@ -28,7 +28,7 @@ template <int m>
 /// strict are weaker than what was found by a relative 2⁻²⁰ at least: a reader with other enclosures finds them too.
 template <int m>
 [[nodiscard]] SpaceFormClaims derive_claims(const SpaceFormAtlas<m>& atlas, const RunParameters& parameters,
-                                            const SpaceFormRun<m>& run, const SpaceFormMeasures& measures,
+                                            const ChartRun<m>& run, const SpaceFormMeasures& measures,
                                             const LevelSelection& selection, std::vector<std::string>& reasons);
 
 /// The parameters as certificates state them, of a run that perturbed or did not. Γ₀ is that for which the tolerance is

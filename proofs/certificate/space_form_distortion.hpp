@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "kernel/manifold/space_form/distortion.hpp"
-#include "kernel/manifold/space_form/space_form_atlas.hpp"
+#include "kernel/manifold/quotient/distortion.hpp"
+#include "kernel/manifold/quotient/space_form_atlas.hpp"
 #include "proofs/certificate/run_parameters.hpp"
 #include "proofs/certificate/space_form_writer.hpp"
 #include "proofs/constants/riemannian_demand.hpp"

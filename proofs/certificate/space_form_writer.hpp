@@ -5,12 +5,12 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/delaunay/star_complex.hpp"
-#include "kernel/manifold/space_form/space_form.hpp"
-#include "kernel/progress.hpp"
+#include "kernel/manifold/quotient/space_form.hpp"
 #include "kernel/simplex/vector.hpp"
+#include "kernel/stars/star_complex.hpp"
 #include "proofs/certificate/claims.hpp"
 #include "proofs/certificate/document.hpp"
+#include "support/progress.hpp"
 
 namespace delcert {
 

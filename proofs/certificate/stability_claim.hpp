@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "kernel/delaunay/stable_stars.hpp"
+#include "kernel/stars/stable_stars.hpp"
 
 namespace delcert {
 

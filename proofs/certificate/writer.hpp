@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "kernel/manifold/manifold_file.hpp"
-#include "kernel/perturb/run.hpp"
-#include "kernel/progress.hpp"
+#include "kernel/run/run.hpp"
 #include "proofs/certificate/claims.hpp"
 #include "proofs/certificate/document.hpp"
 #include "proofs/certificate/run_parameters.hpp"
+#include "support/progress.hpp"
 
 namespace delcert {
 

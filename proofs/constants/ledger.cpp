@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "kernel/error.hpp"
 #include "kernel/number/exact_text.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

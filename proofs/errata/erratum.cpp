@@ -6,9 +6,9 @@
 #include <fstream>
 #include <tuple>
 
-#include "kernel/error.hpp"
 #include "proofs/errata/builtin_errata.hpp"
 #include "proofs/formula/toml_reader.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

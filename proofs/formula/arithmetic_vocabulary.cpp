@@ -2,8 +2,8 @@
 
 #include <mpfi.h>
 
-#include "kernel/error.hpp"
 #include "proofs/formula/evaluation.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

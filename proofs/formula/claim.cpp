@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <fstream>
 
-#include "kernel/error.hpp"
 #include "proofs/formula/formula_error.hpp"
 #include "proofs/formula/step_reader.hpp"
 #include "proofs/formula/token.hpp"
 #include "proofs/formula/toml_reader.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -1,8 +1,8 @@
 #include "proofs/formula/pair_vocabulary.hpp"
 
-#include "kernel/error.hpp"
 #include "kernel/simplex/spectrum.hpp"
 #include "proofs/formula/pair_alignment.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -4,11 +4,11 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "kernel/error.hpp"
 #include "proofs/formula/formula_error.hpp"
 #include "proofs/formula/parser.hpp"
 #include "proofs/formula/token.hpp"
 #include "proofs/formula/type_check.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "kernel/error.hpp"
 #include "proofs/formula/evaluation.hpp"
 #include "proofs/formula/formula_text.hpp"
 #include "proofs/prover/goal.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

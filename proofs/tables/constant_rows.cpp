@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "kernel/error.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "proofs/formula/toml_reader.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "kernel/error.hpp"
+#include "kernel/number/decimal_bounds.hpp"
 #include "kernel/number/exact_text.hpp"
-#include "proofs/constants/decimal_bounds.hpp"
 #include "proofs/tables/hole.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

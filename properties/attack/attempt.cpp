@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "kernel/error.hpp"
 #include "proofs/formula/builtin_claims.hpp"
 #include "proofs/formula/formula_error.hpp"
 #include "proofs/formula/type_check.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

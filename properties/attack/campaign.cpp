@@ -4,10 +4,10 @@
 #include <map>
 #include <mutex>
 
-#include "kernel/error.hpp"
 #include "properties/attack/campaign_log.hpp"
 #include "properties/attack/identity.hpp"
 #include "properties/attack/job_pool.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

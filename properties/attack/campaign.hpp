@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "kernel/progress.hpp"
 #include "properties/attack/tally.hpp"
+#include "support/progress.hpp"
 
 namespace delcert {
 

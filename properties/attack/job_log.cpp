@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

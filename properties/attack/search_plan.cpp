@@ -4,11 +4,11 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 
-#include "kernel/error.hpp"
 #include "properties/attack/identity.hpp"
 #include "properties/attack/job_log.hpp"
 #include "properties/attack/job_pool.hpp"
 #include "properties/attack/twins.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "kernel/error.hpp"
 #include "properties/attack/witness.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

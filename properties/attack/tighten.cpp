@@ -7,7 +7,7 @@
 #include <nlopt.hpp>
 #include <stdexcept>
 
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

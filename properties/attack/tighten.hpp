@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "kernel/progress.hpp"
 #include "properties/attack/attempt.hpp"
+#include "support/progress.hpp"
 
 namespace delcert {
 

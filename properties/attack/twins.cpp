@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "kernel/error.hpp"
 #include "properties/attack/shrink.hpp"
 #include "properties/attack/tally.hpp"
 #include "properties/attack/tighten.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

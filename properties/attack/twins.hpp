@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "kernel/progress.hpp"
 #include "properties/attack/attempt.hpp"
 #include "properties/attack/witness.hpp"
+#include "support/progress.hpp"
 
 namespace delcert {
 

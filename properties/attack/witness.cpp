@@ -7,8 +7,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "kernel/error.hpp"
 #include "kernel/number/exact_text.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "kernel/error.hpp"
 #include "proofs/certificate/reader.hpp"
 #include "properties/fuzz/fuzz_target.hpp"
+#include "support/error.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace delcert;

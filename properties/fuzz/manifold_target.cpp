@@ -1,7 +1,7 @@
 // Manifold files.
-#include "kernel/error.hpp"
 #include "kernel/manifold/manifold_file.hpp"
 #include "properties/fuzz/fuzz_target.hpp"
+#include "support/error.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace delcert;

@@ -1,7 +1,7 @@
 // Point files: the first byte chooses the dimension; what is accepted is written and read again as the same points.
-#include "kernel/error.hpp"
 #include "kernel/sample/point_file.hpp"
 #include "properties/fuzz/fuzz_target.hpp"
+#include "support/error.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace delcert;

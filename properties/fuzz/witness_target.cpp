@@ -1,7 +1,7 @@
 // Witness files: what is accepted is written and read again as the same text.
-#include "kernel/error.hpp"
 #include "properties/attack/witness.hpp"
 #include "properties/fuzz/fuzz_target.hpp"
+#include "support/error.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace delcert;

@@ -1,8 +1,8 @@
 #include "properties/instances/adaptive_sampling_class.hpp"
 
-#include "kernel/error.hpp"
 #include "proofs/formula/simplex_object.hpp"
 #include "properties/instances/net_lipschitz.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "kernel/number/rational.hpp"
-#include "kernel/sample/counter_random.hpp"
+#include "kernel/random/counter_random.hpp"
 
 namespace delcert {
 

@@ -3,11 +3,11 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "kernel/error.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "kernel/simplex/matrix_norm.hpp"
 #include "properties/instances/configuration_geometry.hpp"
 #include "properties/instances/exact_point.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

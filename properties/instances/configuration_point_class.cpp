@@ -1,10 +1,10 @@
 #include "properties/instances/configuration_point_class.hpp"
 
-#include "kernel/error.hpp"
 #include "kernel/simplex/circumsphere.hpp"
 #include "kernel/simplex/realisability.hpp"
 #include "properties/instances/configuration_geometry.hpp"
 #include "properties/instances/random_simplex.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

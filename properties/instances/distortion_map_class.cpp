@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "kernel/error.hpp"
 #include "kernel/simplex/circumsphere.hpp"
 #include "kernel/simplex/realisability.hpp"
 #include "properties/instances/map_draw.hpp"
 #include "properties/instances/map_quantities.hpp"
 #include "properties/instances/random_simplex.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

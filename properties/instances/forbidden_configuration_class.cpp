@@ -1,10 +1,10 @@
 #include "properties/instances/forbidden_configuration_class.hpp"
 
-#include "kernel/error.hpp"
 #include "kernel/simplex/edges.hpp"
 #include "proofs/formula/configuration_vocabulary.hpp"
 #include "properties/instances/configuration_draw.hpp"
 #include "properties/instances/random_simplex.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

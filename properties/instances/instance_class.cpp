@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "kernel/error.hpp"
 #include "proofs/formula/arithmetic_vocabulary.hpp"
 #include "proofs/formula/formula_error.hpp"
 #include "proofs/formula/simplex_vocabulary.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

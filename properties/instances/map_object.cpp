@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "kernel/error.hpp"
 #include "kernel/manifold/manifold_file.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "kernel/number/ladder.hpp"
 #include "kernel/simplex/gram_elimination.hpp"
 #include "kernel/simplex/matrix_norm.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

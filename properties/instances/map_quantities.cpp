@@ -1,8 +1,8 @@
 #include "properties/instances/map_quantities.hpp"
 
-#include "kernel/error.hpp"
 #include "kernel/simplex/circumsphere.hpp"
 #include "properties/instances/map_object.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "kernel/error.hpp"
 #include "kernel/manifold/flat_atlas.hpp"
 #include "kernel/perturb/perturbation.hpp"
 #include "proofs/certificate/run_parameters.hpp"
 #include "properties/instances/net_forbidden.hpp"
 #include "properties/instances/net_sample.hpp"
 #include "properties/instances/net_star.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/error.hpp"
 #include "kernel/simplex/vector.hpp"
 #include "proofs/formula/vocabulary.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "kernel/error.hpp"
 #include "kernel/number/ladder.hpp"
 #include "kernel/simplex/sphere_stack.hpp"
 #include "proofs/formula/evaluation.hpp"
@@ -11,6 +10,7 @@
 #include "properties/instances/net_object.hpp"
 #include "properties/instances/net_sample.hpp"
 #include "properties/instances/net_star.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

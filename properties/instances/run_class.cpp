@@ -1,8 +1,8 @@
 #include "properties/instances/run_class.hpp"
 
-#include "kernel/error.hpp"
 #include "properties/instances/run_object.hpp"
 #include "properties/instances/run_vocabulary.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

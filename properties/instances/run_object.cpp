@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "kernel/error.hpp"
 #include "kernel/manifold/flat_space.hpp"
 #include "kernel/manifold/input_check.hpp"
 #include "kernel/number/exact_text.hpp"
@@ -10,6 +9,7 @@
 #include "kernel/sample/lattice_net.hpp"
 #include "kernel/sample/net_measure.hpp"
 #include "kernel/sample/poisson_disk.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

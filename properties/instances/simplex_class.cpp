@@ -1,8 +1,8 @@
 #include "properties/instances/simplex_class.hpp"
 
-#include "kernel/error.hpp"
 #include "kernel/simplex/realisability.hpp"
 #include "properties/instances/random_simplex.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -1,11 +1,11 @@
 #include "properties/instances/simplex_pair_class.hpp"
 
-#include "kernel/error.hpp"
 #include "kernel/simplex/realisability.hpp"
 #include "proofs/formula/pair_vocabulary.hpp"
 #include "properties/instances/pair_distortion.hpp"
 #include "properties/instances/pair_image.hpp"
 #include "properties/instances/random_simplex.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "kernel/error.hpp"
 #include "proofs/formula/simplex_object.hpp"
 #include "properties/instances/net_chart.hpp"
 #include "properties/instances/net_draw.hpp"
 #include "properties/instances/net_star.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

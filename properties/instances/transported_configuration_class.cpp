@@ -2,10 +2,10 @@
 
 #include <Eigen/Dense>
 
-#include "kernel/error.hpp"
 #include "properties/instances/configuration_draw.hpp"
 #include "properties/instances/configuration_map.hpp"
 #include "properties/instances/random_simplex.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "apps/interruption.hpp"
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 namespace {

@@ -7,8 +7,8 @@
 #include <iterator>
 #include <set>
 
-#include "kernel/manifold/space_form/space_form_file.hpp"
-#include "kernel/perturb/space_form_run.hpp"
+#include "kernel/manifold/space_form_file.hpp"
+#include "kernel/run/chart_run.hpp"
 #include "kernel/sample/space_form_net.hpp"
 #include "kernel/topology/homology.hpp"
 #include "kernel/topology/pure_complex.hpp"
@@ -48,7 +48,7 @@ std::string certificate_of(const std::string& name, const Rational& radius, int 
   const SpaceFormAtlas<m> atlas(form, std::move(net.centres), radius, patch_factor);
   PerturbationParameters parameters = measured_parameters(Dimension(m), 1);
   parameters.choices = 5;
-  const auto run = run_on_space_form<m>(atlas, parameters, {}, no_progress());
+  const auto run = run_in_charts<m>(atlas, parameters, {}, no_progress());
   EXPECT_TRUE(run.is_certified()) << name;
   SpaceFormClaims claims;
   claims.stars = StarMargins{Rational(1), Rational(1), Rational(1)};

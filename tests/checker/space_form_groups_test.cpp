@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "kernel/manifold/space_form/space_form_file.hpp"
+#include "kernel/manifold/space_form_file.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "proofs/certificate/space_form_writer.hpp"
 #include "proofs/checker/group.hpp"

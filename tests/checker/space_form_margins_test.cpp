@@ -6,7 +6,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "kernel/manifold/space_form/space_form_file.hpp"
+#include "kernel/manifold/space_form_file.hpp"
 #include "kernel/sample/space_form_net.hpp"
 #include "proofs/certificate/space_form_claims.hpp"
 #include "proofs/certificate/space_form_writer.hpp"
@@ -19,7 +19,7 @@ namespace {
 struct Certified {
   SpaceFormAtlas<2> atlas;
   RunParameters parameters;
-  SpaceFormRun<2> run;
+  ChartRun<2> run;
   SpaceFormClaims claims;
 
   [[nodiscard]] CheckerRun check(const SpaceFormClaims& some) const {
@@ -44,7 +44,7 @@ Certified certified(const std::string& name, const Rational& radius) {
   auto net = space_form_net<2>(form, radius * (Rational(1) + Rational::power_of_two(-20)), 1, no_progress());
   SpaceFormAtlas<2> atlas(form, std::move(net.centres), radius);
   const auto parameters = space_form_parameters(measured_parameters(Dimension(2), 1), Dimension(2), true);
-  auto run = run_on_space_form<2>(atlas, parameters.algorithm, {}, no_progress());
+  auto run = run_in_charts<2>(atlas, parameters.algorithm, {}, no_progress());
   std::vector<std::string> reasons;
   auto claims =
       derive_claims<2>(atlas, parameters, run, measure_run<2>(atlas, run, no_progress()), all_levels(), reasons);

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "kernel/manifold/space_form/space_form_file.hpp"
+#include "kernel/manifold/space_form_file.hpp"
 #include "kernel/sample/space_form_net.hpp"
 #include "proofs/certificate/space_form_claims.hpp"
 #include "tests/checker/support/certificate_text.hpp"
@@ -27,7 +27,7 @@ Certified certified(const std::string& name, const Rational& radius, int factor 
   const SpaceFormAtlas<m> atlas(form, std::move(net.centres), radius, factor);
   PerturbationParameters parameters = measured_parameters(Dimension(m), 1);
   parameters.choices = 20;
-  const SpaceFormRun<m> run = run_on_space_form<m>(atlas, parameters, {}, no_progress());
+  const ChartRun<m> run = run_in_charts<m>(atlas, parameters, {}, no_progress());
   EXPECT_TRUE(run.is_certified()) << name;
   Certified result;
   result.claims = derive_claims<m>(atlas, space_form_parameters(parameters, Dimension(m), true), run,

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "kernel/error.hpp"
 #include "kernel/manifold/manifold_file.hpp"
-#include "kernel/manifold/space_form/space_form_file.hpp"
+#include "kernel/manifold/space_form_file.hpp"
 #include "kernel/sample/point_file.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "kernel/manifold/flat_space.hpp"
-#include "kernel/perturb/run.hpp"
+#include "kernel/run/run.hpp"
 #include "kernel/sample/net_measure.hpp"
 #include "kernel/sample/poisson_disk.hpp"
 #include "proofs/certificate/run_parameters.hpp"

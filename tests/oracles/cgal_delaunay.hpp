@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "kernel/delaunay/proposal.hpp"
+#include "kernel/stars/proposal.hpp"
 
 // Delaunay complexes by CGAL, exact on the doubles that it is given, in the form of ours: lifted labels, canonical,
 // in increasing order.

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "kernel/delaunay/space_form_complex.hpp"
+#include "kernel/stars/chart_complex.hpp"
 
 // Complexes of space forms for comparison with other software: sets of labels.
 namespace delcert::test {

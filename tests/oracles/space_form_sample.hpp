@@ -5,9 +5,9 @@
 #include <string>
 #include <utility>
 
-#include "kernel/manifold/space_form/patch_size.hpp"
-#include "kernel/manifold/space_form/space_form_file.hpp"
-#include "kernel/perturb/space_form_run.hpp"
+#include "kernel/manifold/quotient/patch_size.hpp"
+#include "kernel/manifold/space_form_file.hpp"
+#include "kernel/run/chart_run.hpp"
 #include "kernel/sample/space_form_net.hpp"
 #include "tests/oracles/label_complex.hpp"
 
@@ -17,7 +17,7 @@ namespace delcert::test {
 template <int m>
 struct SpaceFormSample {
   SpaceFormAtlas<m> atlas;
-  SpaceFormRun<m> run;
+  ChartRun<m> run;
 };
 
 /// What the command `certify` computes before it writes, with the seed 1; fewer tries a point in dimension 3. Patches
@@ -34,7 +34,7 @@ SpaceFormSample<m> space_form_sample(const std::string& manifold, const Rational
   if (m == 3) parameters.choices = 5;
   RunRequest request;
   request.perturb = is_perturbed;
-  auto run = run_on_space_form<m>(atlas, parameters, request, no_progress());
+  auto run = run_in_charts<m>(atlas, parameters, request, no_progress());
   return {std::move(atlas), std::move(run)};
 }
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/delaunay/approximate_sphere.hpp"
+#include "kernel/stars/approximate_sphere.hpp"
 #include "tests/oracles/cgal_delaunay.hpp"
 
 // What an oracle must notice.

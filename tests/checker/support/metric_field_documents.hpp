@@ -67,7 +67,7 @@ inline MetricFieldSample<3> lattice_sample(const Rational& height) {
   request.perturb = false;
   request.certify_model = false;
   const auto geometry = geometry_of<3>(atlas, distortion);
-  auto run = run_on_space_form<3>(atlas, geometry, parameters.algorithm, request, no_progress());
+  auto run = run_in_charts<3>(atlas, geometry, parameters.algorithm, request, no_progress());
   const auto triangulation = check_affine_triangulation<3>(atlas, run.points, run.complex);
   return {std::move(atlas), distortion, parameters, std::move(run), {{}, triangulation}};
 }

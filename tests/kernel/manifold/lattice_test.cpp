@@ -1,6 +1,6 @@
 #include "kernel/manifold/lattice.hpp"
 
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {

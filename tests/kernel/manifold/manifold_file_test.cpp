@@ -6,8 +6,8 @@
 #include <fstream>
 #include <string>
 
-#include "kernel/error.hpp"
 #include "kernel/manifold/builtin_manifolds.hpp"
+#include "support/error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert {

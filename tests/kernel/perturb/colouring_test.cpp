@@ -2,8 +2,8 @@
 
 #include <set>
 
-#include "kernel/manifold/space_form/space_form_atlas.hpp"
-#include "kernel/manifold/space_form/space_form_file.hpp"
+#include "kernel/manifold/quotient/space_form_atlas.hpp"
+#include "kernel/manifold/space_form_file.hpp"
 #include "kernel/parallel/threads.hpp"
 #include "kernel/sample/poisson_disk.hpp"
 #include "kernel/sample/space_form_net.hpp"

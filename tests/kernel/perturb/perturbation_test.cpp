@@ -2,10 +2,10 @@
 
 #include <numeric>
 
-#include "kernel/error.hpp"
 #include "kernel/parallel/threads.hpp"
 #include "kernel/perturb/colouring.hpp"
 #include "kernel/sample/poisson_disk.hpp"
+#include "support/error.hpp"
 #include "tests/kernel/perturb/scene.hpp"
 
 namespace delcert::test {

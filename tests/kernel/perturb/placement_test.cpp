@@ -1,7 +1,7 @@
 #include "kernel/perturb/placement.hpp"
 
-#include "kernel/error.hpp"
 #include "kernel/sample/poisson_disk.hpp"
+#include "support/error.hpp"
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {

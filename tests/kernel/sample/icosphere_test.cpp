@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "kernel/manifold/space_form/space_form_file.hpp"
+#include "kernel/manifold/space_form_file.hpp"
 #include "kernel/sample/space_form_net.hpp"
-#include "tests/kernel/manifold/space_form/samples.hpp"
+#include "tests/kernel/manifold/quotient/samples.hpp"
 
 namespace delcert::test {
 namespace {

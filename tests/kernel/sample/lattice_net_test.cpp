@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {

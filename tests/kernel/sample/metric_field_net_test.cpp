@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "kernel/sample/metric_field_separation.hpp"
-#include "tests/kernel/manifold/metric_field/samples.hpp"
+#include "tests/kernel/manifold/gluing/samples.hpp"
 
 namespace delcert::test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/kernel/manifold/metric_field/samples.hpp"
+#include "tests/kernel/manifold/gluing/samples.hpp"
 
 namespace delcert::test {
 namespace {

@@ -1,10 +1,10 @@
 #include "kernel/sample/net_measure.hpp"
 
-#include "kernel/error.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "kernel/sample/lattice_net.hpp"
 #include "kernel/sample/poisson_disk.hpp"
-#include "tests/kernel/delaunay/witness.hpp"
+#include "support/error.hpp"
+#include "tests/kernel/stars/witness.hpp"
 
 namespace delcert::test {
 namespace {

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert {

@@ -1,7 +1,7 @@
 #include "kernel/sample/poisson_disk.hpp"
 
-#include "kernel/error.hpp"
 #include "kernel/sample/net_measure.hpp"
+#include "support/error.hpp"
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "kernel/manifold/space_form/space_form_file.hpp"
+#include "kernel/manifold/space_form_file.hpp"
 
 namespace delcert::test {
 namespace {

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "kernel/manifold/space_form/lift_grid.hpp"
-#include "kernel/manifold/space_form/space_form_atlas.hpp"
-#include "kernel/manifold/space_form/space_form_file.hpp"
+#include "kernel/chart/lift_grid.hpp"
+#include "kernel/manifold/quotient/space_form_atlas.hpp"
+#include "kernel/manifold/space_form_file.hpp"
 #include "kernel/number/exact_text.hpp"
-#include "kernel/sample/counter_random.hpp"
-#include "tests/kernel/manifold/space_form/samples.hpp"
+#include "kernel/random/counter_random.hpp"
+#include "tests/kernel/manifold/quotient/samples.hpp"
 
 namespace delcert::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "kernel/manifold/space_form/space_form_file.hpp"
+#include "kernel/manifold/space_form_file.hpp"
 
 namespace delcert::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/sample/counter_random.hpp"
+#include "kernel/random/counter_random.hpp"
 
 namespace delcert::test {
 namespace {

@@ -1,7 +1,7 @@
 #include "kernel/simplex/frame_metric.hpp"
 
-#include "kernel/error.hpp"
 #include "kernel/number/rounding_guard.hpp"
+#include "support/error.hpp"
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {

@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 #include "tests/kernel/topology/naive_homology.hpp"
 
 namespace delcert::test {

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 #include "tests/kernel/topology/known_complexes.hpp"
 
 namespace delcert::test {

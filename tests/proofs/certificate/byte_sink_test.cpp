@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <random>
 
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 #include "tests/proofs/certificate/small_run.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -4,8 +4,8 @@
 
 #include <fstream>
 
-#include "kernel/error.hpp"
 #include "proofs/certificate/byte_sink.hpp"
+#include "support/error.hpp"
 #include "tests/support/message_of.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -3,7 +3,7 @@
 #include "kernel/sample/metric_field_net.hpp"
 #include "kernel/sample/metric_field_separation.hpp"
 #include "proofs/certificate/metric_field_writer.hpp"
-#include "tests/kernel/manifold/metric_field/samples.hpp"
+#include "tests/kernel/manifold/gluing/samples.hpp"
 
 namespace delcert::test {
 
@@ -13,7 +13,7 @@ struct MetricFieldSample {
   MetricFieldAtlas<m> atlas;
   ChartDistortion distortion;
   RunParameters parameters;
-  SpaceFormRun<m> run;
+  ChartRun<m> run;
   MetricFieldMeasures measures;
 
   [[nodiscard]] MetricFieldClaims claims(std::vector<std::string>& reasons,
@@ -41,7 +41,7 @@ MetricFieldSample<m> certified_run(const MetricFieldDescription& description, co
   RunRequest request;
   request.certify_model = false;
   const auto geometry = geometry_of<m>(atlas, distortion);
-  auto run = run_on_space_form<m>(atlas, geometry, parameters.algorithm, request, no_progress());
+  auto run = run_in_charts<m>(atlas, geometry, parameters.algorithm, request, no_progress());
   MetricFieldMeasures measures{check_stability<m>(atlas, run.points, geometry, run.complex, no_progress()),
                                check_affine_triangulation<m>(atlas, run.points, run.complex)};
   return {std::move(atlas), distortion, parameters, std::move(run), std::move(measures)};

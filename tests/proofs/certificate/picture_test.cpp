@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 #include "tests/proofs/certificate/small_run.hpp"
 #include "tests/support/temporary_folder.hpp"
 

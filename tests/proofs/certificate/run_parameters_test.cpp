@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "kernel/manifold/space_form/space_form_families.hpp"
+#include "kernel/manifold/quotient/space_form_families.hpp"
 #include "kernel/sample/space_form_net.hpp"
 #include "kernel/sample/space_form_separation.hpp"
 #include "tests/kernel/manifold/exhaustive.hpp"
@@ -21,7 +21,7 @@ struct RunOnSphere {
     choice.mode = RunMode::measured;
     return parameters_for(Dimension(2), measure_separation<2>(atlas), choice);
   }();
-  SpaceFormRun<2> run = run_on_space_form<2>(atlas, measured_parameters(Dimension(2), 1), RunRequest(), no_progress());
+  ChartRun<2> run = run_in_charts<2>(atlas, measured_parameters(Dimension(2), 1), RunRequest(), no_progress());
   SpaceFormMeasures measures = measure_run<2>(atlas, run, no_progress());
 };
 
@@ -39,7 +39,7 @@ struct Derived {
   }
 };
 
-Derived derive(const SpaceFormRun<2>& run, const SpaceFormMeasures& measures,
+Derived derive(const ChartRun<2>& run, const SpaceFormMeasures& measures,
                const LevelSelection& selection = all_levels()) {
   Derived result;
   result.claims = derive_claims<2>(on_sphere().atlas, on_sphere().parameters, run, measures, selection, result.reasons);
@@ -139,7 +139,7 @@ TEST(SpaceFormClaims, of_the_input_need_whole_patches) {
 TEST(SpaceFormClaims, need_balls_that_fit_into_patches) {
   const auto& sphere = on_sphere();
   const auto changed = [&sphere](double chart_radius, double radius) {
-    SpaceFormRun<2> run = sphere.run;
+    ChartRun<2> run = sphere.run;
     run.margins.circumradius = chart_radius;
     run.model.circumradius = radius;
     return derive(run, sphere.measures);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "kernel/manifold/space_form/space_form_file.hpp"
+#include "kernel/manifold/space_form_file.hpp"
 #include "kernel/sample/space_form_net.hpp"
 #include "proofs/certificate/space_form_claims.hpp"
 #include "tests/kernel/manifold/exhaustive.hpp"

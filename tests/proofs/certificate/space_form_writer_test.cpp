@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "kernel/manifold/space_form/space_form_families.hpp"
-#include "kernel/manifold/space_form/space_form_file.hpp"
+#include "kernel/manifold/quotient/space_form_families.hpp"
+#include "kernel/manifold/space_form_file.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "proofs/certificate/reader.hpp"
 #include "tests/proofs/certificate/small_run.hpp"

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 namespace {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert {

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "kernel/error.hpp"
 #include "proofs/formula/builtin_claims.hpp"
 #include "properties/instances/instance_class.hpp"
+#include "support/error.hpp"
 #include "tests/proofs/formula/source_folder.hpp"
 
 namespace delcert {

@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "kernel/error.hpp"
 #include "proofs/formula/arithmetic_vocabulary.hpp"
 #include "proofs/formula/parser.hpp"
 #include "proofs/formula/simplex_object.hpp"
 #include "proofs/formula/simplex_vocabulary.hpp"
 #include "proofs/formula/type_check.hpp"
+#include "support/error.hpp"
 #include "tests/proofs/formula/random_formulas.hpp"
 
 namespace delcert {

@@ -5,7 +5,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 namespace {

@@ -4,11 +4,11 @@
 
 #include <string>
 
-#include "kernel/error.hpp"
 #include "proofs/formula/parser.hpp"
 #include "proofs/formula/simplex_object.hpp"
 #include "proofs/formula/type_check.hpp"
 #include "properties/instances/instance_class.hpp"
+#include "support/error.hpp"
 #include "tests/support/ratio.hpp"
 
 namespace delcert {

@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "kernel/error.hpp"
 #include "proofs/formula/arithmetic_vocabulary.hpp"
 #include "proofs/formula/evaluation.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 #include "tests/properties/attack/small_claims.hpp"
 
 namespace delcert {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert {

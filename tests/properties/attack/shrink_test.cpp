@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "kernel/error.hpp"
 #include "properties/attack/tally.hpp"
+#include "support/error.hpp"
 #include "tests/properties/attack/small_claims.hpp"
 
 namespace delcert {

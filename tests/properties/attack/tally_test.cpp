@@ -6,7 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 #include "tests/properties/attack/small_claims.hpp"
 
 namespace delcert {

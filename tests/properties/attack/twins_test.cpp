@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 #include "tests/properties/attack/small_claims.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "kernel/error.hpp"
 #include "properties/attack/tally.hpp"
+#include "support/error.hpp"
 #include "tests/properties/attack/small_claims.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "kernel/error.hpp"
 #include "properties/instances/instance_class.hpp"
+#include "support/error.hpp"
 
 namespace delcert::test {
 

@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "kernel/error.hpp"
 #include "kernel/simplex/edge_gram.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 namespace {

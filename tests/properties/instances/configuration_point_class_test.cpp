@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "kernel/error.hpp"
 #include "proofs/formula/simplex_object.hpp"
 #include "properties/attack/attempt.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 namespace {

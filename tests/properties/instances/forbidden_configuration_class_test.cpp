@@ -5,10 +5,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "kernel/error.hpp"
 #include "kernel/simplex/cayley_menger.hpp"
 #include "proofs/formula/simplex_object.hpp"
 #include "properties/attack/attempt.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 #include "tests/properties/attack/small_claims.hpp"
 
 namespace delcert {

@@ -4,12 +4,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "kernel/error.hpp"
 #include "proofs/formula/evaluation.hpp"
 #include "proofs/formula/parser.hpp"
 #include "proofs/formula/simplex_object.hpp"
 #include "proofs/formula/type_check.hpp"
 #include "properties/instances/instance_class.hpp"
+#include "support/error.hpp"
 
 namespace delcert::test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "kernel/delaunay/approximate_delaunay.hpp"
+#include "kernel/stars/approximate_delaunay.hpp"
 #include "properties/instances/choices.hpp"
 #include "tests/properties/instances/square_net.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "kernel/error.hpp"
+#include "support/error.hpp"
 
 namespace delcert::test {
 namespace {

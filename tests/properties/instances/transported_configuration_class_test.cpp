@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "kernel/error.hpp"
 #include "properties/attack/attempt.hpp"
 #include "properties/instances/configuration_map.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 namespace {

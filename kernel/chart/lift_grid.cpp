@@ -1,0 +1,190 @@
+#include "kernel/chart/lift_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace delcert {
+
+namespace {
+
+/// More than what the few operations on doubles of a query round, relative to their results.
+constexpr double rounding_slack = 0x1p-40;
+
+/// G = RᵀR, R upper triangular.
+template <int m>
+Matrix<Interval, m> upper_factor(const MetricOn<Interval, m>& metric, const Matrix<Rational, m>& gram) {
+  Matrix<Interval, m> result{};
+  for (std::size_t row = 0; row < m; ++row) {
+    for (std::size_t column = row; column < m; ++column) {
+      Interval rest = scalar_from<Interval>(gram[row][column]);
+      for (std::size_t k = 0; k < row; ++k) rest -= result[k][row] * result[k][column];
+      if (metric.is_cartesian()) {
+        result[row][column] = rest;
+      } else {
+        result[row][column] = row == column ? square_root(rest) : rest / result[row][row];
+      }
+    }
+  }
+  return result;
+}
+
+/// An upper bound of the chord of two points at this distance: 2 sin(d/2), d or 2 sinh(d/2).
+double chord_of(Curvature curvature, double distance) {
+  constexpr double most = 2 + 0x1p-40;
+  if (curvature == Curvature::positive && distance >= 3) return most;
+  const Interval length = Interval::exactly(distance);
+  return (length * sine_ratio(curvature, square(length) / Interval(4))).upper();
+}
+
+}  // namespace
+
+template <int m>
+LiftGrid<m>::LiftGrid(Curvature curvature, const FrameMetric<m>& metric, double cell_width)
+    : curvature_(curvature),
+      cholesky_(upper_factor<m>(metric.template on<Interval>(), metric.gram())),
+      axes_(curvature == Curvature::positive ? m + 1 : m),
+      bits_(static_cast<unsigned>(64 / axes_)),
+      cells_per_unit_(1 / cell_width) {}
+
+template <int m>
+typename LiftGrid<m>::Place LiftGrid<m>::embedded(const ModelPoint<Interval, m>& x, double& error) const {
+  Vector<Interval, m + 1> at = x;
+  Place result;
+  if (curvature_ == Curvature::zero) {
+    for (std::size_t row = 0; row < m; ++row) {
+      at[row] = cholesky_[row][row] * x[row + 1];
+      for (std::size_t column = row + 1; column < m; ++column) at[row] += cholesky_[row][column] * x[column + 1];
+    }
+  } else if (curvature_ == Curvature::negative) {
+    const auto conformal = conformal_coordinates<Interval, m>(x);
+    std::copy(conformal.begin(), conformal.end(), at.begin());
+    // (1 + cosh d)/2 = 1/(1 − |a|²/4).
+    result.weight = ((Interval(1) + x[0]) / Interval(2)).lower();
+  }
+  error = 0;
+  for (std::size_t axis = 0; axis < axes_; ++axis) {
+    result.at[axis] = at[axis].lower();
+    error += at[axis].upper() - at[axis].lower();
+  }
+  return result;
+}
+
+template <int m>
+double LiftGrid<m>::embedded_distance(const Place& x, double error, double distance, double chord) const {
+  if (curvature_ == Curvature::positive) return chord;
+  if (curvature_ == Curvature::zero) return distance;
+  // |da| = (1 − |a|²/4) ds, and points within the distance of x are no closer to o than d(o, x) − distance. With
+  // t = |a|/2 = tanh(d/2) that is (t − u)/(1 − tu) for u = tanh(distance/2) ≤ distance/2.
+  double squared = 0;
+  for (std::size_t axis = 0; axis < axes_; ++axis) squared += x.at[axis] * x.at[axis];
+  const double t = (std::sqrt(squared) * (1 - rounding_slack) - error) / 2;
+  const double u = distance / 2 * (1 + rounding_slack);
+  const double nearest = t > u && t * u < 1 ? (t - u) / (1 - t * u) * (1 - rounding_slack) : 0;
+  return distance * (1 - nearest * nearest) * (1 + rounding_slack);
+}
+
+template <int m>
+std::int64_t LiftGrid<m>::cell_coordinate(double coordinate) const {
+  // Points beyond the last cell are kept in it.
+  const double most = static_cast<double>((std::uint64_t{1} << (bits_ - 1)) - 1);
+  return static_cast<std::int64_t>(std::clamp(std::floor(coordinate * cells_per_unit_), -most, most));
+}
+
+template <int m>
+std::uint64_t LiftGrid<m>::key_of(const Cell& cell) const {
+  const std::uint64_t mask = (std::uint64_t{1} << bits_) - 1;
+  std::uint64_t key = 0;
+  for (std::size_t axis = 0; axis < axes_; ++axis)
+    key = (key << bits_) | (static_cast<std::uint64_t>(cell[axis]) & mask);
+  return key;
+}
+
+template <int m>
+void LiftGrid<m>::insert(const Lift<m>& lift, const ModelPoint<Interval, m>& x) {
+  double error = 0;
+  Place place = embedded(x, error);
+  error_ = std::max(error_, error);
+  place.lift = lift;
+  Cell cell{};
+  for (std::size_t axis = 0; axis < axes_; ++axis) cell[axis] = cell_coordinate(place.at[axis]);
+  const auto number = static_cast<std::uint32_t>(places_.size());
+  const auto [position, is_new] = cells_.try_emplace(key_of(cell), number);
+  if (!is_new) {
+    place.next = position->second;
+    position->second = number;
+  }
+  places_.push_back(place);
+}
+
+template <int m>
+template <class Visit>
+void LiftGrid<m>::visit_near(const ModelPoint<Interval, m>& x, double distance, const Visit& visit) const {
+  double error = 0;
+  const Place place = embedded(x, error);
+  error += error_;
+  const double chord = chord_of(curvature_, distance);
+  const double reach = (embedded_distance(place, error, distance, chord) + error) * (1 + rounding_slack);
+  const double most = chord * chord * (1 + 2 * rounding_slack);
+  // The exact points are `error` closer at most than the stored ones are, and |e(x) − e(y)| is at most `reach`:
+  // (|e| − error)² ≥ |e|² − 2·error·reach.
+  const double relief = 2 * error * reach * (1 + rounding_slack);
+  const auto is_near = [&](const Place& other) {
+    double squared = 0;
+    for (std::size_t axis = 0; axis < axes_; ++axis) {
+      const double step = other.at[axis] - place.at[axis];
+      squared += step * step;
+    }
+    return squared <= reach * reach * (1 + 2 * rounding_slack) &&
+           (squared * (1 - rounding_slack) - relief) * (place.weight * other.weight) <= most;
+  };
+  Cell first{};
+  Cell last{};
+  double count = 1;
+  for (std::size_t axis = 0; axis < axes_; ++axis) {
+    // Widened by what the difference and the division round.
+    const double half = reach + rounding_slack * (reach + std::abs(place.at[axis]));
+    first[axis] = cell_coordinate(place.at[axis] - half);
+    last[axis] = cell_coordinate(place.at[axis] + half);
+    count *= static_cast<double>(last[axis] - first[axis] + 1);
+  }
+  if (count > static_cast<double>(places_.size())) {
+    for (const Place& other : places_) {
+      if (is_near(other) && visit(other)) return;
+    }
+    return;
+  }
+  Cell cell = first;
+  while (true) {
+    if (const auto found = cells_.find(key_of(cell)); found != cells_.end()) {
+      for (std::uint32_t at = found->second; at != none; at = places_[at].next) {
+        if (is_near(places_[at]) && visit(places_[at])) return;
+      }
+    }
+    std::size_t axis = axes_;
+    while (axis > 0 && ++cell[axis - 1] > last[axis - 1]) {
+      cell[axis - 1] = first[axis - 1];
+      --axis;
+    }
+    if (axis == 0) return;
+  }
+}
+
+template <int m>
+void LiftGrid<m>::near(const ModelPoint<Interval, m>& x, double distance, std::vector<Lift<m>>& out) const {
+  visit_near(x, distance, [&out](const Place& place) {
+    out.push_back(place.lift);
+    return false;
+  });
+}
+
+template <int m>
+bool LiftGrid<m>::approximately_occupied(const ModelPoint<Interval, m>& x, double distance) const {
+  bool occupied = false;
+  visit_near(x, distance, [&occupied](const Place&) { return occupied = true; });
+  return occupied;
+}
+
+template class LiftGrid<2>;
+template class LiftGrid<3>;
+
+}  // namespace delcert

@@ -1,0 +1,55 @@
+#include "kernel/manifold/quotient/patch_size.hpp"
+
+#include <string>
+
+#include "support/error.hpp"
+
+namespace delcert {
+
+namespace {
+
+std::string about(const Rational& x) { return std::to_string(approximate_double(x)); }
+
+/// Why patches of this factor are not small enough; empty if they are.
+std::string complaint(const SpaceForm& form, const Rational& sampling_radius, int factor) {
+  const std::string& name = form.description.name;
+  const Rational& least = form.injectivity_radius.lower;
+  const Rational needed = Rational(factor + 3) * sampling_radius;
+  if (needed > least)
+    return name + ": " + std::to_string(factor + 3) + " sampling radii are about " + about(needed) +
+           ", more than the injectivity radius, of which about " + about(least) +
+           " is certified: take a sampling radius of at most " + about(least / Rational(factor + 3));
+  if (form.form().curvature() != Curvature::positive) return {};
+  const Rational quarter_turn = half_turn().lower() / Rational(2);
+  const Rational patch = Rational(factor) * sampling_radius;
+  if (patch < quarter_turn) return {};
+  return name + ": patches of radius about " + about(patch) +
+         " are no smaller than half of the sphere: take a sampling radius below " +
+         about(quarter_turn / Rational(factor));
+}
+
+void require_radius(const SpaceForm& form, int dimension, const Rational& sampling_radius) {
+  const std::string& name = form.description.name;
+  if (form.form().dimension() != dimension)
+    throw InputError(name + " has dimension " + std::to_string(form.form().dimension()) + ", expected " +
+                     std::to_string(dimension));
+  if (sampling_radius <= Rational(0)) throw InputError(name + ": the sampling radius is not above 0");
+}
+
+}  // namespace
+
+void require_small_patches(const SpaceForm& form, int dimension, const Rational& sampling_radius, int factor) {
+  require_radius(form, dimension, sampling_radius);
+  const std::string reason = complaint(form, sampling_radius, factor);
+  if (!reason.empty()) throw Rejection(reason);
+}
+
+int fitting_patch_factor(const SpaceForm& form, int dimension, const Rational& sampling_radius) {
+  require_radius(form, dimension, sampling_radius);
+  for (const int factor : patch_factors) {
+    if (complaint(form, sampling_radius, factor).empty()) return factor;
+  }
+  throw Rejection(complaint(form, sampling_radius, patch_factors.back()));
+}
+
+}  // namespace delcert

@@ -1,0 +1,223 @@
+#include "kernel/stars/stable_stars.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "kernel/parallel/parts.hpp"
+#include "kernel/simplex/dimensions.hpp"
+
+namespace delcert {
+
+namespace {
+
+/// How little beyond a ball is looked at, as part of a sampling radius: most of the time goes there.
+constexpr int look_beyond_part = 8;
+
+void include(std::optional<LocalMargins>& margins, const LocalMargins& other) {
+  if (margins) {
+    margins->include(other);
+  } else {
+    margins = other;
+  }
+}
+
+template <int m>
+LabelSimplex<m> labels_of(Label i, const ChartSimplex<m>& others) {
+  LabelSimplex<m> result;
+  for (std::size_t at = 0; at < m; ++at) result[at] = others[at].index;
+  result[m] = i.value;
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// The stars that one chart has to show.
+template <int m>
+class ChartCheck {
+ public:
+  ChartCheck(ChartView<m>& view, const ChartComplex<m>& complex, Label chart)
+      : view_(view), complex_(complex), chart_(chart), stars_(complex.neighbours(chart)) {
+    std::erase_if(stars_, [&](Label i) { return !complex.is_interior(i); });
+  }
+
+  ChartStability run() {
+    auto open = all_simplices();
+    // What the chart has to show for the stars of a perturbed net, for all but a few; then the whole patch.
+    for (const int half_reach : view_.half_reaches({9, 12})) {
+      view_.look_by_halves(chart_, half_reach);
+      std::vector<LabelSimplex<m>> rest;
+      for (const auto& simplex : open) {
+        if (look(simplex) == Outcome::sees_too_little) rest.push_back(simplex);
+      }
+      open = std::move(rest);
+      if (open.empty()) break;
+    }
+    report_stars();
+    return std::move(result_);
+  }
+
+ private:
+  enum class Outcome { certified, fails, sees_too_little };
+
+  /// Two stars share most of their simplices.
+  [[nodiscard]] std::vector<LabelSimplex<m>> all_simplices() const {
+    std::vector<LabelSimplex<m>> result;
+    for (const Label i : stars_) {
+      for (const auto& others : complex_.chart_star(i).simplices) result.push_back(labels_of<m>(i, others));
+    }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  /// Notes the margins of the simplex, or why it fails. More of the patch cannot help where a point is to blame.
+  Outcome look(const LabelSimplex<m>& labels) {
+    PlaceSimplex<m> places;
+    for (std::size_t corner = 0; corner <= m; ++corner) {
+      const auto place = view_.find(Label(labels[corner]));
+      if (!place) {
+        reasons_[labels] = "label " + std::to_string(labels[corner]) + " is not seen once";
+        return Outcome::sees_too_little;
+      }
+      places[corner] = *place;
+    }
+    LocalMargins margins;
+    std::size_t witness = view_.size();
+    const auto reason = chart_simplex_failure<m>(view_, places, 0, margins, witness, look_beyond_part);
+    if (!reason) {
+      reasons_.erase(labels);
+      include(result_.margins, margins);
+      return Outcome::certified;
+    }
+    std::string text = simplex_text(std::vector<Label>(labels.begin(), labels.end())) + " " + *reason;
+    const bool blames_a_point = witness < view_.size();
+    if (blames_a_point) text += ": label " + std::to_string(view_.label(witness).value);
+    reasons_[labels] = std::move(text);
+    return blames_a_point ? Outcome::fails : Outcome::sees_too_little;
+  }
+
+  void report_stars() {
+    result_.pairs = stars_.size();
+    if (reasons_.empty()) return;
+    for (const Label i : stars_) {
+      auto first = reasons_.end();
+      for (const auto& others : complex_.chart_star(i).simplices) {
+        const auto found = reasons_.find(labels_of<m>(i, others));
+        if (found != reasons_.end() && (first == reasons_.end() || found->first < first->first)) first = found;
+      }
+      if (first == reasons_.end()) continue;
+      result_.failures.push_back(
+          {i, "in the chart of label " + std::to_string(chart_.value) + " " + first->second, {i, chart_}});
+    }
+  }
+
+  ChartView<m>& view_;
+  const ChartComplex<m>& complex_;
+  Label chart_;
+  std::vector<Label> stars_;
+  std::map<LabelSimplex<m>, std::string> reasons_;  // of the simplices that are not certified
+  ChartStability result_;
+};
+
+/// Of simplices of the star of the chart's own label; none unless all are certified in the view.
+template <int m>
+std::optional<LocalMargins> margins_in_chart(const ChartView<m>& view, const std::vector<ChartSimplex<m>>& simplices) {
+  std::optional<LocalMargins> result;
+  for (const auto& others : simplices) {
+    LocalMargins margins;
+    std::size_t witness = 0;
+    const auto places = places_of<m>(view, labels_of<m>(view.chart(), others));
+    if (!places || chart_simplex_failure<m>(view, *places, 0, margins, witness, look_beyond_part)) return std::nullopt;
+    include(result, margins);
+  }
+  return result;
+}
+
+/// Where all charts are isometric, a simplex that one chart certifies is certified in every chart that shows enough
+/// about it. With r the largest circumradius and D the largest displacement, a ball of a simplex of star(i), j a label
+/// of it, lies within D + 4r of p_j: |C − p′_i| ≤ r, |p′_i − p′_j| ≤ 2r, |p′_j − p_j| ≤ D. None if this does not
+/// decide all.
+template <int m>
+std::optional<LocalMargins> margins_by_isometry(ChartView<m>& view, const ChartComplex<m>& complex) {
+  if (!view.geometry().isometric_charts || !complex.agreement().failures.empty()) return std::nullopt;
+  std::optional<LocalMargins> result;
+  double complete = std::numeric_limits<double>::infinity();
+  for (std::uint32_t index = 0; index < complex.size(); ++index) {
+    const Label chart(index);
+    const auto mine = complex.first_seen_from(chart);
+    if (complex.is_interior(chart)) complete = std::min(complete, view.complete_radius_of_patch(chart));
+    if (mine.empty()) continue;
+    std::optional<LocalMargins> here;
+    for (const int half_reach : view.half_reaches()) {
+      view.look_by_halves(chart, half_reach);
+      here = margins_in_chart<m>(view, mine);
+      if (here) break;
+    }
+    if (!here) return std::nullopt;
+    include(result, *here);
+  }
+  if (!result) return std::nullopt;
+  const FilterGuard guard;
+  const Filter reach = Filter::exactly(view.displacement()) + Filter(4) * Filter::exactly(result->circumradius);
+  const double room = (Filter::exactly(complete) - reach).lower();
+  if (!(room > 0)) return std::nullopt;
+  result->reach = reach.upper();
+  result->protection = std::min(result->protection, room);
+  return result;
+}
+
+}  // namespace
+
+template <int m>
+ChartStability stability_in_chart(ChartView<m>& scratch, const ChartComplex<m>& complex, Label chart) {
+  return ChartCheck<m>(scratch, complex, chart).run();
+}
+
+template <int m>
+StarStability check_stability(const Atlas<m>& atlas, const PointSet<m>& points, const ModelGeometry& geometry,
+                              const ChartComplex<m>& complex, const Progress& progress) {
+  constexpr std::string_view stage = "compare stars in other charts";
+  ChartView<m> view(atlas, points, geometry);
+  StarStability result;
+  progress(stage, 0, complex.size());
+  std::optional<LocalMargins> margins = margins_by_isometry<m>(view, complex);
+  const bool is_decided = margins.has_value();
+  std::vector<bool> differs(complex.size(), false);
+  const auto is_interior = [&](Label i) { return complex.is_interior(i); };
+  const auto look = [&](std::size_t first, std::size_t last) {
+    ChartView<m> scratch = view;
+    std::vector<ChartStability> found;
+    for (std::size_t index = first; index < last; ++index) {
+      const Label chart(index);
+      if (!complex.is_interior(chart)) continue;
+      if (is_decided) {
+        const auto labels = complex.neighbours(chart);
+        found.emplace_back().pairs = static_cast<std::size_t>(std::count_if(labels.begin(), labels.end(), is_interior));
+      } else {
+        found.push_back(stability_in_chart<m>(scratch, complex, chart));
+      }
+    }
+    return found;
+  };
+  in_parts(stage, complex.size(), progress, look, [&](const std::vector<ChartStability>& found) {
+    for (const ChartStability& here : found) {
+      result.pairs += here.pairs;
+      result.differing += here.failures.size();
+      result.failures.insert(result.failures.end(), here.failures.begin(), here.failures.end());
+      for (const StarFailure& failure : here.failures) differs[failure.label.value] = true;
+      if (here.margins) include(margins, *here.margins);
+    }
+  });
+  result.stars = static_cast<std::size_t>(std::count(differs.begin(), differs.end(), true));
+  if (margins) result.margins = *margins;
+  return result;
+}
+
+#define DELCERT_INSTANTIATE(m)                                                                         \
+  template ChartStability stability_in_chart<m>(ChartView<m>&, const ChartComplex<m>&, Label);         \
+  template StarStability check_stability<m>(const Atlas<m>&, const PointSet<m>&, const ModelGeometry&, \
+                                            const ChartComplex<m>&, const Progress&);
+DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
+#undef DELCERT_INSTANTIATE
+
+}  // namespace delcert

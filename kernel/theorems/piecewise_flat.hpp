@@ -1,0 +1,37 @@
+#pragma once
+
+#include "kernel/stars/chart_complex.hpp"
+#include "support/progress.hpp"
+
+namespace delcert {
+
+/// The flat metric d_PL of a complex, in which simplices are flat with geodesic edge lengths (level 6 of
+/// docs/levels/space-forms.md).
+struct PiecewiseFlatReport {
+  /// Simplices of which it is not certain that a flat one with these edge lengths exists: in dimension 3, slivers.
+  std::size_t unrealised = 0;
+  std::size_t hinges = 0;        ///< (m−1)-faces between two simplices
+  std::size_t not_delaunay = 0;  ///< those of which the filter says that they are not locally Delaunay
+  std::size_t undecided = 0;     ///< those of which it cannot say
+  /// Of the sums over the two simplices at a hinge: of the cotangents of the angles opposite to it on a surface, else
+  /// of the heights of the circumcentres over it, laid out flat. Positive exactly where the hinge is locally Delaunay.
+  double least_weight = 0;
+  /// lower·d_PL ≤ d_M ≤ upper·d_PL along the natural map (Theorem 6X). 0 if it was not found, as where simplices are
+  /// unrealised.
+  double lower = 0;
+  double upper = 0;
+
+  /// 6a. Precondition: the dimension is 2.
+  [[nodiscard]] bool is_self_delaunay() const {
+    return hinges > 0 && unrealised == 0 && not_delaunay == 0 && undecided == 0;
+  }
+};
+
+/// Measures the flat metric. `circumradius` bounds the geodesic circumradii (`ModelReport`); on the sphere it is less
+/// than a right angle. Precondition: rounding to nearest; the stars agree.
+template <int m>
+[[nodiscard]] PiecewiseFlatReport measure_piecewise_flat(const Atlas<m>& atlas, const PointSet<m>& points,
+                                                         const ModelGeometry& geometry, const ChartComplex<m>& complex,
+                                                         double circumradius, const Progress& progress);
+
+}  // namespace delcert

@@ -1,0 +1,110 @@
+#include "kernel/manifold/space_form_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "tests/kernel/manifold/quotient/samples.hpp"
+
+namespace delcert::test {
+namespace {
+
+std::string refusal(const std::string& text) {
+  return message_of<InputError>([&] { (void)parse_space_form(text, "x.toml"); });
+}
+
+const std::string head = "name = \"x\"\nfamily = \"space-form\"\ndimension = 2\n";
+const std::string glide = "generators = [[[1, 0, 0], [\"1/2\", 1, 0], [0, 0, -1]]]\nfirst_homology = \"Z + Z/2\"\n";
+
+TEST(SpaceFormFile, reads_a_group_over_the_rationals) {
+  const auto description = parse_space_form(head + "curvature = 0\ngram = [[4, 0], [0, 1]]\n" + glide, "x.toml");
+  EXPECT_EQ(description.name, "x");
+  EXPECT_EQ(description.form.curvature(), Curvature::zero);
+  EXPECT_EQ(description.form.gram()(0, 0), FieldElement(4));
+  ASSERT_EQ(description.generators.size(), 1U);
+  EXPECT_EQ(description.generators[0](1, 0), FieldElement(ratio(1, 2)));
+  EXPECT_EQ(description.first_homology, "Z + Z/2");
+  EXPECT_FALSE(description.order.has_value());
+}
+
+TEST(SpaceFormFile, reads_a_group_over_a_field) {
+  const auto description = find_space_form("seifert-weber-space");
+  EXPECT_EQ(description.form.time().text(), "-7/4*t - 3/4");
+  EXPECT_EQ(description.generators.size(), 6U);
+  EXPECT_EQ(description.form.curvature(), Curvature::negative);
+}
+
+TEST(SpaceFormFile, reads_families) {
+  EXPECT_EQ(parse_space_form("name = \"l\"\nfamily = \"lens-space\"\np = 5\nq = 2\n", "x").generators.size(), 1U);
+  EXPECT_EQ(parse_space_form("name = \"s\"\nfamily = \"sphere\"\ndimension = 3\n", "x").form.dimension(), 3);
+}
+
+TEST(SpaceFormFile, says_what_is_wrong_and_where) {
+  EXPECT_TRUE(mentions(refusal("name = \n"), "x.toml:1:8: not TOML"));
+  EXPECT_EQ(refusal("name = \"x\"\n"), "x.toml: key \"family\" is missing");
+  EXPECT_TRUE(mentions(refusal("name = \"x\"\nfamily = \"torus\"\n"),
+                       "x.toml:2:10: key \"family\": found \"torus\", expected \"space-form\", \"sphere\""));
+  EXPECT_TRUE(mentions(refusal(head + "curvature = 2\n"),
+                       "x.toml:4:13: key \"curvature\": found 2, expected an integer from -1 to 1"));
+  EXPECT_TRUE(
+      mentions(refusal(head + "curvature = 0\ngenerator = 3\n" + glide), "x.toml:5:1: unknown key \"generator\""));
+  EXPECT_TRUE(mentions(refusal(head + "curvature = 0\ngenerators = [[[1, 0, 0]]]\nfirst_homology = \"0\"\n"),
+                       "generator 1: found an array of length 1, expected an array of 3 rows"));
+  EXPECT_TRUE(mentions(refusal(head + "curvature = 0\ngenerators = [[[1, 0, 0], [0.5, 1, 0], [0, 0, 1]]]\n"),
+                       "generator 1, row 2, entry 1: found a floating-point number"));
+  EXPECT_TRUE(mentions(refusal(head + "curvature = 0\ngenerators = [[[1, 0, 0], [\"t\", 1, 0], [0, 0, 1]]]\n"),
+                       "expected a rational number, as there is no key \"field\""));
+  EXPECT_TRUE(mentions(refusal(head + "curvature = 0\ngenerators = [[[1, 0, 0], [\"1 +\", 1, 0], [0, 0, 1]]]\n"),
+                       "generator 1, row 2, entry 1: \"1 +\" at character 4"));
+  EXPECT_TRUE(mentions(refusal(head + "curvature = 0\ngenerators = []\n"), "key \"first_homology\" is missing"));
+  EXPECT_TRUE(mentions(refusal(head + "curvature = -1\ntime = 1\n" + glide),
+                       "key \"time\": found 1, expected a number with the sign"));
+  EXPECT_TRUE(mentions(refusal(head + "curvature = 0\nfield = \"t^2 - 4\"\nroot = [1, 3]\n" + glide),
+                       "x.toml:5:9: field polynomial t^2 - 4 is reducible"));
+  EXPECT_TRUE(mentions(refusal(head + "curvature = 0\nfield = \"t^2 - 2\"\nroot = [1]\n" + glide),
+                       "key \"root\": found an array of length 1, expected an array of two exact numbers"));
+  EXPECT_TRUE(
+      mentions(refusal(head + "curvature = 0\ngram = [[1, 1], [1, 1]]\n" + glide), "gram is not positive definite"));
+  EXPECT_TRUE(mentions(refusal("name = \"l\"\nfamily = \"lens-space\"\np = 5\nq = 5\n"), "an integer from 1 to 4"));
+}
+
+TEST(SpaceFormFile, the_page_has_a_row_for_every_member) {
+  std::ifstream stream(DELCERT_SOURCE_DIR "/docs/space-forms.md");
+  const std::string page(std::istreambuf_iterator<char>(stream), {});
+  for (const BuiltinManifold& builtin : builtin_space_forms()) {
+    const SpaceForm form = verify_space_form(find_space_form(builtin.name));
+    const std::string digits =
+        std::to_string(floor_of(form.injectivity_radius.lower * Rational(10000)).convert_to<long>() + 100000);
+    const Curvature curvature = form.form().curvature();
+    const std::string sign = curvature == Curvature::negative ? "−1" : curvature == Curvature::zero ? "0" : "1";
+    const std::string row = "| " + builtin.name + " | " + sign + " | " + (form.is_orientable ? "yes" : "no") + " | " +
+                            group_text(form.first_homology) + " | " + digits.substr(1, 1) + "." + digits.substr(2) +
+                            " |";
+    EXPECT_TRUE(mentions(page, row)) << row;
+  }
+}
+
+TEST(SpaceFormFile, reads_files_and_names) {
+  const auto path = std::filesystem::path(DELCERT_SOURCE_DIR) / "examples/manifolds/space-forms/klein-bottle.toml";
+  EXPECT_EQ(read_space_form(path).name, "klein-bottle");
+  EXPECT_THROW((void)read_space_form("no-such-file.toml"), InputError);
+  EXPECT_THROW((void)read_space_form(std::filesystem::temp_directory_path()), InputError);
+  EXPECT_TRUE(mentions(message_of<InputError>([] { (void)find_space_form("torus"); }),
+                       "no space form \"torus\", expected one of bolza-surface, flat-first-amphicosm"));
+  for (const BuiltinManifold& builtin : builtin_space_forms())
+    EXPECT_EQ(find_space_form(builtin.name).name, builtin.name);
+}
+
+TEST(SpaceFormFile, are_told_from_other_manifolds) {
+  const std::string examples = DELCERT_SOURCE_DIR "/examples/manifolds/";
+  EXPECT_EQ(space_form_if_one("klein-bottle").value().name, "klein-bottle");
+  EXPECT_EQ(space_form_if_one(examples + "space-forms/sphere-3.toml").value().name, "sphere-3");
+  for (const std::string other : {"torus-2", "no-such-file.toml"}) EXPECT_FALSE(space_form_if_one(other)) << other;
+  for (const std::string other : {"torus-2.toml", "disk.toml", "", "../../README.md"})
+    EXPECT_FALSE(space_form_if_one(examples + other)) << other;
+}
+
+}  // namespace
+}  // namespace delcert::test
