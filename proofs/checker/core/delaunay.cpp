@@ -1,0 +1,138 @@
+#include <algorithm>
+
+#include "proofs/checker/core/circumball.hpp"
+#include "proofs/checker/core/rules.hpp"
+
+namespace delcert::checker::core {
+namespace {
+
+/// A function of a stated length.
+class OfStatedLength {
+ public:
+  /// `flat`: its value for K = 0.
+  OfStatedLength(Ball (*function)(int, const Ball&), int K, const Quantity& length, Rational flat)
+      : function_(function), K_(K), length_(length.exact), flat_(std::move(flat)) {
+    const BallScope scope(128);
+    filter_ = as<Ball>().enclosure();
+  }
+  template <class N>
+  N as() const {
+    if constexpr (std::is_same_v<N, Interval>) {
+      return filter_;
+    } else if constexpr (std::is_same_v<N, Rational>) {
+      return flat_;
+    } else {
+      return function_(K_, Ball(length_));
+    }
+  }
+
+ private:
+  Ball (*function_)(int, const Ball&);
+  int K_;
+  Rational length_, flat_;
+  Interval filter_;
+};
+
+/// For K < 0: whether the vertices lie on the boundary of a ball.
+template <class N>
+Verdict has_ball(const Data& data, const Circumball<N>& ball) {
+  return data.K < 0 ? less(ball.tangent_squared(), N(1)) : Verdict::proved;
+}
+
+class Margins {
+ public:
+  Margins(Complex& complex, const Quantity& circumradius, const Quantity& protection, Report& report)
+      : complex_(complex),
+        report_(report),
+        balls_(complex),
+        tangent_(tangent, complex.data.K, circumradius, circumradius.exact),
+        sine_(sine, complex.data.K, protection, protection.exact),
+        versed_sine_(versed_sine, complex.data.K, protection, square(protection.exact) / Rational(2)),
+        seen_(complex.size()) {}
+
+  void check(std::uint32_t s) {
+    const Circumball<Interval> filter = balls_.filter(s);
+    const bool small = balls_.decide(s, filter, [&]<class N>(const Circumball<N>& ball) {
+      return less_equal(ball.tangent_squared(), square(tangent_.as<N>()));
+    });
+    if (!small) report_.reject("4.ball", [&] { return complex_.name(s) + " has no circumball so small"; });
+    const Label* labels = &complex_.data.labels[s * complex_.vertices()];
+    for (std::size_t k = 0; k < complex_.vertices(); ++k) {
+      const Label i = labels[k];
+      const Elements::Id g = complex_.element(s, k);
+      for (std::size_t at = 0; at < complex_.neighbours.size(i); ++at) {
+        const Neighbour& neighbour = complex_.neighbours.of(i)[at];
+        // By core.edges a label of the simplex is one of its vertices here.
+        if (std::find(labels, labels + complex_.vertices(), neighbour.label) != labels + complex_.vertices()) continue;
+        const Elements::Id moved = complex_.elements.product(g, neighbour.phi);
+        const Seen now{s, moved};
+        if (seen_[neighbour.label] == now) continue;
+        seen_[neighbour.label] = now;
+        check(s, filter, neighbour.label, moved);
+      }
+    }
+  }
+
+ private:
+  void check(std::uint32_t s, const Circumball<Interval>& filter, Label j, Elements::Id moved) {
+    const bool outside = balls_.decide(s, filter, [&]<class N>(const Circumball<N>& ball) {
+      const N power = ball.power(complex_.elements.moved(moved, complex_.point<N>(j))) - versed_sine_.as<N>();
+      return negation(at_most_root(power, ball.tangent_squared() * square(sine_.as<N>())));
+    });
+    if (outside) return;
+    report_.reject("4.empty", [&] {
+      return complex_.name(s) + " has label " + std::to_string(j) + " within protection of its circumball";
+    });
+  }
+
+  struct Seen {
+    std::uint32_t simplex = UINT32_MAX;
+    Elements::Id element = 0;
+    bool operator==(const Seen&) const = default;
+  };
+  Complex& complex_;
+  Report& report_;
+  Circumballs balls_;
+  OfStatedLength tangent_, sine_, versed_sine_;
+  std::vector<Seen> seen_;  // of each label, where it was looked at last
+};
+
+/// r + delta < pi / 2 on a sphere.
+bool is_below_quarter(int K, const Quantity& circumradius, const Quantity& protection) {
+  return K <= 0 || decide_with_balls([&] {
+           Ball pi;
+           arb_const_pi(pi.raw(), Ball::precision);
+           return less(Ball(2) * (Ball(circumradius.exact) + Ball(protection.exact)), pi);
+         });
+}
+
+}  // namespace
+
+void check_hinges(Complex& complex, Report& report) {
+  Circumballs balls(complex);
+  for (const Hinge& hinge : complex.hinges) {
+    const auto [s, t] = hinge.simplex;
+    if (complex.sign[s] == 0 || complex.sign[t] == 0) continue;  // core.sign
+    const Circumball<Interval> filter = balls.filter(s);
+    const bool convex = balls.decide(s, filter, [&]<class N>(const Circumball<N>& ball) {
+      return conjunction(has_ball(complex.data, ball), less(N(0), ball.power(complex.beyond<N>(hinge))));
+    });
+    if (convex) continue;
+    report.reject("core.hinges", [&, first = s, second = t] {
+      return complex.name(first) + " and " + complex.name(second) + " are not locally Delaunay";
+    });
+  }
+}
+
+void check_margins(Complex& complex, const Quantity& circumradius, const Quantity& protection, Report& report) {
+  if (!is_below_quarter(complex.data.K, circumradius, protection)) {
+    report.reject("4.ball", [] { return "circumradius + protection is not below a quarter of a great circle"; });
+    return;
+  }
+  Margins margins(complex, circumradius, protection, report);
+  for (std::uint32_t s = 0; s < complex.data.simplices(); ++s) {
+    if (complex.sign[s] != 0) margins.check(s);
+  }
+}
+
+}  // namespace delcert::checker::core

@@ -1,0 +1,97 @@
+#include "proofs/checker/core/circumball.hpp"
+#include "proofs/checker/core/rules.hpp"
+
+namespace delcert::checker::core {
+namespace {
+
+/// The squared geodesic length, from that of the chord.
+template <class N>
+N unrolled(int K, const N& chord) {
+  const N q = chord / (N(4) - N(K) * chord);  // tan^2 (d/2)
+  return N(4) * q * square(logarithm_factor(K, q));
+}
+
+/// cot alpha + cot beta > weight for the angles opposite to an edge, from the squared lengths: with s = a^2 + b^2 - e^2
+/// and r = 4 a^2 b^2 - s^2, cot alpha = s / sqrt r.
+template <class N>
+Verdict has_cotangents_above(Complex& complex, const Form<N>& form, const Hinge& hinge, const N& weight) {
+  const auto squared_length = [&](const Vector<N>& x, const Vector<N>& y) {
+    return unrolled(complex.data.K, form.squared(x - y));
+  };
+  const Lifts<N> lifts = complex.lifts<N>(hinge.simplex[0]);
+  const std::size_t i = hinge.apex[0] == 0 ? 1 : 0, j = hinge.apex[0] == 2 ? 1 : 2;
+  const N edge = squared_length(lifts[i], lifts[j]);
+  N sum(0);
+  for (const Vector<N>& apex : {lifts[hinge.apex[0]], complex.beyond<N>(hinge)}) {
+    const N a = squared_length(lifts[i], apex), b = squared_length(lifts[j], apex), s = a + b - edge;
+    sum = sum + s / square_root(N(4) * a * b - square(s));
+  }
+  return less(weight, sum);
+}
+
+/// The Gram matrix at the first vertex, from the squared lengths of the edges.
+template <class N, class SquaredLength>
+SquareMatrix<N> gram_of(std::size_t m, const SquaredLength& squared_length) {
+  SquareMatrix<N> result(m);
+  for (std::size_t x = 1; x <= m; ++x) {
+    for (std::size_t y = 1; y <= m; ++y) {
+      const N across = x == y ? N(0) : squared_length(x, y);
+      result(x - 1, y - 1) = (squared_length(0, x) + squared_length(0, y) - across) / N(2);
+    }
+  }
+  return result;
+}
+
+/// With k = cos^2 rho (1/cosh^2 rho): B^2 k G_D - G_C and G_C - (A^2 / k) G_D are positive definite.
+template <class N>
+Verdict is_stretched_within(Complex& complex, std::size_t s, const N& least, const N& greatest) {
+  const Data& data = complex.data;
+  const std::size_t m = data.m;
+  const Form<N> form(data);
+  const Lifts<N> lifts = complex.lifts<N>(s);
+  const N bent = Circumball<N>(data, form, lifts).tangent_squared();
+  const N k = data.K > 0 ? N(1) / (N(1) + bent) : N(1) - bent;
+  const auto chord = [&](std::size_t x, std::size_t y) { return form.squared(lifts[x] - lifts[y]); };
+  const SquareMatrix<N> straight = gram_of<N>(m, chord);
+  const SquareMatrix<N> flat =
+      gram_of<N>(m, [&](std::size_t x, std::size_t y) { return unrolled(data.K, chord(x, y)); });
+  SquareMatrix<N> above(m), below(m);
+  for (std::size_t x = 0; x < m; ++x) {
+    for (std::size_t y = 0; y < m; ++y) {
+      above(x, y) = square(greatest) * k * flat(x, y) - straight(x, y);
+      below(x, y) = straight(x, y) - square(least) / k * flat(x, y);
+    }
+  }
+  return conjunction(is_positive_definite(above), is_positive_definite(below));
+}
+
+}  // namespace
+
+void check_cotangents(Complex& complex, const Quantity& weight, Report& report) {
+  const Circumballs balls(complex);
+  for (const Hinge& hinge : complex.hinges) {
+    const bool fine = decide_enclosed(
+        [&]<class N>(In<N>) { return has_cotangents_above<N>(complex, balls.form<N>(), hinge, weight.as<N>()); });
+    if (fine) continue;
+    report.reject("6.self-delaunay", [&] {
+      return "the cotangents of the angles opposite to the edge of " + complex.name(hinge.simplex[0]) + " and " +
+             complex.name(hinge.simplex[1]) + " have a sum of at most weight";
+    });
+  }
+}
+
+void check_stretching(Complex& complex, const Quantity& least, const Quantity& greatest, Report& report) {
+  const auto fits = [&](std::size_t s) {
+    return decide_enclosed([&]<class N>(In<N>) {
+      if (complex.data.K == 0)  // an isometry
+        return conjunction(less_equal(least.as<N>(), N(1)), less_equal(N(1), greatest.as<N>()));
+      return is_stretched_within<N>(complex, s, least.as<N>(), greatest.as<N>());
+    });
+  };
+  for (std::size_t s = 0; s < (complex.data.K == 0 ? 1 : complex.data.simplices()); ++s) {
+    if (complex.sign[s] == 0 || fits(s)) continue;
+    report.reject("6.bilipschitz", [&] { return complex.name(s) + " is stretched beyond the bounds of bilipschitz"; });
+  }
+}
+
+}  // namespace delcert::checker::core
