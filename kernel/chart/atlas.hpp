@@ -45,9 +45,10 @@ class Atlas {
   /// above). Precondition: distance is at most the radius of the patch.
   virtual void sightings(Label i, double distance, std::vector<Sighting<m>>& out) const = 0;
 
-  /// φ_ji for the sighted label j: home coordinates of its patch to coordinates of the chart i that sees it.
-  /// Enclosures on the first two rungs (the filter needs a `FilterGuard`). On the last exact, if the family has exact
-  /// transitions; else the midpoint of the filter's enclosure: good enough to choose by, and nothing may rest on it.
+  /// φ_ij for the sighted label j (the paper's index order: from U_j to U_i): home coordinates of its patch to
+  /// coordinates of the chart i that sees it. Enclosures on the first two rungs (the filter needs a `FilterGuard`). On
+  /// the last exact, if the family has exact transitions; else the midpoint of the filter's enclosure: good enough to
+  /// choose by, and nothing may rest on it.
   [[nodiscard]] virtual Vector<Filter, m> carry(Label i, const Sighting<m>& seen,
                                                 const Vector<Filter, m>& home) const = 0;
   [[nodiscard]] virtual Vector<BigInterval, m> carry(Label i, const Sighting<m>& seen,

@@ -13,14 +13,23 @@ namespace {
 
 constexpr const char* head_of_page = R"(# Errata
 
-What is wrong in *Delaunay triangulation of manifolds* (Boissonnat, Dyer, Ghosh) as printed. Lines are those of its LaTeX
-source, places its labels. This page is what `delcert errata` prints, out of the files of `proofs/errata/`; a test compares
-them. Where a command stands, it reproduces the finding, from the root of the sources and with exit status 1, and a test runs
-it; what has none was read, and rests on the argument given.
+Remarks of a reader on *Delaunay triangulation of manifolds* by Boissonnat, Dyer and Ghosh. **Which text:** the LaTeX source
+of a preprint, whose comments have dates from 2013 to October 2014. The article of the same name, published in 2017, was not
+compared; its abstract differs, and nothing is known here of what it changed.
+
+The paper's results stand: Theorem 1 with the hypotheses on the input spelt out, Theorem 2 with a hypothesis on the metric,
+Theorem 3 with inj/20 for inj/4, and the algorithm as printed ([proof](claims/printed-algorithm.md)). The severest remarks come
+first. Lines are those of the LaTeX source, places its labels. Between “ and ” the paper is quoted with its macros expanded (so
+the transition from U_i to U_j is φ_ji), with […] where something is left out and labels in brackets for references; a test
+compares these quotations with the source. *Ours* is a step that computes what the text implies, and is no formula of the text.
+
+This page is what `delcert errata` prints, out of the files of `proofs/errata/`; a test compares them. Where a command
+stands, it reproduces the finding, from the root of the sources and with exit status 1, and a test runs it; what has none was
+read, and rests on the argument given.
 )";
 
-constexpr std::array wrong_judgements{Judgement::falsehood, Judgement::needs_hypothesis, Judgement::gap,
-                                      Judgement::wording};
+/// The severest first.
+constexpr std::array wrong_judgements{Judgement::theorem, Judgement::constant, Judgement::word, Judgement::misprint};
 
 /// The text without line breaks: paragraphs and cells are one line each.
 std::string on_one_line(const std::string& text) {
@@ -48,7 +57,7 @@ std::string section(const Erratum& erratum) {
     if (!content.empty()) text += fmt::format("\n**{}.** {}\n", heading, on_one_line(content));
   };
   paragraph("Printed", erratum.printed);
-  paragraph("Wrong", erratum.wrong);
+  paragraph("Remark", erratum.wrong);
   paragraph("Witness", erratum.witness);
   paragraph("Mended", erratum.mended);
   paragraph("Effect", erratum.effect);
@@ -77,15 +86,14 @@ std::string counts(const std::vector<Erratum>& errata) {
 
 std::string errata_markdown(const std::vector<Erratum>& errata) {
   std::string text = head_of_page + counts(errata);
+  for (const Judgement judgement : wrong_judgements)
+    for (const Erratum& erratum : errata)
+      if (erratum.judgement == judgement) text += section(erratum);
   std::string read;
-  for (const Erratum& erratum : errata) {
-    if (erratum.judgement == Judgement::holds) {
+  for (const Erratum& erratum : errata)
+    if (erratum.judgement == Judgement::holds)
       read += fmt::format("| {} | {} | {} | {} |\n", lines_text(erratum.lines), erratum.label, in_cell(erratum.printed),
                           in_cell(erratum.wrong));
-    } else {
-      text += section(erratum);
-    }
-  }
   if (!read.empty())
     text += "\n## Read, and found to hold\n\n| lines | place | what is printed | why it holds |\n|---|---|---|---|\n" +
             read;

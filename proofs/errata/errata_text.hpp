@@ -7,8 +7,8 @@
 
 namespace delcert {
 
-/// The findings as the page docs/errata.md, in their order: how many there are of each kind, a section for each that is
-/// wrong, a table of what was read and holds.
+/// The findings as the page docs/errata.md: which text was read, how many there are of each kind, a section for each,
+/// the severest kind first and those of one kind in their order, a table of what was read and holds.
 [[nodiscard]] std::string errata_markdown(const std::vector<Erratum>& errata);
 
 /// The same as a JSON document {"errata": […]}, with the keys of the files, `lines` as text, and all keys always there.

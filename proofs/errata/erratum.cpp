@@ -15,7 +15,7 @@ namespace delcert {
 namespace {
 
 constexpr std::size_t largest_errata_file = std::size_t{1} << 20U;
-constexpr std::array judgements{Judgement::falsehood, Judgement::needs_hypothesis, Judgement::gap, Judgement::wording,
+constexpr std::array judgements{Judgement::theorem, Judgement::constant, Judgement::word, Judgement::misprint,
                                 Judgement::holds};
 const std::vector<std::string> keys{"label",   "lines",  "kind",   "printed",   "wrong",
                                     "witness", "mended", "effect", "decidable", "command"};
@@ -131,14 +131,14 @@ void sort_by_line(std::vector<Erratum>& errata) {
 
 std::string_view name_of(Judgement judgement) {
   switch (judgement) {
-    case Judgement::falsehood:
-      return "false";
-    case Judgement::needs_hypothesis:
-      return "needs a hypothesis";
-    case Judgement::gap:
-      return "a step does not follow";
-    case Judgement::wording:
-      return "wording";
+    case Judgement::theorem:
+      return "changes a theorem";
+    case Judgement::constant:
+      return "changes a constant";
+    case Judgement::word:
+      return "needs a word";
+    case Judgement::misprint:
+      return "misprint";
     default:
       return "read: holds";
   }

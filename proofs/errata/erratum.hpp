@@ -6,13 +6,13 @@
 
 namespace delcert {
 
-/// The judgement on a passage of the paper.
+/// The judgement on a passage of the paper, the severest first.
 enum class Judgement : unsigned char {
-  falsehood,         ///< the statement is false as printed
-  needs_hypothesis,  ///< true with a hypothesis that is not stated
-  gap,               ///< a step does not follow, whether or not its conclusion is true
-  wording,           ///< what is meant is true, what is printed is not what is meant
-  holds              ///< read, and found to hold: an argument and no computation
+  theorem,   ///< a theorem needs a hypothesis that is not stated, or its conclusion does not follow
+  constant,  ///< a number changes, or could be better
+  word,      ///< what is meant is true, and a reader needs a hypothesis or an argument that is not printed
+  misprint,  ///< what is meant is clear
+  holds      ///< read, and found to hold: an argument and no computation
 };
 
 /// Lines of the paper's LaTeX source, counted from 1; first <= last.
@@ -28,8 +28,9 @@ struct Erratum {
   /// The LaTeX label of what it is about, or of the section around it.
   std::string label;
   std::vector<LineRange> lines;  ///< not empty, in increasing order
-  Judgement judgement = Judgement::falsehood;
-  std::string printed;  ///< the statement as printed, in Markdown
+  Judgement judgement = Judgement::theorem;
+  /// The statement as printed, in Markdown. What stands between “ and ” here and below is quoted, with macros expanded.
+  std::string printed;
   std::string wrong;    ///< what is wrong with it; where it holds, why
   std::string witness;  ///< a counterexample; may be empty
   std::string mended;   ///< the mended statement and how it is proved; may be empty
@@ -55,7 +56,7 @@ struct Erratum {
 /// Sorts into that order.
 void sort_by_line(std::vector<Erratum>& errata);
 
-/// "false", "needs a hypothesis", "a step does not follow", "wording", "read: holds".
+/// "changes a theorem", "changes a constant", "needs a word", "misprint", "read: holds".
 [[nodiscard]] std::string_view name_of(Judgement judgement);
 
 }  // namespace delcert

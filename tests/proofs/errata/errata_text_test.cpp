@@ -21,18 +21,18 @@ Erratum sample(Judgement judgement) {
 bool mentions(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(ErrataText, has_a_section_for_what_is_wrong) {
-  Erratum erratum = sample(Judgement::gap);
+  Erratum erratum = sample(Judgement::constant);
   erratum.decidable = true;
   erratum.command = "delcert attack --replay x.json";
   const std::string text = errata_markdown({erratum});
   EXPECT_TRUE(mentions(text,
-                       "\n## lines 10-12, 20, lem:sample: a step does not follow\n\n**Printed.** |x| ≤ 1 always\n"
-                       "\n**Wrong.** x = 2\n\n```\ndelcert attack --replay x.json\n```\n"))
+                       "\n## lines 10-12, 20, lem:sample: changes a constant\n\n**Printed.** |x| ≤ 1 always\n"
+                       "\n**Remark.** x = 2\n\n```\ndelcert attack --replay x.json\n```\n"))
       << text;
   EXPECT_FALSE(mentions(text, "**Mended.**"));
   EXPECT_FALSE(mentions(text, "found to hold"));
-  EXPECT_TRUE(mentions(text, "| a step does not follow | 1 | 1 |\n"));
-  EXPECT_TRUE(mentions(text, "| false | 0 | 0 |\n"));
+  EXPECT_TRUE(mentions(text, "| changes a constant | 1 | 1 |\n"));
+  EXPECT_TRUE(mentions(text, "| changes a theorem | 0 | 0 |\n"));
 }
 
 TEST(ErrataText, has_a_table_of_what_holds) {
@@ -43,17 +43,28 @@ TEST(ErrataText, has_a_table_of_what_holds) {
 }
 
 TEST(ErrataText, says_line_where_there_is_one) {
-  Erratum erratum = sample(Judgement::wording);
+  Erratum erratum = sample(Judgement::word);
   erratum.lines = {{7, 7}};
-  EXPECT_TRUE(mentions(errata_markdown({erratum}), "\n## line 7, lem:sample: wording\n"));
+  EXPECT_TRUE(mentions(errata_markdown({erratum}), "\n## line 7, lem:sample: needs a word\n"));
+}
+
+TEST(ErrataText, has_the_severest_first) {
+  std::vector<Erratum> errata{sample(Judgement::misprint), sample(Judgement::word), sample(Judgement::theorem),
+                              sample(Judgement::constant)};
+  const std::string text = errata_markdown(errata);
+  const auto place = [&](const char* kind) { return text.find(std::string("lem:sample: ") + kind); };
+  EXPECT_LT(place("changes a theorem"), place("changes a constant"));
+  EXPECT_LT(place("changes a constant"), place("needs a word"));
+  EXPECT_LT(place("needs a word"), place("misprint"));
+  EXPECT_NE(place("misprint"), std::string::npos);
 }
 
 TEST(ErrataText, is_json_with_all_keys) {
-  const auto document = nlohmann::json::parse(errata_json({sample(Judgement::falsehood), sample(Judgement::holds)}));
+  const auto document = nlohmann::json::parse(errata_json({sample(Judgement::theorem), sample(Judgement::holds)}));
   ASSERT_EQ(document["errata"].size(), 2U);
   const auto& first = document["errata"][0];
   EXPECT_EQ(first["lines"], "10-12, 20");
-  EXPECT_EQ(first["kind"], "false");
+  EXPECT_EQ(first["kind"], "changes a theorem");
   EXPECT_EQ(first["printed"], "|x| ≤ 1\nalways");
   EXPECT_EQ(first["decidable"], false);
   EXPECT_EQ(first["mended"], "");

@@ -14,7 +14,7 @@ namespace {
 
 const std::string complete = R"(label = "lem:bound.cc"
 lines = "10-12, 20"
-kind = "false"
+kind = "changes a theorem"
 printed = "R ≤ 1"
 wrong = "R = 2 occurs"
 decidable = true
@@ -42,7 +42,7 @@ TEST(Erratum, is_read_with_all_that_it_says) {
   EXPECT_EQ(erratum.file, "file.toml");
   EXPECT_EQ(erratum.label, "lem:bound.cc");
   EXPECT_EQ(erratum.lines, (std::vector<LineRange>{{10, 12}, {20, 20}}));
-  EXPECT_EQ(erratum.judgement, Judgement::falsehood);
+  EXPECT_EQ(erratum.judgement, Judgement::theorem);
   EXPECT_EQ(erratum.printed, "R ≤ 1");
   EXPECT_EQ(erratum.wrong, "R = 2 occurs");
   EXPECT_EQ(erratum.witness, "w");
@@ -53,11 +53,11 @@ TEST(Erratum, is_read_with_all_that_it_says) {
 }
 
 TEST(Erratum, has_one_of_five_kinds) {
-  for (const char* kind : {"false", "needs a hypothesis", "a step does not follow", "wording"})
+  for (const char* kind : {"changes a theorem", "changes a constant", "needs a word", "misprint"})
     EXPECT_EQ(name_of(parse_erratum(with("kind", "kind = '" + std::string(kind) + "'"), "f").judgement), kind);
   EXPECT_EQ(
       message_of(with("kind", "kind = 'wrong'")),
-      "file.toml:3:8: a kind is one of \"false\", \"needs a hypothesis\", \"a step does not follow\", \"wording\", "
+      "file.toml:3:8: a kind is one of \"changes a theorem\", \"changes a constant\", \"needs a word\", \"misprint\", "
       "\"read: holds\", not \"wrong\"");
 }
 
