@@ -17,9 +17,9 @@ Remarks of a reader on *Delaunay triangulation of manifolds* by Boissonnat, Dyer
 of a preprint, whose comments have dates from 2013 to October 2014. The article of the same name, published in 2017, was not
 compared; its abstract differs, and nothing is known here of what it changed.
 
-The paper's results stand: Theorem 1 with the hypotheses on the input spelt out, Theorem 2 with a hypothesis on the metric,
-Theorem 3 with inj/20 for inj/4, and the algorithm as printed ([proof](claims/printed-algorithm.md)). The severest remarks come
-first. Lines are those of the LaTeX source, places its labels. Between “ and ” the paper is quoted with its macros expanded (so
+The main results stand: Theorem 1 with the hypotheses on the input spelt out, Theorem 2 with a hypothesis on the metric,
+Theorem 3 with inj/20 for inj/4, all three for separations of at most 1, and the algorithm as printed
+([proof](claims/printed-algorithm.md)). The severest remarks come first. Lines are those of the LaTeX source, places its labels. Between “ and ” the paper is quoted with its macros expanded (so
 the transition from U_i to U_j is φ_ji), with […] where something is left out and labels in brackets for references; a test
 compares these quotations with the source. *Ours* is a step that computes what the text implies, and is no formula of the text.
 
