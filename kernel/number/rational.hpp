@@ -11,6 +11,10 @@ namespace delcert {
 
 using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 
+/// What GMP's own functions take.
+[[nodiscard]] inline mpz_ptr raw(Integer& integer) { return integer.backend().data(); }
+[[nodiscard]] inline mpz_srcptr raw(const Integer& integer) { return integer.backend().data(); }
+
 /// An exact rational number: the rung on which every decision about rational quantities ends.
 class Rational {
  public:

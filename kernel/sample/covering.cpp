@@ -14,9 +14,6 @@ namespace delcert {
 
 namespace {
 
-template <int m>
-constexpr std::size_t corners = static_cast<std::size_t>(m) + 1;
-
 template <class S, int m>
 Vector<S, m> moved(Vector<S, m> x, const Shift<m>& shift) {
   for (std::size_t axis = 0; axis < m; ++axis) x[axis] += S(shift[axis]);

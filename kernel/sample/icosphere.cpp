@@ -18,7 +18,7 @@ namespace {
 using Direction = std::array<double, 3>;
 
 /// Corners: (0, ±1, ±φ), (±1, ±φ, 0), (±φ, 0, ±1).
-std::array<Direction, 12> corners() {
+std::array<Direction, 12> icosahedron_vertices() {
   const double golden = (1 + std::sqrt(5.0)) / 2;
   const double length = std::sqrt(1 + golden * golden);
   std::array<Direction, 12> result{};
@@ -68,7 +68,7 @@ Vector<double, 2> turned_coordinates(const Direction& x) {
 class Division {
  public:
   explicit Division(std::uint32_t frequency) : frequency_(frequency), sines_(sines(frequency)) {
-    const auto corner = corners();
+    const auto corner = icosahedron_vertices();
     for (const Direction& x : corner) add({x, x, x}, frequency, 0);
     const auto adjacent = [&](std::size_t a, std::size_t b) { return pairing(corner[a], corner[b]) > 0.4; };
     for (std::size_t a = 0; a < 12; ++a) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
 
 #include "kernel/number/strong.hpp"
@@ -10,6 +11,10 @@
 namespace delcert {
 
 inline constexpr int largest_run_dimension = 4;
+
+/// How many vertices an m-simplex has.
+template <int m>
+inline constexpr std::size_t corners = static_cast<std::size_t>(m) + 1;
 
 /// Calls `action.template operator()<m>()` for the dimension at hand.
 /// Throws std::out_of_range unless 1 ≤ dimension ≤ largest_run_dimension.

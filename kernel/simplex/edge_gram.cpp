@@ -9,9 +9,6 @@ namespace {
 using Points = std::vector<std::vector<Rational>>;
 
 std::size_t bits_of(mpz_srcptr integer) { return mpz_sizeinbase(integer, 2); }
-mpz_ptr raw(Integer& integer) { return integer.backend().data(); }
-mpz_srcptr raw(const Integer& integer) { return integer.backend().data(); }
-
 /// The least common denominator of all coordinates, while it is not much longer than the longest of them: 0 where it
 /// is.
 Integer common_denominator(const Points& points) {

@@ -6,9 +6,6 @@ namespace delcert {
 
 namespace {
 
-mpz_ptr raw(Integer& integer) { return integer.backend().data(); }
-mpz_srcptr raw(const Integer& integer) { return integer.backend().data(); }
-
 void include_denominator(Integer& denominator, const Rational& x) {
   if (mpz_divisible_p(raw(denominator), mpq_denref(x.gmp())) != 0) return;
   mpz_lcm(raw(denominator), raw(denominator), mpq_denref(x.gmp()));

@@ -15,8 +15,6 @@ namespace delcert {
 
 namespace {
 
-template <int m>
-constexpr std::size_t corners = static_cast<std::size_t>(m) + 1;
 constexpr long margin_digits = 12;
 constexpr long margins_per_octave = 1L << (margin_digits - 1);
 

@@ -8,9 +8,6 @@ namespace delcert {
 
 namespace {
 
-template <int m>
-constexpr std::size_t corners = static_cast<std::size_t>(m) + 1;
-
 /// The number of different label sets of `count` vertices among the faces of the simplices.
 template <int m>
 std::size_t face_count(const std::vector<LiftedSimplex<m>>& simplices, int count) {

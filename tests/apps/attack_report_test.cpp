@@ -8,7 +8,7 @@
 #include "tests/properties/attack/small_claims.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -86,5 +86,5 @@ TEST(AttackReport, json_says_the_same) {
   EXPECT_EQ(json[1]["tally"]["conclusions"][0]["verdict"], "not attacked");
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -9,7 +9,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 namespace fs = std::filesystem;
 
@@ -31,5 +31,5 @@ TEST(CheckerPath, is_the_first_that_can_be_executed) {
   EXPECT_EQ(first_executable({folder / "missing", folder.path(), plain}), fs::path());
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -10,7 +10,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 ClaimOptions named(std::vector<std::string> names) {
   ClaimOptions options;
@@ -78,5 +78,5 @@ TEST(ClaimOptions, shapes_are_written_with_their_dimensions) {
   EXPECT_EQ(text_of(Shape{0, 2}), "m=2");
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

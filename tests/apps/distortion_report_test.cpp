@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 Rational ratio(long a, long b) { return Rational(a) / Rational(b); }
 
@@ -65,5 +65,5 @@ TEST(DistortionReport, refuses_theory_with_numbers) {
     EXPECT_TRUE(mentions(text, part)) << part << "\n" << text;
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

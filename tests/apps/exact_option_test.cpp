@@ -6,7 +6,7 @@
 #include <string>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 Rational value_of(const std::string& command_line) {
   CLI::App app;
@@ -45,5 +45,5 @@ TEST(ExactOption, refuses_everything_else_as_a_usage_error) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -10,7 +10,7 @@
 #include "support/error.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 struct Outcome {
   ExitStatus status;
@@ -59,5 +59,5 @@ TEST(ExitStatus, comes_with_one_line_of_explanation) {
   EXPECT_EQ(outcome_of_throwing(std::logic_error("bug")).errors, "delcert: error: internal: bug\n");
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

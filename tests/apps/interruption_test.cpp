@@ -5,7 +5,7 @@
 #include <csignal>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(Interruption, is_noticed_by_work_that_asks) {
   for (const int signal : {SIGINT, SIGTERM}) {
@@ -30,5 +30,5 @@ TEST(InterruptionDeathTest, ends_the_program_when_it_comes_twice) {
       ::testing::KilledBySignal(SIGINT), "");
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

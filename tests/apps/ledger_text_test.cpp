@@ -11,7 +11,7 @@
 #include "proofs/constants/ledger_entries.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 Ledger ledger_of(int dimension) { return constants_for(Dimension{dimension}, Rational(1), Rational(1) / Rational(4)); }
 
@@ -162,5 +162,5 @@ TEST(LedgerText, is_a_latex_table_with_five_columns) {
   EXPECT_EQ(rows, ledger_entries(ledger_of(3)).size() + 1);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

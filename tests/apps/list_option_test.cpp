@@ -5,7 +5,7 @@
 #include <string>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 std::vector<Rational> numbers(const std::string& text) {
   CLI::App app;
@@ -64,5 +64,5 @@ TEST(ListOption, refuses_what_is_no_list_of_integers) {
   EXPECT_TRUE(mentions(message_of(integers, "1..2000000000"), "more than 1000 values"));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -8,7 +8,7 @@
 #include "apps/interruption.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using std::chrono::milliseconds;
 
@@ -104,5 +104,5 @@ TEST_F(ProgressLineTest, lets_work_be_interrupted) {
   catch_interruptions();
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

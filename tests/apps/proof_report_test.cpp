@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 class ProofReport : public testing::Test {
  protected:
@@ -67,5 +67,5 @@ TEST_F(ProofReport, heads_fit_their_rows) {
   EXPECT_EQ(columns(slack_table_head()), 2 * columns(slack_row(claim_, step_, slack)));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -8,7 +8,7 @@
 #include "properties/attack/paper_labels.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 bool is_in_the_table(const std::string& label) {
   const ConstantRows& rows = builtin_constant_rows();
@@ -54,5 +54,5 @@ TEST(Tables, have_necessary_constants_beyond_those_of_the_paper) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(TextTable, aligns_columns_and_leaves_no_blanks_at_the_end) {
   EXPECT_EQ(text_table({{"a", "bb", "c"}, {"aaa", "b", ""}}), "a    bb  c\naaa  b\n");
@@ -18,5 +18,5 @@ TEST(TextTable, counts_letters_and_neither_bytes_nor_marks) {
   EXPECT_EQ(text_table({{"ρ̃₀", "x"}, {"ab", "x"}}), "ρ̃₀  x\nab  x\n");
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -8,7 +8,7 @@
 #include "tests/checker/upwards.hpp"
 
 namespace delcert::checker_tests {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using checker::exact_value;
 using checker::is_exact_number;
@@ -61,5 +61,5 @@ TEST(ExactNumber, lies_in_its_enclosure_whatever_its_magnitude) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::checker_tests

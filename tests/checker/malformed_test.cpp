@@ -6,7 +6,7 @@
 #include "tests/checker/support/samples.hpp"
 
 namespace delcert::checker_tests {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const std::string& valid() {
   static const std::string text = sealed(circle().document());
@@ -248,5 +248,5 @@ TEST(Malformed, the_command_line_is_checked) {
   EXPECT_EQ(run_checker_with(part + " --levels 1").status, 64) << "a level that is not claimed is not verified";
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::checker_tests

@@ -6,7 +6,7 @@
 #include "tests/checker/support/metric_field_documents.hpp"
 
 namespace delcert::checker_tests {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 Change stated(const std::string& block, const std::string& key, const Rational& factor) {
   return [=](Json& j) { j[block][key] = times(j[block][key], factor); };
@@ -181,7 +181,7 @@ TEST(MetricField, huge_and_tiny_numbers_never_verify) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 
 std::vector<Forgery> metric_field_forgeries() {
   const auto forged = [](const char* name, const char* rule, const Json& valid, const Change& change) {

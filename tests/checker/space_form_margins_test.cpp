@@ -14,7 +14,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert::checker_tests {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 struct Certified {
   SpaceFormAtlas<2> atlas;
@@ -76,5 +76,5 @@ TEST_P(SpaceFormMargins, hold_and_little_more_does_not) {
 
 INSTANTIATE_TEST_SUITE_P(Runs, SpaceFormMargins, testing::Values("projective-plane", "bolza-surface"));
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::checker_tests

@@ -6,7 +6,7 @@
 #include "tests/oracles/twins.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 constexpr std::int32_t copies_on_each_side = 2;
 
@@ -45,5 +45,5 @@ void expect_same_complex(RunMode mode) {
 TEST(CopiesOfASkewedTorus, have_the_certified_complex_in_theory_mode) { expect_same_complex(RunMode::theory); }
 TEST(CopiesOfASkewedTorus, have_the_certified_complex_in_measured_mode) { expect_same_complex(RunMode::measured); }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -10,7 +10,7 @@
 #include "tests/oracles/cgal_delaunay.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using Exact = CGAL::Simple_cartesian<CGAL::Gmpq>;
 
@@ -85,5 +85,5 @@ TEST(CoveringRadius, leaves_the_bounds_when_a_point_is_moved_by_a_third_of_the_r
   while (bounds_hold(squared_covering_radius<2>(with_one_point_moved(moved)))) ASSERT_LT(++moved, points.size());
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -6,7 +6,7 @@
 #include "tests/oracles/twins.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 template <int m>
 Complex<m> stars_of_interior_labels(const FlatAtlas<m>& atlas, const Doubles<m>& points) {
@@ -38,5 +38,5 @@ TEST(EuclideanBall, disk_in_measured_mode) { expect_same_stars<2>("disk", 24, Ru
 TEST(EuclideanBall, ball_in_theory_mode) { expect_same_stars<3>("ball-3", 11, RunMode::theory); }
 TEST(EuclideanBall, ball_in_measured_mode) { expect_same_stars<3>("ball-3", 11, RunMode::measured); }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

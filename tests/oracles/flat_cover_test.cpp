@@ -7,7 +7,7 @@
 #include "tests/oracles/space_form_sample.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 template <int m>
 using Point = Vector<Rational, m>;
@@ -94,5 +94,5 @@ TEST(FlatCover, of_the_half_turn_space_at_1_16_has_its_complex) {
                          sheets_of_half_turn_space, 8);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -6,7 +6,7 @@
 #include "tests/oracles/gudhi_homology.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// β₀ … β_m over 𝔽₂ of the complex of all faces, a face being its set of labels, and its Euler characteristic.
 template <int m>
@@ -39,5 +39,5 @@ TEST(Homology, square_torus) { expect_torus<2>("torus-2", RunMode::theory, {1, 2
 TEST(Homology, hexagonal_torus) { expect_torus<2>("torus-2-hexagonal", RunMode::measured, {1, 2, 1}, {1, 2, 0}); }
 TEST(Homology, cubic_torus) { expect_torus<3>("torus-3", RunMode::theory, {1, 3, 3, 1}, {1, 3, 3, 0}); }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -12,7 +12,7 @@
 #include "tests/oracles/space_form_sample.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using Traits = CGAL::Periodic_4_hyperbolic_Delaunay_triangulation_traits_2<>;
 using Triangulation = CGAL::Periodic_4_hyperbolic_Delaunay_triangulation_2<Traits>;
@@ -84,5 +84,5 @@ TEST(HyperbolicOctagon, has_the_complex_of_the_bolza_surface) {
   expect_same_labels<2>(sample.run.complex.simplices(), cgal_complex_on_octagon(sample));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -9,7 +9,7 @@
 #include "tests/oracles/gudhi_homology.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// dim H_k(K; 𝔽_p) by the universal coefficient theorem.
 std::vector<int> betti_numbers(const std::vector<AbelianGroup>& groups, int p) {
@@ -58,5 +58,5 @@ TEST(IntegerHomology, is_told_apart_by_the_fields) {
   EXPECT_NE(betti_numbers(homology_of(lens_space(7, 2)), 5), gudhi_homology(3, space.labels, 5).first);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -5,7 +5,7 @@
 #include "tests/oracles/twins.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// CGAL's complex of the perturbed points is ours. Neither a flip, which counting at the facets accepts, nor a moved
 /// point gets through.
@@ -43,5 +43,5 @@ TEST(PeriodicDelaunay, cubic_torus_1_24_in_measured_mode) {
   expect_same_complex<3>(certified_run<3>("torus-3", 24, RunMode::measured));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

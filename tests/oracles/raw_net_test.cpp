@@ -15,7 +15,7 @@
 #include "tests/oracles/space_form_sample.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 
@@ -209,5 +209,5 @@ TEST(RawNet, of_sphere_3_at_1_5_has_the_disagreeing_stars_that_are_named) {
   expect_refused<3>("sphere-3", Rational(Integer(1), Integer(5)));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

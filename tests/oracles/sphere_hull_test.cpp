@@ -12,7 +12,7 @@
 #include "tests/oracles/space_form_sample.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 // Both take the doubles nearest to the points, and decide exactly about those.
 
@@ -85,5 +85,5 @@ TEST(SphereHull, of_sphere_3_at_1_5_is_the_complex) {
   expect_same_labels<3>(sample.run.complex.simplices(), cgal_hull(sample));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -13,7 +13,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 namespace fs = std::filesystem;
 
@@ -103,5 +103,5 @@ TEST_F(AtomicFileTest, reports_a_failing_rename_and_removes_the_temporary_file) 
   EXPECT_TRUE(fs::is_directory(path));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

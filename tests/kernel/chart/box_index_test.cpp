@@ -8,7 +8,7 @@
 #include "kernel/random/counter_random.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -83,5 +83,5 @@ TEST(BoxIndex, takes_unbounded_boxes_and_enclosures) {
   EXPECT_TRUE(found.empty());
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -6,7 +6,7 @@
 #include "tests/kernel/stars/curved_patch.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const ModelGeometry unit_sphere{Curvature::positive, Rational(3)};
 const ModelGeometry hyperbolic{Curvature::negative, Rational(1)};
@@ -151,5 +151,5 @@ TEST(ChartView, converts_its_complete_radius) {
   EXPECT_EQ(view.complete_radius(LocalCoordinates::conformal), 0) << "beyond a right angle";
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -10,7 +10,7 @@
 #include "tests/support/ratio.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 constexpr std::array curvatures{Curvature::negative, Curvature::zero, Curvature::positive};
 
@@ -150,5 +150,5 @@ TEST(CurvedFunctions, are_open_where_their_argument_may_leave_the_domain) {
   EXPECT_GE(cosine_of_root(Curvature::negative, Interval::between(-1, 0)).lower(), 1 - 0x1p-50);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -8,7 +8,7 @@
 #include "kernel/random/counter_random.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 template <int m>
 struct Cloud {
@@ -113,5 +113,5 @@ TEST(LiftGrid, empty_space_is_not_occupied) {
   EXPECT_EQ(grid.size(), 1U);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

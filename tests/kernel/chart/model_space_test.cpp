@@ -9,7 +9,7 @@
 #include "tests/support/ratio.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 constexpr std::array curvatures{Curvature::negative, Curvature::zero, Curvature::positive};
 
@@ -210,5 +210,5 @@ TEST(ModelSpace, the_logarithm_of_conformal_coordinates_is_that_of_the_point) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(NetGrid, is_near_and_exact_after_translation) {
   for (const double x : {0.1, -0.7, 1 / 3.0, 0x1p-60, 0.0, 5.25}) {
@@ -16,5 +16,5 @@ TEST(NetGrid, is_near_and_exact_after_translation) {
 
 TEST(NetGrid, matters) { EXPECT_NE((0.1 + 8.0) - 8.0, 0.1); }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

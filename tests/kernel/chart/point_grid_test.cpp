@@ -5,7 +5,7 @@
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 template <int m>
 PointGrid<m> grid_of(const FlatSpace<m>& space, const ExactPoints<m>& points, double cell_width) {
@@ -184,5 +184,5 @@ TEST(Shift, is_added_and_subtracted_by_coordinates) {
   EXPECT_EQ((difference_of<3>(a, b)), (Shift<3>{5, -7, -3}));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

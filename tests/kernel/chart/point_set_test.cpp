@@ -3,7 +3,7 @@
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const ExactPoints<2> points{{ratio(1, 3), ratio(-22, 7)},
                             {ratio(1, 4), Rational(0)},
@@ -68,5 +68,5 @@ TEST(PointSet, replaces_one_point_and_its_enclosure) {
   EXPECT_EQ(PointSet<2>().size(), 0U);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -9,7 +9,7 @@
 #include "kernel/simplex/vector.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 template <int m>
 void expect_all_lifts_in_boxes(const Vector<double, m>& widths) {
@@ -82,5 +82,5 @@ TEST(TorusCells, visit_little_more_and_stop_when_told) {
   EXPECT_EQ(visited, 7U);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

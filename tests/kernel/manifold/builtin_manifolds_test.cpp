@@ -5,7 +5,7 @@
 #include <algorithm>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(BuiltinManifolds, are_ordered_by_name_without_repetition) {
   const auto& manifolds = builtin_manifolds();
@@ -24,5 +24,5 @@ TEST(BuiltinManifolds, hold_the_text_of_their_files) {
             "gram = [[\"1\", \"0\"],\n        [\"0\", \"1\"]]\n");
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -4,7 +4,7 @@
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 template <int m>
 void check_sightings(const FlatSpace<m>& space, const ExactPoints<m>& points, const Rational& sampling_radius) {
@@ -101,5 +101,5 @@ TEST(FlatAtlas, has_one_sampling_radius_and_its_net) {
   EXPECT_FALSE(atlas.space().box_radius().has_value());
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

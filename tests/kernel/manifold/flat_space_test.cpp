@@ -4,7 +4,7 @@
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(FlatSpaceOf, a_torus_has_its_gram_matrix_and_no_radius) {
   const auto space = flat_space_of<3>(find_manifold("torus-3-bcc"));
@@ -21,5 +21,5 @@ TEST(FlatSpaceOf, a_ball_is_cartesian_with_its_radius) {
   EXPECT_TRUE(space.metric.is_cartesian());
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

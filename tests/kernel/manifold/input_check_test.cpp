@@ -4,7 +4,7 @@
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 template <int m>
 std::vector<InputItem> items_of(const FlatSpace<m>& space, const ExactPoints<m>& points,
@@ -74,5 +74,5 @@ TEST(CheckInput, tells_the_measured_values) {
   EXPECT_TRUE(mentions(item(items, "perturbation").detail, "1/5"));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

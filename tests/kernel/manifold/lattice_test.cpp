@@ -4,7 +4,7 @@
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// The shortest of all integer vectors with coordinates −reach … reach.
 template <int m>
@@ -89,5 +89,5 @@ TEST(SquaredSystole, refuses_bases_that_are_too_skewed) {
   EXPECT_TRUE(mentions(message_of<InputError>([&] { (void)squared_systole<2>(skewed.metric); }), "too skewed"));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

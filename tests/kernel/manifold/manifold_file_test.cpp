@@ -11,7 +11,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using Matrix = std::vector<std::vector<Rational>>;
 
@@ -186,5 +186,5 @@ TEST(FindManifold, lists_the_names_when_there_is_neither) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -8,7 +8,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const std::string head = "name = \"x\"\nfamily = \"metric-field\"\ndimension = 2\nconstant = [[1, 0], [0, \"3/2\"]]\n";
 
@@ -84,5 +84,5 @@ TEST(MetricFieldFile, leaves_what_is_no_metric_field) {
   EXPECT_EQ(metric_field_if_one(file_with(head))->constant[1][1], ratio(3, 2));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -9,7 +9,7 @@
 #include "tests/kernel/manifold/quotient/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 std::string refusal(const std::string& text) {
   return message_of<InputError>([&] { (void)parse_space_form(text, "x.toml"); });
@@ -106,5 +106,5 @@ TEST(SpaceFormFile, are_told_from_other_manifolds) {
     EXPECT_FALSE(space_form_if_one(examples + other)) << other;
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -10,7 +10,7 @@
 #include "tests/kernel/number/random_numbers.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 static_assert(Scalar<Algebraic>);
 static_assert(std::is_nothrow_move_constructible_v<Algebraic>);
@@ -188,5 +188,5 @@ TEST(Algebraic, real_roots_that_nearly_coincide_are_two) {
   EXPECT_TRUE(roots[1].rational() == Rational(1) + gap);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -11,7 +11,7 @@
 #include "tests/kernel/number/random_numbers.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 static_assert(Scalar<BigInterval>);
 static_assert(std::is_nothrow_move_constructible_v<BigInterval>);
@@ -226,5 +226,5 @@ TEST(BigInterval, copies_and_moves_keep_value_and_precision) {
   EXPECT_EQ(mpfi_get_prec(b.mpfi()), 64);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

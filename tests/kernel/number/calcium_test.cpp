@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(Calcium, headers_leave_the_allocator_of_flint_as_it_was) {
   void* memory = flint_malloc(16);
@@ -20,4 +20,4 @@ TEST(Calcium, inline_functions_that_allocate_work) {
   _qqbar_vec_clear(numbers, 3);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE

@@ -7,7 +7,7 @@
 #include <string>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// Reads what the functions print, exactly.
 Rational value_of(const std::string& text) {
@@ -73,5 +73,5 @@ RC_GTEST_PROP(DecimalBounds, enclose_the_number_within_a_unit_of_the_last_digit,
   RC_ASSERT((lower == x) == (upper == x));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

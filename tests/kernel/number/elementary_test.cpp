@@ -10,7 +10,7 @@
 #include "tests/support/ratio.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 template <class Ours, class Theirs>
 void expect_enclosure(const Ours& ours, const Theirs& theirs, const Rational& x) {
@@ -89,5 +89,5 @@ TEST(Elementary, goes_to_doubles_outwards_and_back_exactly) {
   check();
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

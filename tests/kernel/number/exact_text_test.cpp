@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 Rational fraction(long numerator, long denominator) { return Rational(numerator) / Rational(denominator); }
 
@@ -198,5 +198,5 @@ TEST(ExactText, long_malformed_text_is_cut_in_the_message) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

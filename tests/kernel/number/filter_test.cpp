@@ -5,7 +5,7 @@
 #include <type_traits>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(Filter, is_the_interval_under_a_rounding_guard_unless_the_benchmark_build_says_otherwise) {
 #ifdef DELCERT_PLAIN_DOUBLES
@@ -25,5 +25,5 @@ TEST(Filter, encloses_a_sum_that_no_double_is_exactly_when_it_is_rigorous) {
   EXPECT_EQ(is_undecided(is_zero(sum - Filter(1))), filter_is_rigorous);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -7,7 +7,7 @@
 #include "tests/kernel/number/random_numbers.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -304,5 +304,5 @@ TEST(Interval, endpoints_are_the_same_for_every_compiler_and_optimisation) {
   EXPECT_EQ(hash_of_a_stream_of_operations(), 0x148e7ae497300fbeU);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -9,7 +9,7 @@
 #include <vector>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 Rational fraction(long numerator, long denominator) { return Rational(numerator) / Rational(denominator); }
 
@@ -190,5 +190,5 @@ TEST(LadderStatistics, are_each_threads_own) {
   EXPECT_EQ((ladder_statistics() - before).total(), 0U);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

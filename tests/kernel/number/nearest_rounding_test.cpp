@@ -9,7 +9,7 @@
 #include "kernel/number/rounding_guard.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 static_assert(!std::is_copy_constructible_v<NearestRounding> && !std::is_move_constructible_v<NearestRounding>);
 
@@ -51,5 +51,5 @@ TEST(NearestRounding, restores_the_mode_when_an_exception_passes) {
   EXPECT_EQ(mode(), upward);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -5,7 +5,7 @@
 #include <limits>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 static_assert(Scalar<PlainDouble>);
 
@@ -47,5 +47,5 @@ TEST(PlainDouble, verdicts_are_never_undecided_even_where_they_are_wrong) {
   EXPECT_EQ(less(one, unordered), Verdict::refuted);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -10,7 +10,7 @@
 #include "tests/kernel/number/random_numbers.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 static_assert(Scalar<Rational>);
 
@@ -148,5 +148,5 @@ TEST(Rational, a_rounding_guard_around_it_changes_nothing) {
   EXPECT_TRUE(fraction(1, 3) + fraction(1, 6) == fraction(1, 2));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -8,7 +8,7 @@
 #include <type_traits>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 static_assert(!std::is_copy_constructible_v<RoundingGuard> && !std::is_move_constructible_v<RoundingGuard>);
 
@@ -60,5 +60,5 @@ TEST(RoundingGuard, is_one_threads_own) {
   EXPECT_EQ(elsewhere, nearest);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -11,7 +11,7 @@
 #include "tests/kernel/number/random_numbers.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 static_assert(Scalar<Interval> && Scalar<BigInterval> && Scalar<Rational> && Scalar<Algebraic>);
 static_assert(!Scalar<double> && !Scalar<int> && !Scalar<Verdict>);
@@ -150,5 +150,5 @@ TEST(ScalarFrom, encloses_dyadic_numbers_of_all_sizes_tightly) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

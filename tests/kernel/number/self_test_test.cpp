@@ -9,7 +9,7 @@
 #include "kernel/number/rounding_guard.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 std::string joined(const std::vector<std::string>& failures) {
   std::string text;
@@ -80,5 +80,5 @@ TEST(SelfTest, library_versions_are_complete_sorted_and_look_like_versions) {
   EXPECT_EQ(names, (std::set<std::string>{"arb", "boost", "calcium", "cgal", "flint", "gmp", "mpfi", "mpfr"}));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

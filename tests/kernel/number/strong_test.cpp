@@ -7,7 +7,7 @@
 #include <unordered_set>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 template <class A, class B>
 concept Addable = requires(A a, B b) {
@@ -40,5 +40,5 @@ TEST(Strong, hashes_follow_equality) {
   EXPECT_TRUE(labels.contains(Label(6)));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -8,7 +8,7 @@
 #include "kernel/number/algebraic.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 static_assert(Scalar<Surd>);
 static_assert(!std::is_constructible_v<Surd, double>);
@@ -116,5 +116,5 @@ TEST(Surd, neighbours_of_a_tie_are_told_apart) {
   EXPECT_EQ(less(-above, -root), Verdict::proved);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

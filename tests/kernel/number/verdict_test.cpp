@@ -6,7 +6,7 @@
 #include <type_traits>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 static_assert(!std::is_convertible_v<Verdict, bool>);
 static_assert(!std::is_convertible_v<bool, Verdict>);
@@ -57,5 +57,5 @@ TEST(Verdict, has_a_name) {
 
 TEST(Verdict, starts_undecided) { EXPECT_EQ(Verdict{}, Verdict::undecided); }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

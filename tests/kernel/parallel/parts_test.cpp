@@ -13,7 +13,7 @@
 #include "kernel/number/rounding_guard.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 constexpr std::size_t count = 3001;  // several rounds, the last part not full
 
@@ -151,5 +151,5 @@ TEST(InParts, works_with_the_precision_of_this_thread_and_counts_decisions_here)
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

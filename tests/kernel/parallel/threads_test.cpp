@@ -13,7 +13,7 @@
 #include <vector>
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// The threads that some short parts were done in, and how often each part was.
 struct Done {
@@ -117,5 +117,5 @@ TEST(RequireFitThread, refuses_a_thread_that_takes_small_numbers_for_zero) {
   EXPECT_EQ(complaint, "a thread is not fit to certify: results below the normal numbers are flushed to zero");
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -5,7 +5,7 @@
 #include "tests/kernel/perturb/scene.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 // --- is_farther
 
@@ -277,5 +277,5 @@ TEST(CandidateTest, pruned_accepts_whatever_whole_accepts) {
   EXPECT_GT(all.refused, 100);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -10,7 +10,7 @@
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// For each label the labels that it sights within the reach or that sight it.
 template <int m>
@@ -80,5 +80,5 @@ TEST(ColoursOf, are_the_same_for_any_number_of_threads) {
   EXPECT_EQ(all.size(), 1U);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

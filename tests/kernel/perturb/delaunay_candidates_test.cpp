@@ -6,7 +6,7 @@
 #include "tests/kernel/perturb/scene.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 Scene<2> scene_with_clearance(std::uint64_t seed) {
   const Rational radius = ratio(1, 8);
@@ -80,5 +80,5 @@ TEST(DelaunayCandidates, are_those_with_nearly_empty_balls) {
   EXPECT_GT(candidates, 3 * spheres);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -6,7 +6,7 @@
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// Γ₀² and α₀² chosen freely; ε and the edge bound as lengths.
 ForbiddenPropertiesParameters<Rational> parameters_of(const Rational& squared_flake_parameter,
@@ -198,5 +198,5 @@ TEST(SearchForbidden, tells_its_progress) {
   EXPECT_EQ(reports, (std::vector<std::size_t>{0, 64, 100}));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -3,7 +3,7 @@
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// Drawing by the definition, in rationals.
 template <int m>
@@ -78,5 +78,5 @@ TEST(GridBall, holds_points_exactly_on_its_border) {
             12);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

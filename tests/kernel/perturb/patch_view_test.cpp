@@ -3,7 +3,7 @@
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const auto space = hexagonal_torus();
 const auto net = random_points<2>(30, 1, 20);
@@ -95,5 +95,5 @@ TEST(PatchView, is_empty_again_when_cleared) {
   EXPECT_EQ(view.label(0), Label(7));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

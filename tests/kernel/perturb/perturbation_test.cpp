@@ -9,7 +9,7 @@
 #include "tests/kernel/perturb/scene.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 PerturbationParameters measured(const Rational& tolerance, std::uint64_t seed = 1) {
   PerturbationParameters parameters;
@@ -291,5 +291,5 @@ TEST(Perturbation, is_the_same_everywhere) {
   EXPECT_EQ(total * Rational::power_of_two(45), Rational(1737400942797142));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -5,7 +5,7 @@
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 PerturbationParameters choosing(std::uint32_t choices) {
   PerturbationParameters parameters;
@@ -114,5 +114,5 @@ TEST(Placement, names_the_label_that_cannot_be_placed) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -5,7 +5,7 @@
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using Positions = std::vector<std::uint32_t>;
 
@@ -203,5 +203,5 @@ TEST(SimplexWalk, walks_what_is_nearly_degenerate_in_rationals) {
   check_walk<2, false>(ball_of<2>(Rational(9)), points, Rational(1));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

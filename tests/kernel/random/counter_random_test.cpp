@@ -5,7 +5,7 @@
 #include "tests/kernel/simplex/instances.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using Words = std::array<std::uint32_t, 4>;
 
@@ -114,5 +114,5 @@ TEST(CounterRandom, draws_small_integers_equally_often) {
   for (const int count : counts) EXPECT_NEAR(count, draws / 8, 150);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

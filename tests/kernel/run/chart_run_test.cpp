@@ -12,7 +12,7 @@
 #include "tests/kernel/stars/curved_patch.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const ModelGeometry unit_sphere{Curvature::positive, Rational(3)};
 const ModelGeometry unit_torus{Curvature::zero, ratio(1, 2)};
@@ -300,5 +300,5 @@ TEST(MeasuredParameters, exist_for_surfaces_and_in_dimension_3) {
   EXPECT_THROW((void)measured_parameters(Dimension(4), 1), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

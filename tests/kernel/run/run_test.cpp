@@ -7,7 +7,7 @@
 #include "tests/kernel/stars/witness.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 PerturbationParameters measured(const Rational& tolerance, std::uint64_t seed = 1) {
   PerturbationParameters parameters;
@@ -190,5 +190,5 @@ TEST(RunAlgorithm, certifies_a_torus_of_dimension_3) {
   EXPECT_GT(run.complex.simplices().size(), 6 * atlas.size());
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -4,7 +4,7 @@
 #include "tests/kernel/stars/witness.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 template <int m>
 struct Net {
@@ -183,5 +183,5 @@ TEST(CertifiedCovering, of_a_ball_notices_that_no_simplex_starts_in_it) {
   EXPECT_TRUE(mentions(around.refusal(around.proposed()), "no net simplex has a vertex in the ball"));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -3,7 +3,7 @@
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// The squared distance of the origin from the hull, by descent over faces: the nearest point of an affinely
 /// independent face counts if its barycentric coordinates are not negative. Cramer on the Gram matrix.
@@ -96,5 +96,5 @@ TEST(HullIsOutsideBall, is_true_of_every_hull_for_radius_0) {
   EXPECT_FALSE(hull_is_outside_ball<1>({{Rational(0)}}, Rational::power_of_two(-100)));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -7,7 +7,7 @@
 #include "tests/kernel/manifold/quotient/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(Icosphere, has_ten_points_for_each_square_of_the_frequency_and_two) {
   EXPECT_EQ(icosphere(1).size(), 12U);
@@ -35,5 +35,5 @@ TEST(Icosphere, refuses_frequencies) {
             "the frequency of an icosphere is 601, expected 1 to 600");
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

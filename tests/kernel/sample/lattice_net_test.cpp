@@ -6,7 +6,7 @@
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 template <int m>
 std::set<Vector<Rational, m>> as_set(const ExactPoints<m>& points) {
@@ -126,5 +126,5 @@ TEST(LatticeNet, refuses_displacements_that_are_too_fine) {
   EXPECT_TRUE(mentions(refusal, "2^-1025: at most 2^-1024"));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

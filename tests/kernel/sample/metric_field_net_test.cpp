@@ -8,7 +8,7 @@
 #include "tests/kernel/manifold/gluing/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(MetricFieldNet, of_a_flat_metric_is_a_maximal_poisson_disk_set) {
   const MetricField<2> field(constant_field({{Rational(4), Rational(1)}, {Rational(1), Rational(1)}}));
@@ -59,5 +59,5 @@ TEST(MetricFieldNet, refuses_radii_that_fit_no_patch) {
                        "hills: the radius of a net is below an eighth of the square root of"));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -5,7 +5,7 @@
 #include "tests/kernel/manifold/gluing/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 MetricFieldAtlas<2> atlas_of(const std::vector<Vector<Rational, 2>>& points) {
   return {MetricField<2>(constant_field({{Rational(4), Rational(0)}, {Rational(0), Rational(1)}})), points,
@@ -46,5 +46,5 @@ TEST(MetricFieldSeparation, names_points_that_coincide) {
             "labels 0 and 1 are points closer than 2^-20 times the sampling radius, or the same");
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

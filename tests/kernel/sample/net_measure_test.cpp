@@ -7,7 +7,7 @@
 #include "tests/kernel/stars/witness.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 template <int m>
 ExactPoints<m> lattice(const FlatSpace<m>& space, std::uint32_t divisions, bool centred = false) {
@@ -250,5 +250,5 @@ TEST(MeasureSeparation, names_labels_that_coincide_or_nearly_do) {
   EXPECT_EQ(separation_of<2>(cubic_torus<2>(), at_the_limit, ratio(1, 4)), Rational::power_of_two(-20));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -11,7 +11,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 Rational fraction(long numerator, long denominator) { return Rational(numerator) / Rational(denominator); }
 
@@ -83,5 +83,5 @@ RC_GTEST_PROP(PointFile, reads_back_what_it_writes, ()) {
   RC_ASSERT(parse_points(points_text(points), Dimension{m}, "points.txt") == points);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

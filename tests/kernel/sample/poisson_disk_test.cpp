@@ -5,7 +5,7 @@
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// Whether all different lifts are at distance at least `radius`, looking at all pairs.
 template <int m>
@@ -120,5 +120,5 @@ TEST(PoissonDiskNet, tells_its_progress_and_may_be_given_up) {
   EXPECT_THROW((void)poisson_disk_net<2>(cubic_torus<2>(), ratio(1, 8), 1, give_up), std::domain_error);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -7,7 +7,7 @@
 #include "kernel/manifold/space_form_file.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 template <int m>
 void expect_nearest_lifts(const std::string& name) {
@@ -56,5 +56,5 @@ TEST(SpaceFormDomain, covers_a_sphere_about_uniformly) {
   for (const int slice : slices) EXPECT_NEAR(slice, count / 10, 100);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

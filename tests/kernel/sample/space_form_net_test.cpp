@@ -10,7 +10,7 @@
 #include "tests/kernel/manifold/quotient/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// Pairwise distances, certified, and points everywhere, tried at random.
 template <int m>
@@ -132,5 +132,5 @@ TEST(SpaceFormNet, says_what_it_does) {
   EXPECT_EQ(stages, (std::vector<std::string>{"throw darts", "fill gaps"}));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

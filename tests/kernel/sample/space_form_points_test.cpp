@@ -8,7 +8,7 @@
 #include "kernel/manifold/space_form_file.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(SpaceFormPoints, keep_their_distance) {
   SpaceFormPoints<2> points(verify_space_form(find_space_form("sphere-2")), 0.5);
@@ -51,5 +51,5 @@ TEST(SpaceFormPoints, are_put_in_order_and_exact) {
   EXPECT_EQ(ordered[3][1], Rational::exactly(0.25));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

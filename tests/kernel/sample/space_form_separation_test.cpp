@@ -7,7 +7,7 @@
 #include "tests/kernel/manifold/quotient/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(SpaceFormSeparation, of_a_maximal_poisson_disk_set_is_one) {
   const SpaceForm form = verify_space_form(find_space_form("bolza-surface"));
@@ -48,5 +48,5 @@ TEST(SpaceFormSeparation, names_points_that_coincide) {
   EXPECT_EQ(message({ratio(1, 3), Rational(0)}, {ratio(1, 2), Rational(0)}), "accepted");
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -8,7 +8,7 @@
 #include "kernel/random/counter_random.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(SpatialOrder, is_that_of_morton) {
   // Low axes change first.
@@ -47,5 +47,5 @@ TEST(SpatialOrder, keeps_points_of_a_sphere_together) {
   EXPECT_LT(ordered, unordered / 3);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

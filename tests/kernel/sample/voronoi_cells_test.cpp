@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 constexpr std::array all_curvatures{Curvature::negative, Curvature::zero, Curvature::positive};
 
@@ -93,5 +93,5 @@ TEST(VoronoiCells, have_a_mass_centre) {
   EXPECT_NEAR(box[2], -0.25, 1e-14);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

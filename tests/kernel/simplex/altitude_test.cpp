@@ -5,7 +5,7 @@
 #include "tests/kernel/simplex/instances.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(Altitude, OfRegularSimplices) {
   for (std::size_t k = 1; k <= 6; ++k) {
@@ -87,5 +87,5 @@ RC_GTEST_PROP(Altitude, OnIntervalsContainsTheExactValue, ()) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

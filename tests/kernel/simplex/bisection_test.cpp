@@ -3,7 +3,7 @@
 #include "tests/kernel/simplex/instances.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 RC_GTEST_PROP(Bisection, EnclosesTheNumberAsTightlyAsAsked, ()) {
   const Rational x = (absolute(*any_coordinate()) + ratio(1, 77)) * Rational::power_of_two(-*rc::gen::inRange(0, 100));
@@ -20,5 +20,5 @@ TEST(Bisection, KeepsANumberThatItHits) {
   EXPECT_GT(bounds.upper, Rational(3));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -5,7 +5,7 @@
 #include "tests/kernel/simplex/instances.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(CayleyMenger, DeterminantByExpansionOfSmallMatrices) {
   EXPECT_EQ(determinant_by_expansion(SymmetricMatrix<Rational>(0)), Rational(1));
@@ -67,5 +67,5 @@ RC_GTEST_PROP(CayleyMenger, OnIntervalsContainsTheExactValues, ()) {
   if (const auto found = squared_altitude_by_volumes(enclosed, 0)) RC_ASSERT(contains(*found, *altitude));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

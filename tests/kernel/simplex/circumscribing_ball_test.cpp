@@ -6,7 +6,7 @@
 #include "tests/kernel/simplex/instances.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const Rational tiny = Rational::power_of_two(-200);
 
@@ -164,5 +164,5 @@ RC_GTEST_PROP(CircumscribingBall, OnIntervalsNeverContradictsTheExactVerdict, ()
   RC_ASSERT(check(simplex_on<Interval>(points)));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

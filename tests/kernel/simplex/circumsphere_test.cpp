@@ -6,7 +6,7 @@
 #include "tests/kernel/simplex/instances.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 Rational squared_distance(const std::vector<Rational>& a, const std::vector<Rational>& b) {
   Rational sum(0);
@@ -151,5 +151,5 @@ TEST(Circumsphere, OnAlgebraicNumbersSeesThatFourCornersOfAnOctagonAreCocircular
   EXPECT_EQ(circumsphere(edge_gram_from_points(moved)).exists(), Verdict::refuted);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 int chosen(int dimension) {
   return with_dimension(Dimension(dimension), []<int m>() { return m; });
@@ -27,5 +27,5 @@ TEST(ForEachDimension, names_each_dimension_of_runs_once) {
   EXPECT_EQ(total, largest_run_dimension * (largest_run_dimension + 1) / 2);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

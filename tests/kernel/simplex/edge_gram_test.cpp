@@ -6,7 +6,7 @@
 #include "tests/kernel/simplex/instances.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 void expect_same(const EdgeGram<Rational>& a, const EdgeGram<Rational>& b) {
   RC_ASSERT(a.dimension() == b.dimension());
@@ -124,5 +124,5 @@ TEST(EdgeGram, RefusesWhatIsNoSimplex) {
   EXPECT_THROW((void)simplex_of({{Rational(1)}}).opposite_facet(0), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

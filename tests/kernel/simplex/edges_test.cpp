@@ -3,7 +3,7 @@
 #include "tests/kernel/simplex/instances.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(Edges, OfARightTriangle) {
   const Points triangle{{Rational(0), Rational(0)}, {Rational(3), Rational(0)}, {Rational(0), Rational(4)}};
@@ -49,5 +49,5 @@ RC_GTEST_PROP(Edges, OnIntervalsContainTheExactLengths, ()) {
   RC_ASSERT(contains(square(longest_edge(enclosed)), squared_longest_edge(exact)));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -4,7 +4,7 @@
 #include "tests/kernel/simplex/instances.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 RC_GTEST_PROP(ExactSimplex, IsTheSameFromCoordinatesAndFromEdgeLengths, ()) {
   const Points points = *any_simplex(0, 5);
@@ -70,5 +70,5 @@ TEST(ExactSimplex, DecisionsClimbUntilARungDecides) {
   EXPECT_EQ(spent.undecided, 0U);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using delcert::Faces;
 
@@ -28,4 +28,4 @@ TEST(Faces, AreAllSubsetsOfTheirSizeOnceInLexicographicOrder) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE

@@ -4,7 +4,7 @@
 #include "tests/kernel/simplex/naive_reference.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// The square as a flat tetrahedron: its facets are right isosceles triangles.
 const Points square_tetrahedron{{Rational(0), Rational(0), Rational(0)},
@@ -93,5 +93,5 @@ TEST(Flake, IsSharpAtAnIrrationalThreshold) {
   EXPECT_EQ(is_flake(triangle, threshold + Algebraic(Rational::power_of_two(-200))), Verdict::proved);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -4,7 +4,7 @@
 #include "tests/kernel/simplex/naive_reference.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const Rational tiny = Rational::power_of_two(-300);
 
@@ -217,5 +217,5 @@ TEST(ForbiddenConfiguration, FourCornersOfARegularOctagonAreOneOnAlgebraicNumber
   EXPECT_EQ(has_forbidden_properties(edge_gram_from_points(points), properties), Verdict::refuted);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

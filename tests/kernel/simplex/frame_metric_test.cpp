@@ -5,7 +5,7 @@
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 template <int m>
 Vector<Rational, m> any_vector() {
@@ -140,5 +140,5 @@ TEST(FrameMetric, refuses_what_is_not_positive_definite_and_says_which_minor) {
   EXPECT_GT(FrameMetric<2>({{{one, almost}, {almost, one}}}).determinant(), Rational(0));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -4,7 +4,7 @@
 #include "tests/kernel/simplex/naive_reference.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 // A right corner in the plane has thickness 1/4, so it is Γ-good exactly for Γ ≤ 1/2.
 TEST(Good, IsSharpForTheRightTriangle) {
@@ -72,5 +72,5 @@ TEST(Good, IsSharpAtAnIrrationalThreshold) {
   EXPECT_EQ(is_good(triangle, threshold + Algebraic(Rational::power_of_two(-200))), Verdict::refuted);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

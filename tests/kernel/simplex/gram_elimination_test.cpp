@@ -6,7 +6,7 @@
 #include "tests/kernel/simplex/instances.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 SymmetricMatrix<Rational> two_by_two(const Rational& a, const Rational& b, const Rational& c) {
   SymmetricMatrix<Rational> result(2);
@@ -205,5 +205,5 @@ RC_GTEST_PROP(GramElimination, OnIntervalsNeverContradictsTheExactVerdict, ()) {
   RC_ASSERT(contained);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

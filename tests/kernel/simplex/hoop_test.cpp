@@ -5,7 +5,7 @@
 #include "tests/kernel/simplex/instances.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const Points four_of_a_circle{
     {Rational(5), Rational(0)}, {Rational(3), Rational(4)}, {Rational(-4), Rational(3)}, {Rational(0), Rational(-5)}};
@@ -81,5 +81,5 @@ TEST(Hoop, OnAlgebraicNumbersIsSharp) {
   EXPECT_EQ(has_hoop_property(triangle, Algebraic(4) - Algebraic(Rational::power_of_two(-200))), Verdict::refuted);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

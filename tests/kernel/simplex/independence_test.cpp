@@ -4,7 +4,7 @@
 #include "tests/kernel/simplex/instances.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 RC_GTEST_PROP(Independence, IsThatOfTheGramMatrix, ()) {
   const Points points = *any_points(static_cast<std::size_t>(*rc::gen::inRange(1, 6)), 4);
@@ -43,5 +43,5 @@ TEST(Independence, NeedsPointsOfOneDimension) {
   EXPECT_THROW((void)are_affinely_independent({{Rational(1)}, {Rational(1), Rational(2)}}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -9,7 +9,7 @@ inline std::ostream& operator<<(std::ostream& stream, const Inertia& signs) {
   return stream << signs.negative << '/' << signs.zero << '/' << signs.positive;
 }
 
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using Columns = std::vector<std::vector<Rational>>;
 
@@ -120,5 +120,5 @@ TEST(Inertia, OnAlgebraicNumbersSeesAnIrrationalEigenvalue) {
   EXPECT_EQ(*inertia(matrix.shifted(-eigenvalue + Algebraic(Rational::power_of_two(-100)))), (Inertia{1, 0, 1}));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

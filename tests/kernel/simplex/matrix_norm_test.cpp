@@ -3,7 +3,7 @@
 #include "tests/kernel/simplex/instances.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const Rational tiny = Rational::power_of_two(-300);
 
@@ -83,5 +83,5 @@ RC_GTEST_PROP(MatrixNorm, OnIntervalsNeverContradictsTheExactVerdict, ()) {
   RC_ASSERT(agrees(is_symmetric_norm_at_most(matrix_from<Interval>(matrix), scalar_from<Interval>(bound)), exact));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -4,7 +4,7 @@
 #include "tests/kernel/simplex/instances.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 Rational product(const SymmetricMatrix<Rational>& metric, const std::vector<Rational>& a,
                  const std::vector<Rational>& b) {
@@ -100,5 +100,5 @@ RC_GTEST_PROP(NormalSpace, OnIntervalsContainsTheExactBase, ()) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

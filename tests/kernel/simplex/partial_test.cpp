@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using delcert::Partial;
 using delcert::Verdict;
@@ -21,4 +21,4 @@ TEST(Partial, SaysWhetherItsAbsenceIsCertain) {
   EXPECT_EQ(Partial<int>::absent(Verdict::undecided).exists(), Verdict::undecided);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE

@@ -7,7 +7,7 @@
 #include "tests/kernel/number/random_numbers.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// The product of all q·x − p over the roots p/q.
 std::vector<Integer> polynomial_with(const std::vector<Rational>& roots) {
@@ -81,5 +81,5 @@ TEST(LocatedRoots, at_the_ends_and_nearly_equal_are_found) {
   expect_enclosed(located_roots(polynomial_with({0}), 0), {0});
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

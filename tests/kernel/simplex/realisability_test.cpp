@@ -6,7 +6,7 @@
 #include "tests/kernel/simplex/instances.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 EdgeGram<Rational> triangle(const Rational& a, const Rational& b, const Rational& c) {
   SymmetricMatrix<Rational> squared(3);
@@ -83,5 +83,5 @@ RC_GTEST_PROP(Realisability, OnIntervalsNeverContradictsTheExactVerdict, ()) {
   RC_ASSERT(agrees(is_non_degenerate(enclosed), is_non_degenerate(exact)));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -3,7 +3,7 @@
 #include "tests/kernel/simplex/instances.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(RootComparison, IsRightOnAllSmallPerfectSquares) {
   for (int a = -20; a <= 20; ++a) {
@@ -55,5 +55,5 @@ RC_GTEST_PROP(RootComparison, AgreesWithEnclosuresOfTheRoots, ()) {
   RC_ASSERT(agrees(less(BigInterval(a), root), is_less_than_twice_root(a, b)));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

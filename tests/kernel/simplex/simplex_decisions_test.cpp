@@ -7,7 +7,7 @@
 #include "tests/kernel/simplex/naive_reference.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const Rational tiny = Rational::power_of_two(-200);
 
@@ -87,5 +87,5 @@ RC_GTEST_PROP(SimplexDecisions, AlwaysDecideAsTheRationalsDo, ()) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -6,7 +6,7 @@
 #include "tests/kernel/simplex/instances.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const Rational tiny = Rational::power_of_two(-300);
 
@@ -123,5 +123,5 @@ TEST(SingularValues, OnAlgebraicNumbersAreSharpAtIrrationalValues) {
   EXPECT_EQ(is_largest_singular_value_at_most(simplex, large - step), Verdict::refuted);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

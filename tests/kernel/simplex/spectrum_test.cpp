@@ -12,7 +12,7 @@
 #include "tests/kernel/number/random_numbers.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using Matrix = SymmetricMatrix<Rational>;
 
@@ -170,5 +170,5 @@ TEST(Spectrum, the_norm_is_the_larger_size_of_the_first_and_the_last) {
   EXPECT_TRUE(norm_from_eigenvalues(*eigenvalues<Algebraic>(matrix_of({{7}, {0, -5}}))).rational() == Rational(7));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -5,7 +5,7 @@
 #include "tests/kernel/simplex/instances.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// A triangle inscribed in the circle of radius 5 about the origin of a plane of ℝ³, and a point as vertex 3.
 Points over_circle(const Rational& x, const Rational& y, const Rational& z) {
@@ -156,5 +156,5 @@ TEST(SphereDistance, OnAlgebraicNumbersIsTheRootItself) {
             Verdict::refuted);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -6,7 +6,7 @@
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 template <int m>
 Vector<Rational, m> any_vector() {
@@ -206,5 +206,5 @@ TEST(SphereStack, of_a_cube_corner_has_the_middle_of_the_cube_as_its_centre) {
   EXPECT_EQ(stack.centre(), (Vector<Rational, 4>{ratio(1, 2), ratio(1, 2), ratio(1, 2), ratio(1, 2)}));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -3,7 +3,7 @@
 #include "tests/kernel/simplex/instances.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(SymmetricMatrix, StoresBothTrianglesInOnePlace) {
   SymmetricMatrix<Rational> matrix(3);
@@ -48,5 +48,5 @@ TEST(SymmetricMatrix, OnOtherRungsContainsTheExactEntries) {
   EXPECT_FALSE(contains(small(1, 1), ratio(1, 7)));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

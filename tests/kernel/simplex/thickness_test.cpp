@@ -7,7 +7,7 @@
 #include "tests/kernel/simplex/instances.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// The triangle with base 1 and height 2⁻ᵉ over the middle of the base: its thickness is 2^−(e+1).
 Points thin_triangle(long e) {
@@ -149,5 +149,5 @@ TEST(Thickness, OnAlgebraicNumbersIsExact) {
   EXPECT_EQ(is_thickness_at_least(simplex, Algebraic(ratio(3, 16) + Rational::power_of_two(-300))), Verdict::refuted);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

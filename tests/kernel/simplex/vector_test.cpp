@@ -4,7 +4,7 @@
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 template <std::size_t m>
 std::array<Rational, m> any_vector() {
@@ -88,5 +88,5 @@ RC_GTEST_PROP(Vectors, obey_the_laws_of_a_vector_space, ()) {
   RC_ASSERT(pairing(a, b) == a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

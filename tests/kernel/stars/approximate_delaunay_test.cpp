@@ -4,7 +4,7 @@
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// The determinant of a simplex of some of the points, in size.
 template <int m>
@@ -118,5 +118,5 @@ TEST(ApproximateDelaunay, uses_coinciding_points_once_and_finds_nothing_in_a_hyp
   check_doubled_and_flat<4>();
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

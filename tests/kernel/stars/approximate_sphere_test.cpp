@@ -3,7 +3,7 @@
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 template <int m>
 void check_against_exact(const FlatSpace<m>& space) {
@@ -44,5 +44,5 @@ TEST(ApproximateSphere, of_a_degenerate_simplex_is_infinite) {
   EXPECT_TRUE(std::isinf(approximate_sphere<2>(plain, std::vector<Vector<double, 2>>{{1, 2}, {1, 2}}).squared_radius));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

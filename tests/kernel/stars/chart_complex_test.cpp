@@ -5,7 +5,7 @@
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// The stars of a complex given by its triangles.
 std::vector<ChartStar<2>> stars_of(std::uint32_t count, const std::vector<LabelSimplex<2>>& triangles) {
@@ -106,5 +106,5 @@ TEST(PlacesOf, are_where_the_labels_are_seen) {
   EXPECT_FALSE(places_of<2>(view, {seen[0], seen[1], unseen}).has_value());
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -6,7 +6,7 @@
 #include "tests/kernel/stars/witness.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 template <int m>
 CertifiedStar<m> star_at(const Atlas<m>& atlas, const PointSet<m>& points, const ModelGeometry& geometry, Label i) {
@@ -185,5 +185,5 @@ TEST(LocalMargins, are_the_worst_of_both) {
 
 TEST(SimplexText, is_sorted) { EXPECT_EQ(simplex_text({Label(7), Label(2), Label(5)}), "simplex {2, 5, 7}"); }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

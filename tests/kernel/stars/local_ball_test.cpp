@@ -6,7 +6,7 @@
 #include "tests/kernel/stars/curved_patch.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const ModelGeometry unit_torus{Curvature::zero, ratio(1, 2)};
 
@@ -157,5 +157,5 @@ TEST(BuildSpheres, is_the_same_ball_whichever_vertex_is_last) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

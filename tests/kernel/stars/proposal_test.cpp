@@ -4,7 +4,7 @@
 #include "tests/kernel/stars/witness.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// Calls `visit` for all simplices with vertex (i, 0) and others of larger label among the lifts within `reach`.
 template <int m, class Visit>
@@ -159,5 +159,5 @@ TEST(Canonical, sorts_and_moves_the_first_vertex_home) {
   EXPECT_EQ(canonical<1>(edge), (LiftedSimplex<1>{{{4, {0}}, {4, {1}}}}));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -5,7 +5,7 @@
 #include "tests/kernel/simplex/naive_reference.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 template <int m>
 struct Case {
@@ -256,5 +256,5 @@ TEST(CertifyProtection, of_nothing_has_neither_margins_nor_failures) {
   EXPECT_TRUE(report.failures.empty());
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -6,7 +6,7 @@
 #include "tests/kernel/stars/curved_patch.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 template <int m>
 ChartComplex<m> stars_of(const Atlas<m>& atlas, const PointSet<m>& points, const ModelGeometry& geometry) {
@@ -155,5 +155,5 @@ TEST(CheckStability, says_where_a_label_is_not_seen) {
                           [](const auto& failure) { return mentions(failure.reason, "is not seen once"); }));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -5,7 +5,7 @@
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 template <int m>
 LiftedSimplex<m> simplex_of_labels(const std::array<std::uint32_t, static_cast<std::size_t>(m) + 1>& labels) {
@@ -178,5 +178,5 @@ TEST(StarComplex, keeps_what_interior_labels_need) {
   EXPECT_EQ(failures[0].label, Label(1));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -5,7 +5,7 @@
 #include "tests/kernel/manifold/gluing/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// The lattice A_m* divided by n: its Delaunay triangulation has no ties.
 template <int m>
@@ -93,5 +93,5 @@ TEST(AffineTriangulation, of_nothing_does_not_hold) {
   EXPECT_EQ(report.edge, 0);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

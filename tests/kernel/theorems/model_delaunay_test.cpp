@@ -6,7 +6,7 @@
 #include "tests/kernel/stars/curved_patch.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const ModelGeometry unit_sphere{Curvature::positive, Rational(3)};
 const ModelGeometry hyperbolic{Curvature::negative, Rational(1)};
@@ -181,5 +181,5 @@ TEST(CheckModelDelaunay, knows_that_a_circle_in_the_model_may_be_no_ball) {
   EXPECT_TRUE(mentions(report.failures[0].reason, "does not lie in the patch")) << report.failures[0].reason;
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -7,7 +7,7 @@
 #include "tests/kernel/stars/certified_samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 PiecewiseFlatReport report_of(const SphereSample& sample, const ChartComplex<2>& complex) {
   return measure_piecewise_flat<2>(sample.atlas, sample.run.points, unit_sphere, complex, sample.run.model.circumradius,
@@ -171,5 +171,5 @@ TEST(MeasurePiecewiseFlat, of_nothing_claims_nothing) {
   EXPECT_EQ(report.lower, 0);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

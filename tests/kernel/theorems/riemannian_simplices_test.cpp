@@ -5,7 +5,7 @@
 #include "tests/kernel/stars/certified_samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(MeasureRiemannianSimplices, has_the_thickness_about_the_perturbed_points) {
   const auto sample = perturbed_sphere();
@@ -69,5 +69,5 @@ TEST(MeasureRiemannianSimplices, leaves_undecided_what_is_not_seen) {
       measure_riemannian_simplices<2>(sample.atlas, sample.run.points, unit_sphere, empty, no_progress()).holds));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

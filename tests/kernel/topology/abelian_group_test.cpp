@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 std::string quotient(std::size_t generators, const std::vector<std::vector<std::int64_t>>& relations) {
   return group_text(abelian_group(generators, relations));
@@ -44,5 +44,5 @@ TEST(AbelianGroup, does_not_depend_on_the_order_of_relations_or_generators) {
   EXPECT_EQ(quotient(3, {{4, 10, 16}, {4, 2, 4}, {6, -6, 12}}), "(Z/2)^2 + Z/156");
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

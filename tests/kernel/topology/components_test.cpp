@@ -5,7 +5,7 @@
 #include "tests/kernel/topology/known_complexes.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(Components, are_as_many_as_homology_says) {
   for (const KnownComplex& known : known_complexes()) {
@@ -22,5 +22,5 @@ TEST(Components, fall_apart_without_a_simplex) {
   EXPECT_EQ(component_count(PureComplex(Dimension(3), {})), 0U);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

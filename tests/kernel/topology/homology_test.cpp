@@ -11,7 +11,7 @@
 #include "tests/kernel/topology/naive_homology.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 std::vector<AbelianGroup> homology_of(const LabelComplex& complex) {
   return homology(PureComplex(Dimension(complex.dimension), complex.labels));
@@ -122,5 +122,5 @@ TEST(Homology, of_very_many_components_is_left_undecided) {
   EXPECT_THROW((void)homology_of(many), Undecided);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

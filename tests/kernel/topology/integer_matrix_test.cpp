@@ -7,7 +7,7 @@
 #include "tests/kernel/topology/naive_homology.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 std::vector<Integer> factors_of(const NaiveMatrix& rows, std::size_t columns) {
   IntegerMatrix matrix(rows.size(), columns);
@@ -52,5 +52,5 @@ RC_GTEST_PROP(IntegerMatrix, has_the_factors_that_elimination_by_hand_finds, ())
   for (std::size_t at = 1; at < factors.size(); ++at) RC_ASSERT(factors[at] % factors[at - 1] == 0);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -5,7 +5,7 @@
 #include "tests/kernel/topology/known_complexes.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 std::vector<std::size_t> critical_counts(const MorseMatching& matching, int m) {
   std::vector<std::size_t> result;
@@ -71,5 +71,5 @@ TEST(MorseMatching, leaves_few_critical_faces) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -5,7 +5,7 @@
 #include "tests/kernel/topology/known_complexes.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 PureComplex pure(const LabelComplex& complex) { return {Dimension(complex.dimension), complex.labels}; }
 
@@ -41,5 +41,5 @@ TEST(Orientation, of_three_sheets_is_no_question) {
   EXPECT_EQ(is_orientable(pure(glued_polygon("aaa"))), std::nullopt);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

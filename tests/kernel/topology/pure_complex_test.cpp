@@ -8,7 +8,7 @@
 #include "tests/kernel/topology/known_complexes.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 PureComplex pure(const LabelComplex& complex) { return {Dimension(complex.dimension), complex.labels}; }
 
@@ -91,5 +91,5 @@ TEST(PureComplex, refuses_what_is_no_set_of_simplices) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -13,7 +13,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 // The SHA-256 of "abc" is the first example of FIPS 180-4.
 constexpr const char* digest_of_abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
@@ -114,5 +114,5 @@ TEST(ByteSink, RefusesAFolderThatDoesNotExist) {
   EXPECT_THROW(ByteSink(folder / "none/x"), InputError);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

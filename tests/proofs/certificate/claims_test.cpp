@@ -5,7 +5,7 @@
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using Names = std::vector<std::string>;
 
@@ -204,5 +204,5 @@ TEST(AllLevels, are_those_of_the_format_in_order) {
   EXPECT_TRUE(Claims{}.names().empty());
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

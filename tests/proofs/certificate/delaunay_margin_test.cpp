@@ -8,7 +8,7 @@
 #include "tests/support/ratio.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(DelaunayMargin, is_what_the_formula_says) {
   // s = 2, h = 3.
@@ -72,5 +72,5 @@ TEST(DelaunayMargin, leaves_the_triangles_of_a_lattice) {
   EXPECT_GT(most_nearly_nearest(0.51), 3U);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -9,7 +9,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(Document, NumbersAndStringsAreThoseOfTheFormat) {
   EXPECT_EQ(number(Rational(3)), "\"3\"");
@@ -46,5 +46,5 @@ TEST(Document, OneThatIsGivenUpLeavesNoFile) {
   EXPECT_FALSE(std::filesystem::exists(folder / "d.json"));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -10,7 +10,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(FileText, is_what_was_written_plain_or_compressed) {
   const TemporaryFolder folder;
@@ -35,5 +35,5 @@ TEST(FileText, of_a_file_that_ends_too_early_is_an_error) {
   EXPECT_TRUE(mentions(message_of<InputError>([&] { (void)read_text(folder / "none"); }), "none: cannot be opened"));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -5,7 +5,7 @@
 #include "tests/proofs/certificate/metric_field_run.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(MetricFieldClaims, claim_what_a_certified_run_reaches) {
   const auto& sample = sheared_run();
@@ -101,5 +101,5 @@ TEST(MetricFieldClaims, geometry_has_the_stretch_of_the_charts) {
   EXPECT_EQ(geometry.distortion, ratio(1, 2));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -11,7 +11,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using Json = nlohmann::ordered_json;
 
@@ -73,5 +73,5 @@ TEST(MetricFieldWriter, WritesTheMarginsOfLevel4) {
   EXPECT_EQ(read_certificate(folder / "m.json").levels.size(), 5U);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

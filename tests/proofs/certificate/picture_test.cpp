@@ -7,7 +7,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 std::size_t occurrences(const std::string& text, const std::string& what) {
   std::size_t count = 0;
@@ -43,5 +43,5 @@ TEST(Picture, IsOfFlatFamiliesOnly) {
   EXPECT_THROW((void)picture_svg(certificate), InputError);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -7,7 +7,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(Reader, ReadsBackWhatWasWrittenBitForBit) {
   const test::TemporaryFolder folder;
@@ -53,5 +53,5 @@ TEST(Reader, SaysWhichFileCannotBeRead) {
   EXPECT_NE(message(folder / "other.json").find("software"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -6,7 +6,7 @@
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 ParameterChoice choice_of(RunMode mode) {
   ParameterChoice choice;
@@ -134,5 +134,5 @@ TEST(RunParameters, say_what_a_search_for_forbidden_configurations_looks_for) {
   EXPECT_EQ(forbidden.edge_bound, parameters.algorithm.edge_bound / Rational(24));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -8,7 +8,7 @@
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using Names = std::vector<std::string>;
 
@@ -165,5 +165,5 @@ TEST(SpaceFormParameters, are_in_the_ranges_of_the_format) {
   EXPECT_GT(none.squared_flake_parameter, Rational(0));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

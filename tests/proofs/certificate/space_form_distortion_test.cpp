@@ -8,7 +8,7 @@
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 SpaceFormClaims claims_of(const Rational& epsilon) {
   SpaceFormClaims claims;
@@ -72,5 +72,5 @@ TEST(SpaceFormDistortion, is_not_known_for_stars_beyond_the_region_of_interest) 
   EXPECT_FALSE(margin.by_charts.has_value());
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

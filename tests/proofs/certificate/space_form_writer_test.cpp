@@ -12,7 +12,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using Json = nlohmann::ordered_json;
 
@@ -91,5 +91,5 @@ TEST(SpaceFormWriter, FamiliesAreNamedByTheirCurvature) {
   EXPECT_EQ(family_of(Curvature::negative), "hyperbolic");
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

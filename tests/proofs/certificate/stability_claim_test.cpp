@@ -5,7 +5,7 @@
 #include "proofs/certificate/stated_bounds.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 StarStability stable_within(double reach) {
   StarStability result;
@@ -42,5 +42,5 @@ TEST(StabilityClaim, is_not_made_where_stars_do_not_fit) {
   EXPECT_EQ(reasons, std::vector<std::string>{"level 2s: a star does not fit into the patches of its vertices"});
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -10,7 +10,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// What is wrong with a file of this text; "" if nothing is.
 std::string complaint(const std::string& text) {
@@ -57,5 +57,5 @@ TEST(StarFile, that_is_malformed_is_an_error) {
   EXPECT_EQ(complaint(R"({"stars":[[[1,2]],[],[]]})"), "");
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -6,7 +6,7 @@
 #include "tests/support/ratio.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using test::ratio;
 
@@ -27,5 +27,5 @@ TEST(StatedBounds, of_doubles_are_those_of_their_values) {
   EXPECT_LT(stated_below(0.1), stated_below(0.1, 30));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

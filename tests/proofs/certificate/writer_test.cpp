@@ -13,7 +13,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 std::string hexadecimal_sha256(std::string_view bytes) {
   sha256_ctx context;
@@ -203,5 +203,5 @@ TEST(Writer, LeavesOutTheWitnessOfALevelThatIsNotClaimed) {
   EXPECT_EQ(json.at("levels").size(), 2U);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

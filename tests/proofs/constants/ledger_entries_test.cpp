@@ -12,7 +12,7 @@
 #include "tests/proofs/constants/ball.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 Ledger surface() { return constants_for(Dimension{2}, Rational(1), Rational(1) / Rational(4)); }
 
@@ -211,5 +211,5 @@ TEST(LedgerEntries, disagree_with_wrong_formulas) {
   EXPECT_FALSE(wrong.contains("candidates_bound"));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -8,7 +8,7 @@
 #include "support/error.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 Rational fraction(long numerator, long denominator) { return Rational(numerator) / Rational(denominator); }
 
@@ -221,5 +221,5 @@ RC_GTEST_PROP(Ledger, satisfies_what_the_paper_claims_of_it, ()) {
   RC_ASSERT(ledger.perturbed_separation >= fraction(2, 5) * mu);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

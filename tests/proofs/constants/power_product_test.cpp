@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 Rational positive_rational() {
   const auto part = *rc::gen::inRange<long>(1, 1000000);
@@ -125,5 +125,5 @@ RC_GTEST_PROP(PowerProduct, has_a_logarithm_between_its_bounds, ()) {
   RC_ASSERT((log2.upper - log2.lower) * Rational::power_of_two(200) <= Rational(1));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -5,7 +5,7 @@
 #include "proofs/constants/sphere_sample_size.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 Rational ratio(long a, long b) { return Rational(a) / Rational(b); }
 
@@ -55,5 +55,5 @@ TEST(RiemannianDemand, grows_with_the_points_of_the_net) {
   EXPECT_EQ(many.least_points, few.least_points * PowerProduct(Rational(2)));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

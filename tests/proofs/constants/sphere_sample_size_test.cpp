@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const PowerProduct tenth{Rational(1) / Rational(10)};
 const Rational pi_lower = Rational(333) / Rational(106);
@@ -46,5 +46,5 @@ TEST(SphereSampleSize, follows_the_volumes_of_spheres_and_balls_in_dimension_thr
   EXPECT_FALSE(four.measured_estimate.has_value());
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -5,7 +5,7 @@
 #include "support/error.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 Rational fraction(long numerator, long denominator) { return Rational(numerator) / Rational(denominator); }
 
@@ -68,5 +68,5 @@ TEST(Sweep, refuses_a_value_that_fits_nothing) {
   EXPECT_EQ(message_of(sweep).rfind("distortion is -1", 0), 0U);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

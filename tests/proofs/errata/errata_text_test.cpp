@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 Erratum sample(Judgement judgement) {
   Erratum erratum;
@@ -72,5 +72,5 @@ TEST(ErrataText, is_json_with_all_keys) {
   EXPECT_TRUE(nlohmann::json::parse(errata_json({}))["errata"].empty());
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

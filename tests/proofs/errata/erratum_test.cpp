@@ -10,7 +10,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const std::string complete = R"(label = "lem:bound.cc"
 lines = "10-12, 20"
@@ -116,5 +116,5 @@ TEST(Erratum, files_of_the_library_are_well_formed_and_in_order) {
                              [](const Erratum& a, const Erratum& b) { return a.lines[0].first < b.lines[0].first; }));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -3,7 +3,7 @@
 #include "tests/proofs/formal/polynomials.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using namespace test;
 
@@ -47,5 +47,5 @@ TEST(BernsteinForm, gives_up_on_too_many_terms) {
   EXPECT_FALSE(bernstein_form(x().power(100) * y().power(100), box, false));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

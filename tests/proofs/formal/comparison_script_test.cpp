@@ -3,7 +3,7 @@
 #include "tests/proofs/prover/prove_text.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 ComparisonScript script(const std::string& lines, bool squared = false) {
   const Step step = test::step(lines);
@@ -41,5 +41,5 @@ TEST(ComparisonScript, nothing_for_what_is_false_strict_at_a_tie_or_no_polynomia
   EXPECT_FALSE(script("forall = { x = '[-1, 1]' }\nclaim = '1/x <= 1/x + 1'").tactics) << "the divisor may be 0";
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

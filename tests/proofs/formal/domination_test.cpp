@@ -3,7 +3,7 @@
 #include "tests/proofs/formal/polynomials.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using namespace test;
 
@@ -46,5 +46,5 @@ TEST(Domination, knows_nothing_of_variables_that_may_be_negative) {
   EXPECT_FALSE(domination(x(), {between("x", -1, 1), between("y", 0, 1)}, false));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

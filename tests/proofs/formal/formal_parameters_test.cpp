@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 FormalParameter parameter(const std::string& name, std::string_view range, bool squared = false) {
   return {name, parse_step_range(range), squared};
@@ -35,5 +35,5 @@ TEST(FormalParameters, introduction_names_everything_in_order) {
   EXPECT_NE(with_root.find("assert (1 <= root_k) by (apply (root_at_least root_k 1 1); lra)."), std::string::npos);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

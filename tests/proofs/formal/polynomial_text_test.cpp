@@ -3,7 +3,7 @@
 #include "tests/proofs/formal/polynomials.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using namespace test;
 
@@ -33,5 +33,5 @@ TEST(PolynomialText, what_ranges_say_of_signs) {
   EXPECT_FALSE(FormalVariable{}.is_nonnegative());
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -3,7 +3,7 @@
 #include "tests/proofs/formal/polynomials.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using namespace test;
 
@@ -37,5 +37,5 @@ TEST(SignScript, guesses) {
   EXPECT_EQ(sign_at_some_point(x() - y(), box), 0);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -3,7 +3,7 @@
 #include "tests/proofs/prover/prove_text.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 StepLemma lemma(const std::string& lines) {
   const Step step = test::step(lines);
@@ -54,5 +54,5 @@ TEST(StepLemma, methods_have_names) {
   EXPECT_EQ(name_of(StepLemma::Method::refutation), "refutation");
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -3,7 +3,7 @@
 #include "tests/proofs/prover/prove_text.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// The claim of a step with its symbolic powers replaced, as a term of Coq.
 std::string replaced(const std::string& lines) {
@@ -46,5 +46,5 @@ TEST(SymbolicPowers, not_if_a_base_may_be_below_and_above_one_or_0) {
   EXPECT_EQ(replaced("forall = { g = '(0, 1]', m = 'integer (-infinity, 1]' }\nclaim = 'g^m >= g'"), "none");
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

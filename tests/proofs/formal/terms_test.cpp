@@ -5,7 +5,7 @@
 #include "proofs/formula/coq.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(Terms, are_read_like_those_of_the_parser) {
   const auto sum = binary_term(Operation::add, name_term("x"), power_term(number_term(Rational(2)), 3));
@@ -15,5 +15,5 @@ TEST(Terms, are_read_like_those_of_the_parser) {
   EXPECT_EQ(coq_of(*with_children(sum, {name_term("y"), sum->children[1]})), "(y + (2 ^ 3))");
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

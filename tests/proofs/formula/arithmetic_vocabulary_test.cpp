@@ -3,7 +3,7 @@
 #include "tests/proofs/formula/vocabulary_checks.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(ArithmeticVocabulary, Roots) {
   const Bindings none;
@@ -44,5 +44,5 @@ TEST(ArithmeticVocabulary, TheConstantsOfThePaper) {
   expect_equal("hoop_bound_tilde(m, 3, 1/2)", "2^19*3*2*sqrt(2)", m);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -12,7 +12,7 @@
 #include "tests/proofs/formula/source_folder.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 namespace fs = std::filesystem;
 
@@ -157,5 +157,5 @@ INSTANTIATE_TEST_SUITE_P(claims, MalformedClaim, ::testing::ValuesIn(malformed_f
 
 TEST(MalformedClaims, are_of_many_kinds) { EXPECT_GE(malformed_files().size(), 35U); }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

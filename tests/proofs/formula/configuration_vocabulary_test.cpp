@@ -11,7 +11,7 @@
 #include "support/error.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using Points = SimplexObject::Points;
 
@@ -99,5 +99,5 @@ TEST(ConfigurationVocabulary, AJoinOfDifferentSpacesIsAnError) {
   EXPECT_THROW((void)decided("altitude(join(x, t), 0) = 1", bindings), InputError);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -7,7 +7,7 @@
 #include "properties/instances/instance_class.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 ExpressionPointer checked(std::string_view text, const Type& type) {
   const Signature signature{{"s", {"simplex", false}}, {"k", types::integer}, {"m", types::integer},
@@ -71,5 +71,5 @@ TEST(Coq, rational_constants) {
   EXPECT_EQ(value("sqrt(4)"), std::nullopt);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

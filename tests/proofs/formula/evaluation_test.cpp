@@ -12,7 +12,7 @@
 #include "tests/proofs/formula/random_formulas.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const Vocabulary& vocabulary() {
   static const Vocabulary result = [] {
@@ -362,5 +362,5 @@ TEST(ExactValues, exist_for_rational_terms_only) {
   EXPECT_EQ(exactly("circumradius(s)"), Rational(Integer(5), Integer(2)));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

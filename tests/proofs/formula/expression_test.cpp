@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(Expressions, comparisons_are_five) {
   std::vector<Operation> comparisons;
@@ -15,5 +15,5 @@ TEST(Expressions, comparisons_are_five) {
                                                  Operation::greater_equal, Operation::equal}));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

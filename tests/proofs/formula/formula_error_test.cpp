@@ -5,7 +5,7 @@
 #include <vector>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(FormulaErrors, distance_counts_inserted_deleted_and_replaced_characters) {
   EXPECT_EQ(edit_distance("", ""), 0U);
@@ -42,5 +42,5 @@ TEST(FormulaErrors, the_place_is_kept) {
   EXPECT_STREQ(error.what(), "message");
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -7,7 +7,7 @@
 #include "tests/proofs/formula/random_formulas.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 std::string printed(std::string_view text) { return formula_text(*parse_formula(text)); }
 
@@ -67,5 +67,5 @@ TEST(FormulaText, trees_differ_by_operation_name_value_and_parts) {
   EXPECT_FALSE(same("forall i in f(a): i < 1", "forall j in f(a): i < 1"));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

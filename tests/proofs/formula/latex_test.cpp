@@ -8,7 +8,7 @@
 #include "tests/proofs/formula/random_formulas.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 Signature signature() {
   return {{"s", {"simplex", false}}, {"k", types::integer},  {"m", types::integer},
@@ -168,5 +168,5 @@ TEST(Latex, of_steps_names_parameters_abbreviations_and_constants) {
             "\\subparagraph{t}\nthere holds\n\\begin{gather*}\n  1 < 2\n\\end{gather*}\n");
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

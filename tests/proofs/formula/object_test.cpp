@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(Types, are_told_apart_by_name_and_by_being_a_set) {
   EXPECT_EQ(types::integer, (Type{"integer", false}));
@@ -16,5 +16,5 @@ TEST(Types, have_a_text_for_messages) {
   EXPECT_EQ(types::integers.text(), "set of integer");
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

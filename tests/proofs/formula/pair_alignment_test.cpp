@@ -4,7 +4,7 @@
 #include "tests/proofs/formula/vocabulary_checks.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using Points = SimplexObject::Points;
 
@@ -110,5 +110,5 @@ TEST(PairAlignment, OfEdgesIsTheDifferenceOfLengthsOnEveryRung) {
   EXPECT_EQ(aligned<Surd>(before, after).exists(), Verdict::undecided);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -3,7 +3,7 @@
 #include "tests/proofs/formula/vocabulary_checks.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const Rational zero(0);
 
@@ -54,5 +54,5 @@ TEST(PairVocabulary, WhatIsNoPairIsRefused) {
   EXPECT_THROW((void)verdict("gram_entry_difference(s, t, 1, 3) = 0", pair), InputError);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

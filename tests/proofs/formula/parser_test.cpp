@@ -8,7 +8,7 @@
 #include "proofs/formula/formula_text.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// The tree with every node in brackets.
 std::string bracketed(const Expression& e) {
@@ -173,5 +173,5 @@ TEST(Ranges, what_is_no_interval_is_refused) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 class Box : public Object {
  public:
@@ -80,5 +80,5 @@ TEST(Scene, functions_are_told_apart_though_arguments_agree) {
   EXPECT_EQ(scene.item(two, {Item(1L)}), Item(3L));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -8,7 +8,7 @@
 #include "support/error.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using Json = nlohmann::ordered_json;
 
@@ -56,5 +56,5 @@ TEST(PointObjects, are_read_back) {
   EXPECT_THROW((void)PointObject::read(Json::parse(R"("1")")), InputError);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -3,7 +3,7 @@
 #include "tests/proofs/formula/vocabulary_checks.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const Rational zero(0);
 
@@ -88,5 +88,5 @@ TEST(SimplexVocabulary, GoodAndFlake) {
   EXPECT_EQ(verdict("has_hoop_property(s, 199/100)", s), Verdict::refuted);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

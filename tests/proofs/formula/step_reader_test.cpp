@@ -6,7 +6,7 @@
 #include "tests/proofs/formula/vocabulary_checks.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const std::string head = "name = 'n'\n[[step]]\nname = 's'\n";
 
@@ -102,5 +102,5 @@ TEST(Steps, alone_in_a_file_need_no_instances) {
   EXPECT_EQ(error_of("name = 'n'\nstep = 'x'\n"), "f.toml:2:8: the key step wants a list");
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -9,7 +9,7 @@
 #include "tests/proofs/formula/vocabulary_checks.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using test::ratio;
 
@@ -79,5 +79,5 @@ TEST(Steps, are_expanded_to_their_parameters) {
   EXPECT_EQ(formula_text(*expanded(step, {{"c", Rational(2)}}, claim)), "2*x + 2^16*m^(3/2)*(2*x)/x^3 > 2");
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

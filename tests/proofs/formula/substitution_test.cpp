@@ -7,7 +7,7 @@
 #include "tests/proofs/formula/vocabulary_checks.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using test::ratio;
 
@@ -52,5 +52,5 @@ TEST(Substitution, numbers_are_written_as_the_parser_reads_them) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -7,7 +7,7 @@
 #include "proofs/formula/formula_error.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 std::vector<std::string> texts(std::string_view formula) {
   std::vector<std::string> result;
@@ -87,5 +87,5 @@ TEST(Tokens, names_are_words_that_are_no_keywords) {
   EXPECT_FALSE(is_name_of_formula(std::string(65, 'a')));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

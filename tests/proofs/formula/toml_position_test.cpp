@@ -6,7 +6,7 @@
 #include <string>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// The place of the letter X of the value of a = …, which toml++ reads, found in the text by its offset in the value.
 TextPosition place_of_x(const std::string& text) {
@@ -69,5 +69,5 @@ TEST(TomlPositions, the_end_of_the_value_is_the_closing_quote) {
   EXPECT_EQ(position_in_toml_string("a = '''\n12\n'''", {1, 5}, 3), (TextPosition{3, 1}));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

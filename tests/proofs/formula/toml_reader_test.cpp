@@ -6,7 +6,7 @@
 #include "tests/proofs/formula/vocabulary_checks.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// What `read` makes of a text: "accepted", or the message.
 template <class Read>
@@ -66,5 +66,5 @@ TEST(TomlReader, formulas_point_into_their_strings) {
   EXPECT_EQ(error_of("claim = 3", formula), "f.toml:1:9: a formula wants a string");
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -11,7 +11,7 @@
 #include "proofs/formula/simplex_vocabulary.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const Vocabulary& vocabulary() {
   static const Vocabulary result = [] {
@@ -154,5 +154,5 @@ TEST(FreeNames, are_those_that_no_quantifier_binds) {
   EXPECT_EQ(names("1 < 2"), std::vector<std::string>{});
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

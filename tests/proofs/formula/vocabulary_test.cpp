@@ -9,7 +9,7 @@
 #include "support/error.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 class Blob : public Object {
  public:
@@ -110,5 +110,5 @@ TEST(Vocabulary, the_standard_functions_are_complete_and_documented) {
   EXPECT_NE(vocabulary.definition("constant_c"), nullptr);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

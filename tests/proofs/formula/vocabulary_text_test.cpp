@@ -10,7 +10,7 @@
 #include "tests/proofs/formula/source_folder.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(VocabularyText, a_function_is_shown_with_its_types) {
   const Vocabulary& vocabulary = full_vocabulary();
@@ -61,5 +61,5 @@ TEST(VocabularyText, the_manual_has_all_instance_classes_with_what_they_bind) {
 
 TEST(VocabularyText, a_part_that_is_not_there_is_noticed) { EXPECT_EQ(generated_part("nothing"), "no part nothing"); }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -8,7 +8,7 @@
 #include "tests/proofs/prover/prove_text.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using test::ratio;
 
@@ -164,5 +164,5 @@ RC_GTEST_PROP(Bernstein, coefficients_are_those_of_the_polynomial, ()) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

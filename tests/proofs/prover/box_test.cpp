@@ -5,7 +5,7 @@
 #include "tests/proofs/prover/prove_text.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using test::ratio;
 
@@ -90,5 +90,5 @@ TEST(Boxes, as_enclosures_contain_their_parameters) {
   EXPECT_GE(mpfr_cmp_q(enclosures[0].upper().raw(), ratio(1, 3).gmp()), 0);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

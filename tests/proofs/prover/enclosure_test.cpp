@@ -7,7 +7,7 @@
 #include "tests/proofs/prover/prove_text.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using test::ratio;
 
@@ -95,5 +95,5 @@ TEST(Enclosures, differences_share_their_terms) {
   EXPECT_TRUE(tape.value(number)->is_zero());
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -8,7 +8,7 @@
 #include "tests/proofs/prover/prove_text.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using test::ratio;
 constexpr PrecisionBits bits{64U};
@@ -112,5 +112,5 @@ RC_GTEST_PROP(ExtendedInterval, contains_the_values_of_what_it_contains, ()) {
   if (a.is_positive()) RC_ASSERT(contains(*power(a, ExtendedInterval(Rational(-2), bits)), power(x, -2)));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

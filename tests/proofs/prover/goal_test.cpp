@@ -6,7 +6,7 @@
 #include "tests/proofs/prover/prove_text.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using test::step;
 
@@ -91,5 +91,5 @@ TEST(Goals, compare_by_signs) {
   EXPECT_EQ(verdict_of(Operation::equal, Sign::nonnegative), Verdict::undecided);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

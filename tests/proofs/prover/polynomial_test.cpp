@@ -7,7 +7,7 @@
 #include "tests/proofs/prover/prove_text.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using test::ratio;
 
@@ -78,5 +78,5 @@ TEST(PolynomialRings, may_be_without_parameters) {
   EXPECT_EQ((Polynomial(ring, Rational(2)) + Polynomial(ring, Rational(3))).text(), "5");
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

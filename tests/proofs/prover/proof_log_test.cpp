@@ -7,7 +7,7 @@
 #include "tests/proofs/prover/prove_text.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using Json = nlohmann::json;
 
@@ -55,5 +55,5 @@ TEST(ProofLog, has_the_tree_of_boxes) {
   EXPECT_EQ(json["goals"][0]["atoms"][0]["by"], "enclosure");
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

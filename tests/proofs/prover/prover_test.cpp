@@ -5,7 +5,7 @@
 #include "tests/proofs/prover/prove_text.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using test::outcome;
 using test::ratio;
@@ -130,5 +130,5 @@ TEST(Prover, constants_take_other_values) {
   EXPECT_EQ(decide_at(ratio_of_edges, {{"c", ratio(81, 100)}}, {{"xi", ratio(1, 8)}}), Verdict::proved);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

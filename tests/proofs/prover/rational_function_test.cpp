@@ -6,7 +6,7 @@
 #include "tests/proofs/prover/prove_text.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const RingPointer ring = std::make_shared<const PolynomialRing>(std::vector<std::string>{"k", "x"});
 
@@ -75,5 +75,5 @@ TEST(RationalFunctions, are_not_what_has_another_form_or_no_moderate_size) {
   EXPECT_NE(read("x/2^1000"), "nothing");
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

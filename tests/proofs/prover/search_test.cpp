@@ -5,7 +5,7 @@
 #include "tests/proofs/prover/prove_text.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// The search with an oracle that knows nothing unless told otherwise.
 SearchResult found(const std::string& lines, const SearchLimits& limits = {}, Verdict told = Verdict::undecided) {
@@ -69,5 +69,5 @@ TEST(Search, leaves_single_points_to_the_exact_decision) {
   EXPECT_TRUE(result.nodes.at(result.roots.at(0)).is_exact);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

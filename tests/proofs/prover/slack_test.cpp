@@ -5,7 +5,7 @@
 #include "tests/proofs/prover/prove_text.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using test::ratio;
 using test::step;
@@ -59,5 +59,5 @@ TEST(Slack, of_a_constant_that_does_not_matter_is_nothing) {
   EXPECT_FALSE(slack.refuted || slack.is_sharp());
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace delcert::replay {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const std::vector<std::string> names{"x", "k"};
 
@@ -63,5 +63,5 @@ TEST(ReplayEnclosures, know_where_there_may_be_no_value) {
   EXPECT_EQ(sign("(/ 1 x)", "0", unit, from_one), std::nullopt);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::replay

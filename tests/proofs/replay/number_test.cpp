@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace delcert::replay {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(ReplayNumber, is_read_exactly_or_refused) {
   EXPECT_EQ(Number::read("6/8").text(), "3/4");
@@ -31,5 +31,5 @@ TEST(ReplayNumber, a_side_is_a_point_if_its_ends_are_equal) {
   EXPECT_FALSE(side.is_point());
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::replay

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace delcert::replay {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const Variables variables({"x", "y"});
 
@@ -72,5 +72,5 @@ TEST(ReplayFractions, are_read_from_terms) {
   EXPECT_THROW((void)reader.read(*read_statement("(^ 2 x)")), Rejected);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::replay

@@ -13,7 +13,7 @@
 #include "tests/proofs/prover/prove_text.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using Json = nlohmann::ordered_json;
 
@@ -176,5 +176,5 @@ TEST(Replay, refuses_what_is_no_log) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

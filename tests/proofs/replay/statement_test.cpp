@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace delcert::replay {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 std::vector<std::string> goals(const std::vector<std::string>& hypotheses, const std::string& claim) {
   std::vector<NodePointer> read;
@@ -46,5 +46,5 @@ TEST(ReplayStatements, have_kleene_s_truth) {
   EXPECT_THROW((void)comparisons_of(*read_statement("(+ x 1)")), Malformed);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::replay

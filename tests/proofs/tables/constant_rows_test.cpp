@@ -5,7 +5,7 @@
 #include "support/error.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const std::string row = "[[constant]]\nlabel = 'l'\nstatement = 's'\nlatex = 'x'\nbest = 'smaller'\n";
 
@@ -50,5 +50,5 @@ TEST(ConstantRows, of_the_library_are_well_formed) {
   EXPECT_FALSE(builtin_constant_rows().without.empty());
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -5,7 +5,7 @@
 #include "support/error.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 Rational fraction(long a, long b) { return Rational(a) / Rational(b); }
 
@@ -159,5 +159,5 @@ TEST(ConstantTable, reads_what_the_prover_prints) {
                InputError);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

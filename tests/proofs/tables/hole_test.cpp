@@ -5,7 +5,7 @@
 #include "proofs/formula/parser.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 std::optional<Rational> in(const std::string& formula, const std::string& pattern) {
   return constant_in(*parse_formula(formula), *parse_formula(pattern));
@@ -62,5 +62,5 @@ TEST(Hole, takes_expressions_without_names_only) {
   EXPECT_FALSE(value("1 < 2"));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -5,7 +5,7 @@
 #include "support/error.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(WorstRatios, are_the_greatest_over_all_shapes) {
   const WorstRatios ratios = parse_worst_ratios(
@@ -36,5 +36,5 @@ TEST(WorstRatios, other_json_is_refused_with_the_name_of_the_file) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -6,7 +6,7 @@
 #include "tests/properties/attack/small_claims.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using test::claim_about_simplices;
 using test::right_claim;
@@ -168,5 +168,5 @@ TEST(AttemptedRatio, is_nothing_where_a_hypothesis_fails_or_no_ratio_is_defined)
   EXPECT_FALSE(attempted_ratio(no_ratio, 0, test::triangle_bindings(0, 1), -1).has_value());
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

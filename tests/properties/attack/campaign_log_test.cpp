@@ -10,7 +10,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 class CampaignLogFile : public testing::Test {
  protected:
@@ -98,5 +98,5 @@ TEST_F(CampaignLogFile, an_empty_path_keeps_nothing_and_one_that_cannot_be_writt
   EXPECT_THROW(CampaignLog(folder_ / "none/log.jsonl", "one"), InputError);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

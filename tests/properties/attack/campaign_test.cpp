@@ -11,7 +11,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 class Campaign : public testing::Test {
  protected:
@@ -161,5 +161,5 @@ TEST_F(Campaign, blocks_are_neither_many_nor_empty) {
   EXPECT_EQ(block_size(plan_, target), 1U);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

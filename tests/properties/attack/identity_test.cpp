@@ -7,7 +7,7 @@
 #include "tests/properties/attack/small_claims.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(Identity, changes_with_whatever_an_attack_depends_on) {
   const Claim claim = test::right_claim();
@@ -34,5 +34,5 @@ TEST(Identity, is_of_the_contents_and_the_seed) {
   EXPECT_NE(identity_of("a", 1), identity_of("a", 2));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

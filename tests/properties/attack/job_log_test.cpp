@@ -9,7 +9,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using Json = nlohmann::ordered_json;
 
@@ -66,5 +66,5 @@ TEST_F(JobLogFile, what_the_reader_refuses_is_named_with_its_line) {
             std::string::npos);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -10,7 +10,7 @@
 #include <thread>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using namespace std::chrono_literals;
 
@@ -89,5 +89,5 @@ TEST(JobPool, the_report_comes_from_the_calling_thread) {
   EXPECT_GE(reports, 1U);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

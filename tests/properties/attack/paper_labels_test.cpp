@@ -9,7 +9,7 @@
 #include "properties/attack/attempt.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(PaperLabels, each_has_a_claim_or_a_reason) {
   for (const std::string& complaint : complaints_about_labels(builtin_claim_list())) ADD_FAILURE() << complaint;
@@ -25,5 +25,5 @@ TEST(PaperLabels, are_mapped_in_the_docs_as_in_the_library) {
       << paper_to_code(builtin_claim_list());
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

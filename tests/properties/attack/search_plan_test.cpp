@@ -12,7 +12,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 class Searches : public testing::Test {
  protected:
@@ -139,5 +139,5 @@ TEST_F(Searches, name_the_claim_that_asks_too_much) {
   EXPECT_TRUE(error_of().starts_with("asks-too-much (k=1, m=2): ")) << error_of();
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

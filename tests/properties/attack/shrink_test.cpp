@@ -7,7 +7,7 @@
 #include "tests/properties/attack/small_claims.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using test::triangle_bindings;
 using test::wrong_claim;
@@ -74,5 +74,5 @@ TEST(Shrink, a_candidate_that_cannot_be_asked_does_not_have_the_property) {
   EXPECT_THROW((void)shrunk(simplices(), found, interrupted), std::runtime_error);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

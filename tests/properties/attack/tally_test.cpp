@@ -10,7 +10,7 @@
 #include "tests/properties/attack/small_claims.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using test::claim_about_simplices;
 using test::right_claim;
@@ -118,5 +118,5 @@ TEST(Tally, a_ratio_that_is_not_a_number_is_never_the_worst) {
   EXPECT_EQ(sum.conclusions[0].worst->lower, 0.25);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

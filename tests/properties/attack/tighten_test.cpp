@@ -7,7 +7,7 @@
 #include "tests/properties/attack/small_claims.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using test::claim_about_simplices;
 
@@ -99,5 +99,5 @@ TEST(Tighten, without_an_instance_or_a_ratio_nothing_is_found) {
   EXPECT_FALSE(tighten(no_ratio, 0, {2, 2}, 20, 1, no_progress()).has_value());
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

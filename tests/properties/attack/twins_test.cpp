@@ -10,7 +10,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 namespace fs = std::filesystem;
 using test::claim_about_simplices;
@@ -154,5 +154,5 @@ TEST_F(Twins, no_stored_witness_is_of_a_claim_or_twin_that_is_gone) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

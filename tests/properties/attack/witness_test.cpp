@@ -12,7 +12,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using test::triangle_bindings;
 using Json = nlohmann::ordered_json;
@@ -167,5 +167,5 @@ TEST(Witness, files_that_cannot_be_read_are_errors_that_name_them) {
   EXPECT_EQ(witness_text(read_witness(file.string())), witness_text(good_witness()));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -4,7 +4,7 @@
 #include "tests/properties/instances/net_checks.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(AdaptiveSamplingClass, DrawsWhatItPromisesInEveryShape) {
   for (const Shape& shape : adaptive_sampling_class().shapes()) {
@@ -41,5 +41,5 @@ TEST(AdaptiveSamplingClass, ItsClaimsHoldAndTheSlipsOfThePaperAreFound) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

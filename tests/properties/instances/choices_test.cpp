@@ -6,7 +6,7 @@
 #include <set>
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 std::vector<double> first_of(std::uint64_t seed, std::uint32_t stream, std::uint64_t number) {
   RandomChoices choices(seed, stream, number);
@@ -74,5 +74,5 @@ TEST(Choices, streams_of_texts_are_those_of_fnv) {
   EXPECT_EQ(stream_of("foobar"), 0xbf9cf968U);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -6,7 +6,7 @@
 #include "kernel/simplex/thickness.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// The hypotheses of lem:prop.forbid.cfg and μ₀ ≤ 1.
 class LimitsOfTheLemma : public Limits {
@@ -150,5 +150,5 @@ TEST(ConfigurationDraw, ScalingKeepsAForbiddenConfiguration) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

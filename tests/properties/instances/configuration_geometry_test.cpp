@@ -7,7 +7,7 @@
 #include "kernel/simplex/hoop.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 Rational squared_length(const std::vector<Rational>& x) {
   Rational result(0);
@@ -78,5 +78,5 @@ TEST(ConfigurationGeometry, ADegenerateFacetHasNoHoop) {
             Rational(0));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -8,7 +8,7 @@
 #include "support/error.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// Stretching by (1/8, −1/8) along the axes and a fold of constant 1/16 in the plane.
 ConfigurationMap::Data example() {
@@ -95,5 +95,5 @@ TEST(ConfigurationMap, MalformedWitnessesAreRefused) {
   EXPECT_THROW((void)ConfigurationMap::read(nlohmann::ordered_json::array()), InputError);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

@@ -10,7 +10,7 @@
 #include "support/error.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 std::optional<Instance> draw(int m, std::uint32_t number) {
   RandomChoices choices(9, static_cast<std::uint32_t>(m), number);
@@ -79,5 +79,5 @@ RC_GTEST_PROP(ConfigurationPointClass, TheCircumsphereOfAFaceIsFartherThanTheSph
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

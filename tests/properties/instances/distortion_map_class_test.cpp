@@ -7,7 +7,7 @@
 #include "tests/support/ratio.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 std::string form_of(const Bindings& bindings) {
   return object_of<MapObject>(std::get<ObjectPointer>(bindings.at("phi"))).form_name();
@@ -78,5 +78,5 @@ TEST(DistortionMapClass, RefusesWhatIsNoInstance) {
   refuses("c", ObjectPointer(std::make_shared<PointObject>(moved)));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(ExactPoint, pairs_and_combines) {
   const ExactPoint a{Rational(1), Rational(Integer(1), Integer(2)), Rational(-3)};
@@ -13,5 +13,5 @@ TEST(ExactPoint, pairs_and_combines) {
   EXPECT_EQ(combined(a, Rational(-2), b), expected);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

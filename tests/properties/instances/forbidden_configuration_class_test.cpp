@@ -11,7 +11,7 @@
 #include "support/error.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// What the lemma's hypotheses, with μ₀ ≤ 1, leave.
 std::optional<Instance> draw(const Shape& shape, std::uint32_t number) {
@@ -125,5 +125,5 @@ RC_GTEST_PROP(ForbiddenConfigurationClass, TheMendedClaimHolds, ()) {
   for (const ConclusionOutcome& outcome : result.conclusions) RC_ASSERT(is_proved(outcome.verdict));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

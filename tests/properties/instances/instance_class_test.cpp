@@ -9,7 +9,7 @@
 #include "tests/properties/attack/small_claims.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using test::triangle_bindings;
 
@@ -97,5 +97,5 @@ TEST(InstanceClass, the_vocabulary_knows_the_kinds_that_classes_bind) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

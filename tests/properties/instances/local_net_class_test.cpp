@@ -4,7 +4,7 @@
 #include "tests/properties/instances/net_checks.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(LocalNetClass, DrawsWhatItPromisesInThePlane) {
   const auto traits =
@@ -64,5 +64,5 @@ TEST(LocalNetClass, ItsClaimsHold) {
   check_claim("protected-stars", {0, 2}, 40);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -5,7 +5,7 @@
 #include "tests/support/ratio.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 CentredSimplex edge_and_centre() {
   // r² = 1 + 4.
@@ -92,5 +92,5 @@ TEST(MapDraw, DistortionsAreCertifiedAndNotMuchTooLarge) {
   EXPECT_FALSE(random_transition(7, choices).has_value());
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

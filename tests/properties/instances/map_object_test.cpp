@@ -9,7 +9,7 @@
 #include "tests/support/ratio.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const Rational tiny = Rational::power_of_two(-200);
 
@@ -134,5 +134,5 @@ TEST(MapObject, IsReadBackAndRefusedWhereItIsNone) {
   EXPECT_THROW((void)MapObject::read(nlohmann::ordered_json::parse("[]")), InputError);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -3,7 +3,7 @@
 #include "tests/proofs/formula/vocabulary_checks.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const Rational zero(0);
 
@@ -63,5 +63,5 @@ TEST(MapQuantities, PointsOfAnotherSpaceAreRefused) {
   EXPECT_THROW((void)verdict("distance_to_normal_space(t, x) >= 0", bindings), InputError);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

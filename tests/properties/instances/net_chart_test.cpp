@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(NetChart, draws_maps_of_exactly_the_distortion_asked_for) {
   int reached = 0;
@@ -28,5 +28,5 @@ TEST(NetChart, decides_distortions_by_hand) {
   EXPECT_EQ(chart_image(shear, {Rational(2), Rational(3)}), (std::vector<Rational>{Rational(5), Rational(3)}));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

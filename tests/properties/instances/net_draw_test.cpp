@@ -4,7 +4,7 @@
 #include "tests/properties/instances/net_checks.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const Rational& number(const PerturbedNet& net, const char* name) {
   return std::get<Rational>(net.instance.bindings.at(name));
@@ -58,5 +58,5 @@ TEST(PerturbedNet, has_no_forbidden_configuration_if_gamma0_is_limited_but_for_s
   EXPECT_GT(with, 0);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

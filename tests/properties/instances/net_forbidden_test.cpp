@@ -8,7 +8,7 @@
 #include "tests/properties/instances/square_net.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// By all subsets, without any filter.
 template <int m>
@@ -64,5 +64,5 @@ TEST(NetForbidden, finds_cospherical_points_whatever_the_parameters) {
           .has_value());
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -12,7 +12,7 @@
 #include "support/error.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 SizingObject two_cones() {
   return {Rational::power_of_two(-1),
@@ -48,5 +48,5 @@ TEST(Sizing, reads_back_what_it_wrote_and_refuses_the_rest) {
   EXPECT_THROW((void)SizingObject::read(nlohmann::ordered_json::parse(R"({"slope": 1})")), InputError);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -7,7 +7,7 @@
 #include "tests/properties/instances/square_net.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(NetObject, encloses_the_covering_radius_of_the_square_lattice) {
   const NetObject net(square_points(6), Rational(1), Rational(2));
@@ -49,5 +49,5 @@ TEST(NetObject, refuses_what_is_no_net) {
   EXPECT_THROW((void)NetObject::read(nlohmann::ordered_json::parse(R"({"points": 1})")), InputError);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -5,7 +5,7 @@
 #include "tests/properties/instances/square_net.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 template <int m>
 Rational squared_distance(const Vector<Rational, m>& a, const Vector<Rational, m>& b) {
@@ -80,5 +80,5 @@ TEST(NetSample, centre_of_a_square) {
   EXPECT_EQ(centre_of<2>(points, cell), (Vector<Rational, 2>{half, half}));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

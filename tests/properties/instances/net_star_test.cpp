@@ -9,7 +9,7 @@
 #include "tests/properties/instances/square_net.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// Random points, short dyadics in the unit ball, the origin first.
 template <int m>
@@ -81,5 +81,5 @@ TEST(StarCells, are_none_at_a_point_of_the_boundary) {
   EXPECT_FALSE(star_cells<2>(points, Rational(2)).has_value());
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

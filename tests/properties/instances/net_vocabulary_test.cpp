@@ -9,7 +9,7 @@
 #include "tests/properties/instances/square_net.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// The square lattice, and the same with one neighbour of the origin moved.
 Bindings square_nets() {
@@ -60,5 +60,5 @@ TEST(NetVocabulary, finds_forbidden_configurations) {
   EXPECT_EQ(verdict_of("has_forbidden_configuration(p, 1/100, 1, -1)"), Verdict::refuted);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -4,7 +4,7 @@
 #include "tests/support/ratio.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 SimplexObject edge_of(const Rational& length) { return SimplexObject({{Rational(0)}, {length}}); }
 
@@ -42,5 +42,5 @@ TEST(PairDistortion, IsRelativeToTheLongestEdge) {
   EXPECT_FALSE(is_distortion_at_most(triangle, other, ratio(1, 5) - Rational::power_of_two(-200)));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -6,7 +6,7 @@
 #include "tests/support/ratio.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// Not more than ξ, up to roundings of 2⁻⁴⁰.
 void expect_within(const SimplexObject& simplex, const SimplexObject& image, const Rational& xi) {
@@ -68,5 +68,5 @@ TEST(PairImage, ReflectionsKeepLengths) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -7,7 +7,7 @@
 #include "tests/properties/instances/class_checks.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(RandomSimplex, IsNonDegenerateAndOfItsShape) {
   for (const Shape& shape : simplex_shapes()) {
@@ -97,5 +97,5 @@ TEST(RandomSimplex, SimplerNumbersArePowersOfOneHalfAndFewDigits) {
   EXPECT_TRUE(simpler_numbers(Rational(1)).empty());
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -3,7 +3,7 @@
 #include "tests/properties/instances/net_checks.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(RunClass, DrawsWhatItPromisesOnSurfaces) {
   const auto traits = check_net_draws(run_class(), {0, 2}, NoLimits(), 12);
@@ -34,5 +34,5 @@ TEST(RunClass, WithoutTheHypothesisTheClaimsAreRefuted) {
   EXPECT_GT(count.violated, 0);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

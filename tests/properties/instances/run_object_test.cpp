@@ -7,7 +7,7 @@
 #include "support/error.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 RunRecipe small_recipe() {
   RunRecipe recipe;
@@ -68,5 +68,5 @@ TEST(RunObject, refuses_what_is_no_recipe) {
   EXPECT_THROW((void)RunObject::read(nlohmann::ordered_json::parse(R"({"manifold": "torus-2"})")), InputError);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -9,7 +9,7 @@
 #include "properties/instances/run_object.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 Bindings run_of(RunMode mode) {
   RunRecipe recipe;
@@ -67,5 +67,5 @@ TEST(RunVocabulary, refutes_it_all_without_perturbation) {
   EXPECT_EQ(verdict(run, "least_protection(r) > 0"), Verdict::undecided);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -4,7 +4,7 @@
 #include "tests/properties/instances/class_checks.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 ObjectPointer simplex_of(SimplexObject::Points points) { return std::make_shared<SimplexObject>(std::move(points)); }
 
@@ -35,5 +35,5 @@ TEST(SimplexClass, RefusesWhatIsNoInstance) {
   EXPECT_THROW(simplex_class().require(bad), InputError);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -5,7 +5,7 @@
 #include "tests/support/ratio.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(SimplexPairClass, DrawsWhatItPromisesInEveryShape) {
   const auto traits = check_draws(simplex_pair_class(), FixedLimits({{"xi", ratio(2, 3)}}), 10);
@@ -51,5 +51,5 @@ TEST(SimplexPairClass, RefusesWhatIsNoInstance) {
                    SimplexObject::Points{{Rational(0)}, {Rational(3)}, {Rational(4)}})));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -5,7 +5,7 @@
 #include "tests/properties/instances/net_checks.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(StableNetClass, DrawsWhatItPromises) {
   const auto traits =
@@ -34,5 +34,5 @@ TEST(StableNetClass, ItsClaimsHold) {
   check_claim("stable-stars", {0, 2}, 25);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

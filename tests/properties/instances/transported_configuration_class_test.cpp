@@ -10,7 +10,7 @@
 #include "support/error.hpp"
 
 namespace delcert {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 std::optional<Instance> draw(const Claim& claim, const Shape& shape, std::uint32_t number) {
   const HypothesisLimits limits(claim);
@@ -120,5 +120,5 @@ RC_GTEST_PROP(TransportedConfigurationClass, FacetsStayThickRoundAndNearTheirVer
 
 RC_GTEST_PROP(TransportedConfigurationClass, TheHoopIsHardlyDistorted, ()) { expect_to_hold(hoop_claim()); }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

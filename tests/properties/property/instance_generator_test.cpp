@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const std::filesystem::path witnesses = std::filesystem::path(DELCERT_SOURCE_DIR) / "proofs/claims/witnesses";
 
@@ -99,5 +99,5 @@ TEST(Shrinking, comes_to_simpler_instances_that_take_less_to_write) {
   for (const GeneratedInstance& each : simpler) EXPECT_LT(written_size(*each.its_class, each.bindings), size);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

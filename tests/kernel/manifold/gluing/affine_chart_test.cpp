@@ -5,7 +5,7 @@
 #include "tests/kernel/manifold/gluing/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const Matrix<Rational, 3> triangle{{{Rational(2), ratio(1, 3), Rational(-1)},
                                     {Rational(0), ratio(1, 2), Rational(4)},
@@ -91,5 +91,5 @@ TEST(AffineChart, of_squares_is_exact) {
   EXPECT_THROW((void)rounded_chart<3>(gram), Rejection);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

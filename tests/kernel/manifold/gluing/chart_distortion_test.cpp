@@ -5,7 +5,7 @@
 #include "tests/kernel/manifold/gluing/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(ChartDistortion, of_a_constant_metric_is_only_rounding) {
   const MetricField<2> field(constant_field({{Rational(3), Rational(1)}, {Rational(1), Rational(2)}}));
@@ -71,5 +71,5 @@ TEST(ChartDistortion, shrinks_patches_in_which_charts_are_distorted_too_much) {
                        "hills: charts are distorted by 1/2 or more within 4 sampling radii"));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -7,7 +7,7 @@
 #include "tests/kernel/manifold/gluing/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using Field = MetricField<2>;
 using Atlas2 = MetricFieldAtlas<2>;
@@ -134,5 +134,5 @@ TEST(MetricFieldAtlas, refuses_what_is_no_net) {
   EXPECT_TRUE(mentions(refusal({{ratio(-1, 9), Rational(0)}}, ratio(1, 30)), "label 0 has the coordinate -1/9"));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -5,7 +5,7 @@
 #include "tests/kernel/manifold/gluing/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(MetricField, is_the_sum_of_its_waves) {
   const MetricField<2> field(shear());
@@ -99,5 +99,5 @@ TEST(MetricField, compares_quadratic_forms) {
   EXPECT_TRUE(is_refuted(is_below(b, ratio(341, 100), unit)));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

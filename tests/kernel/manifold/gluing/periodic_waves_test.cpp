@@ -7,7 +7,7 @@
 #include "tests/kernel/number/arb_reference.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 ArbReference reference_cosine(const Rational& t) { return ArbReference(Rational(2) * t).with(arb_cos_pi); }
 ArbReference reference_sine(const Rational& t) { return ArbReference(Rational(2) * t).with(arb_sin_pi); }
@@ -83,5 +83,5 @@ TEST(PeriodicWaves, are_enclosed_on_intervals) {
   EXPECT_EQ(wave_within(ratio(1, 3), Rational(3)).sine.lower(), -1);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

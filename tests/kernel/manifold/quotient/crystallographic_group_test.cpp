@@ -7,7 +7,7 @@
 #include "tests/kernel/manifold/quotient/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using Rows = std::vector<std::vector<std::string>>;
 
@@ -111,5 +111,5 @@ TEST(CrystallographicGroup, short_elements_are_all_of_a_search) {
   for (const FieldMatrix& element : found) EXPECT_LE(form.displacement_of_origin(element.column(0)).rational(), bound);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -8,7 +8,7 @@
 #include "tests/kernel/manifold/quotient/side_pairings.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 DirichletPolyhedron polyhedron_of(const SpaceFormDescription& description, const SidePairings& pairings,
                                   ElementsWithoutSide without_side = ElementsWithoutSide::are_errors) {
@@ -105,5 +105,5 @@ TEST(DirichletPolyhedron, refuses_elements_that_fix_points) {
   EXPECT_EQ(refuse({quarter, inverse(quarter)}), "0 fixes the origin");
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

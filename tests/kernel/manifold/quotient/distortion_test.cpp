@@ -9,7 +9,7 @@
 #include "tests/kernel/manifold/quotient/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 constexpr std::array curved{Curvature::negative, Curvature::positive};
 
@@ -180,5 +180,5 @@ TEST(Distortion, of_a_ball_is_that_of_its_points_in_all_near_charts) {
   EXPECT_EQ(ball_distortion(Curvature::positive, Rational(1), ratio(3, 5)), std::numeric_limits<double>::infinity());
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -8,7 +8,7 @@
 #include "tests/kernel/manifold/quotient/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 template <int m>
 ElementTable<m> table_of(const SpaceForm& form, const Rational& radius) {
@@ -101,5 +101,5 @@ TEST(ElementTable, charts_of_flat_forms_have_their_metric) {
   EXPECT_TRUE(chart_metric<2>(find_space_form("bolza-surface").form).is_cartesian());
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

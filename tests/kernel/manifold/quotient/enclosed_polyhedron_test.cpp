@@ -7,7 +7,7 @@
 #include "kernel/number/rounding_guard.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 class EnclosedBolza : public testing::Test {
  protected:
@@ -42,5 +42,5 @@ TEST_F(EnclosedBolza, measures_how_far_outside) {
   EXPECT_FALSE(polyhedron_.is_certainly_farther(towards_neighbour(1, 4), Interval(0)));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

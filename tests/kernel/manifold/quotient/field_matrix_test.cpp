@@ -8,7 +8,7 @@
 #include "tests/kernel/manifold/quotient/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 FieldMatrix some_matrix(const FieldElement::Field& field, std::size_t order, std::mt19937_64& random) {
   FieldMatrix result(order);
@@ -99,5 +99,5 @@ TEST(FieldMatrix, positive_definiteness_is_decided_at_the_border) {
   EXPECT_FALSE(is_positive_definite(matrix(nullptr, {{"-1", "0"}, {"0", "-1"}})));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -8,7 +8,7 @@
 #include "tests/kernel/manifold/quotient/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 const InvariantForm& three_sphere() {
   static const InvariantForm form = InvariantForm::standard(Curvature::positive, 3);
@@ -65,5 +65,5 @@ TEST(FiniteGroup, acts_freely_or_an_element_is_named_that_does_not) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -6,7 +6,7 @@
 #include "tests/kernel/manifold/quotient/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 constexpr std::array all_curvatures{Curvature::negative, Curvature::zero, Curvature::positive};
 
@@ -87,5 +87,5 @@ TEST(Frame, encloses_tightly_next_to_minus_o) {
   }
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -10,7 +10,7 @@
 #include "tests/kernel/manifold/quotient/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 template <int m>
 std::vector<ModelPoint<Interval, m>> points_of(const SpaceForm& form, const Rational& radius) {
@@ -89,5 +89,5 @@ TEST(GroupLifts, do_with_points_outside_of_the_polyhedron) {
   EXPECT_GT(all.table().size(), near.table().size());
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

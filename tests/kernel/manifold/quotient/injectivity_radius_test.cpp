@@ -8,7 +8,7 @@
 #include "tests/kernel/manifold/quotient/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// The bounds contain the value and are close; bounds moved by 2⁻²⁰ would not contain it.
 void expect_radius(const InjectivityRadius& radius, const BigInterval& value) {
@@ -83,5 +83,5 @@ TEST(InjectivityRadius, translation_lengths_of_known_elements) {
   in_space({{"0", "1"}, {"1", "0"}});
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

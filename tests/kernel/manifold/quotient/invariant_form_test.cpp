@@ -6,7 +6,7 @@
 #include "tests/kernel/manifold/quotient/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(InvariantForm, says_why_a_matrix_is_no_isometry) {
   const auto sphere = InvariantForm::standard(Curvature::positive, 2);
@@ -109,5 +109,5 @@ TEST(InvariantForm, needs_a_symmetric_positive_definite_gram_matrix) {
   EXPECT_TRUE(mentions(refusal({{"1", "1"}, {"1", "1"}}), "not positive definite"));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -8,7 +8,7 @@
 #include "tests/kernel/manifold/quotient/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(LatticePoints, are_all_that_a_wide_search_finds) {
   std::mt19937_64 random(2);
@@ -53,5 +53,5 @@ TEST(LatticePoints, too_many_are_refused) {
                        "too skewed"));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

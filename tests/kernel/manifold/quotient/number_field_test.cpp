@@ -8,7 +8,7 @@
 #include "tests/kernel/manifold/quotient/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 /// t³ − t² − 2t + 1 at its largest root, 2cos π/7.
 FieldElement::Field heptagon_field() {
@@ -116,5 +116,5 @@ TEST(FieldElement, can_be_moved_and_assigned) {
   EXPECT_FALSE(precedes(b, b));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

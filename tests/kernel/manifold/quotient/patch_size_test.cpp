@@ -6,7 +6,7 @@
 #include "tests/kernel/manifold/quotient/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(PatchSize, is_bounded_by_the_injectivity_radius) {
   const SpaceForm form = verify_space_form(find_space_form("lens-space-5-2"));
@@ -60,5 +60,5 @@ TEST(PatchSize, wants_a_form_of_the_dimension_and_a_radius) {
             "sphere-2: the sampling radius is not above 0");
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

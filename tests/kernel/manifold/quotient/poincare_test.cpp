@@ -8,7 +8,7 @@
 #include "tests/kernel/manifold/quotient/side_pairings.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 PoincareResult verified(const InvariantForm& form, const SidePairings& pairings) {
   const auto polyhedron =
@@ -168,5 +168,5 @@ TEST(Poincare, refuses_elements_that_fix_only_vertices) {
                        "x ↦ [[-1, 0, 0], [0, -1, 0], [0, 0, -1]]x"));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -5,7 +5,7 @@
 #include "tests/kernel/manifold/quotient/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 using Coefficients = std::vector<Rational>;
 
@@ -35,5 +35,5 @@ TEST(PolynomialText, says_where_a_text_goes_wrong) {
   EXPECT_TRUE(mentions(refusal("--t"), "at character 2"));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -10,7 +10,7 @@
 #include "tests/kernel/manifold/quotient/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 template <int m>
 SpaceFormAtlas<m> atlas_of(const std::string& name, const Rational& radius, int factor = 9) {
@@ -225,5 +225,5 @@ TEST(SpaceFormAtlas, refuses_wrong_input) {
             std::string::npos);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

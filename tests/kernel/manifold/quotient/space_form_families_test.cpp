@@ -7,7 +7,7 @@
 #include "tests/kernel/manifold/quotient/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 TEST(SpaceFormFamilies, lens_spaces_are_manifolds_exactly_when_p_and_q_are_coprime) {
   for (int p = 3; p <= 9; ++p) {
@@ -49,5 +49,5 @@ TEST(SpaceFormFamilies, double_cosines_lie_in_their_fields) {
   EXPECT_THROW((void)real_cyclotomic_field(0), InputError);
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -9,7 +9,7 @@
 #include "tests/kernel/manifold/quotient/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 struct Member {
   std::string name;
@@ -191,5 +191,5 @@ TEST(SpaceForm, refuses_orders_of_infinite_groups_identities_and_wrong_sizes) {
   EXPECT_TRUE(mentions(refusal_of(), "generator 2 has order 4, expected 3"));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -10,7 +10,7 @@
 #include "tests/kernel/manifold/quotient/side_pairings.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 DirichletPolyhedron polyhedron_of(const SpaceFormDescription& description) {
   const SidePairings pairings = with_inverses(description);
@@ -100,5 +100,5 @@ TEST(TileWalk, gives_up_with_a_message) {
                        "more than 30 copies of the polyhedron are within reach"));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

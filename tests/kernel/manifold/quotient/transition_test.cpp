@@ -8,7 +8,7 @@
 #include "tests/kernel/manifold/quotient/samples.hpp"
 
 namespace delcert::test {
-namespace {
+namespace DELCERT_THIS_FILE {
 
 Vector<Rational, 2> point(long x, long y) { return {ratio(x, 64), ratio(y, 64)}; }
 
@@ -105,5 +105,5 @@ TEST(Transition, is_an_isometry_of_distances_but_not_of_charts) {
   EXPECT_TRUE(is_undecided(less(chord(a, b), chord(enclosed(point(3, 5)), enclosed(point(-4, 6))))));
 }
 
-}  // namespace
+}  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test
