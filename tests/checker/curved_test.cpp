@@ -7,7 +7,7 @@
 #include "tests/checker/upwards.hpp"
 
 namespace delcert::checker_tests {
-namespace DELCERT_THIS_FILE {
+namespace {
 
 using checker::Ball;
 using checker::Interval;
@@ -81,5 +81,5 @@ TEST_F(Curved, distances_from_o_are_lengths_of_tangent_vectors) {
   }
 }
 
-}  // namespace DELCERT_THIS_FILE
+}  // namespace
 }  // namespace delcert::checker_tests

@@ -8,7 +8,7 @@
 #include "tests/checker/upwards.hpp"
 
 namespace delcert::checker_tests {
-namespace DELCERT_THIS_FILE {
+namespace {
 
 using checker::exact_value;
 using checker::is_exact_number;
@@ -61,5 +61,5 @@ TEST(ExactNumber, lies_in_its_enclosure_whatever_its_magnitude) {
   }
 }
 
-}  // namespace DELCERT_THIS_FILE
+}  // namespace
 }  // namespace delcert::checker_tests

@@ -12,7 +12,7 @@
 #include "tests/checker/support/run_checker.hpp"
 
 namespace delcert::checker_tests {
-namespace DELCERT_THIS_FILE {
+namespace {
 
 std::vector<Forgery> all_forgeries() {
   std::vector<Forgery> all;
@@ -101,5 +101,5 @@ TEST(Forgeries, the_rules_of_the_checker_are_those_of_the_format_page) {
   EXPECT_EQ(rules, rules_of_the_checker());
 }
 
-}  // namespace DELCERT_THIS_FILE
+}  // namespace
 }  // namespace delcert::checker_tests

@@ -9,7 +9,7 @@
 #include "tests/checker/upwards.hpp"
 
 namespace delcert::checker_tests {
-namespace DELCERT_THIS_FILE {
+namespace {
 
 using namespace checker;
 
@@ -136,5 +136,5 @@ TEST(MetricOf, a_matrix_that_is_not_positive_definite_is_refused) {
   EXPECT_GE(skewed.stretch(1), 1);
 }
 
-}  // namespace DELCERT_THIS_FILE
+}  // namespace
 }  // namespace delcert::checker_tests

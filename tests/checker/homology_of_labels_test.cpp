@@ -17,7 +17,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert::checker_tests {
-namespace DELCERT_THIS_FILE {
+namespace {
 
 using Groups = std::vector<std::string>;
 
@@ -107,5 +107,5 @@ TEST(HomologyOfLabels, of_other_labels_is_another) {
   EXPECT_EQ(homology_of_stars(sealed(document)), (Groups{"Z", "Z^2 + Z/2", "0"}));
 }
 
-}  // namespace DELCERT_THIS_FILE
+}  // namespace
 }  // namespace delcert::checker_tests

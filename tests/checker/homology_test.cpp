@@ -9,7 +9,7 @@
 #include "tests/kernel/topology/known_complexes.hpp"
 
 namespace delcert::checker_tests {
-namespace DELCERT_THIS_FILE {
+namespace {
 
 using checker::FaceComplex;
 using checker::LabelSet;
@@ -84,5 +84,5 @@ TEST(HomologyOfTheChecker, has_the_euler_characteristic) {
   EXPECT_EQ(FaceComplex(2, {}).euler_characteristic(), 0);
 }
 
-}  // namespace DELCERT_THIS_FILE
+}  // namespace
 }  // namespace delcert::checker_tests

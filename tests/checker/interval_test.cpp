@@ -9,7 +9,7 @@
 #include "tests/checker/upwards.hpp"
 
 namespace delcert::checker_tests {
-namespace DELCERT_THIS_FILE {
+namespace {
 
 using checker::Interval;
 using checker::Rational;
@@ -108,5 +108,5 @@ TEST_F(IntervalOperations, are_tight_where_doubles_are_exact) {
   EXPECT_EQ(less(Interval::between(1, 2), Interval(2)), Verdict::undecided);
 }
 
-}  // namespace DELCERT_THIS_FILE
+}  // namespace
 }  // namespace delcert::checker_tests

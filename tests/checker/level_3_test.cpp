@@ -8,7 +8,7 @@
 #include "tests/checker/upwards.hpp"
 
 namespace delcert::checker_tests {
-namespace DELCERT_THIS_FILE {
+namespace {
 
 using namespace checker;
 
@@ -113,5 +113,5 @@ TEST(Level3, decides_P3_at_its_irrational_bound) {
   EXPECT_EQ(is_short<Interval>(bounds, enclosure(exact_value(digits + scale))), Verdict::undecided);
 }
 
-}  // namespace DELCERT_THIS_FILE
+}  // namespace
 }  // namespace delcert::checker_tests

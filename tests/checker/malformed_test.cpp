@@ -6,7 +6,7 @@
 #include "tests/checker/support/samples.hpp"
 
 namespace delcert::checker_tests {
-namespace DELCERT_THIS_FILE {
+namespace {
 
 const std::string& valid() {
   static const std::string text = sealed(circle().document());
@@ -248,5 +248,5 @@ TEST(Malformed, the_command_line_is_checked) {
   EXPECT_EQ(run_checker_with(part + " --levels 1").status, 64) << "a level that is not claimed is not verified";
 }
 
-}  // namespace DELCERT_THIS_FILE
+}  // namespace
 }  // namespace delcert::checker_tests

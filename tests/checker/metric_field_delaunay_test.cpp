@@ -6,7 +6,7 @@
 #include "tests/checker/support/metric_field_documents.hpp"
 
 namespace delcert::checker_tests {
-namespace DELCERT_THIS_FILE {
+namespace {
 
 const Json& nearly_flat_document() {
   static const Json document = document_of<2>(test::nearly_flat_run());
@@ -102,7 +102,7 @@ TEST(MetricFieldDelaunay, has_its_form) {
   });
 }
 
-}  // namespace DELCERT_THIS_FILE
+}  // namespace
 
 std::vector<Forgery> metric_field_delaunay_forgeries() {
   const auto forged = [](const char* name, const char* rule, const Json& valid, const Change& change) {

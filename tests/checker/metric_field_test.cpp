@@ -6,7 +6,7 @@
 #include "tests/checker/support/metric_field_documents.hpp"
 
 namespace delcert::checker_tests {
-namespace DELCERT_THIS_FILE {
+namespace {
 
 Change stated(const std::string& block, const std::string& key, const Rational& factor) {
   return [=](Json& j) { j[block][key] = times(j[block][key], factor); };
@@ -118,7 +118,7 @@ TEST(MetricField, stars_that_differ_in_other_charts_are_not_stable) {
   RunRequest request;
   request.certify_model = false;
   const auto geometry = geometry_of<2>(atlas, distortion);
-  auto run = run_on_space_form<2>(atlas, geometry, parameters.algorithm, request, no_progress());
+  auto run = run_in_charts<2>(atlas, geometry, parameters.algorithm, request, no_progress());
   ASSERT_TRUE(run.is_certified());
   const auto stability = check_stability<2>(atlas, run.points, geometry, run.complex, no_progress());
   ASSERT_GT(stability.differing, 0U);
@@ -181,7 +181,7 @@ TEST(MetricField, huge_and_tiny_numbers_never_verify) {
   }
 }
 
-}  // namespace DELCERT_THIS_FILE
+}  // namespace
 
 std::vector<Forgery> metric_field_forgeries() {
   const auto forged = [](const char* name, const char* rule, const Json& valid, const Change& change) {

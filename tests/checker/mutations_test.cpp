@@ -11,7 +11,7 @@
 #include "tests/checker/upwards.hpp"
 
 namespace delcert::checker_tests {
-namespace DELCERT_THIS_FILE {
+namespace {
 
 int status_of(std::string bytes) {
   try {
@@ -115,5 +115,5 @@ TEST_F(Mutations, of_the_head_of_a_space_form_sealed_anew_never_crash) {
   EXPECT_GT(count[1], 0);
 }
 
-}  // namespace DELCERT_THIS_FILE
+}  // namespace
 }  // namespace delcert::checker_tests

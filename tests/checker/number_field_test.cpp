@@ -7,7 +7,7 @@
 #include "tests/checker/upwards.hpp"
 
 namespace delcert::checker_tests {
-namespace DELCERT_THIS_FILE {
+namespace {
 
 using checker::exact_value;
 using checker::FieldElement;
@@ -74,5 +74,5 @@ TEST_F(NumberFields, carry_matrices_whose_definiteness_is_decided) {
   EXPECT_TRUE(a.leading_minor(2) == FieldElement(field, {exact_value("-1/144")}));
 }
 
-}  // namespace DELCERT_THIS_FILE
+}  // namespace
 }  // namespace delcert::checker_tests

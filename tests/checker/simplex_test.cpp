@@ -9,7 +9,7 @@
 #include "tests/checker/upwards.hpp"
 
 namespace delcert::checker_tests {
-namespace DELCERT_THIS_FILE {
+namespace {
 
 using namespace checker;
 
@@ -108,5 +108,5 @@ TEST_F(Simplices, of_random_points_have_all_vertices_on_the_sphere_and_filter_en
   }
 }
 
-}  // namespace DELCERT_THIS_FILE
+}  // namespace
 }  // namespace delcert::checker_tests

@@ -7,7 +7,7 @@
 #include <string>
 
 namespace delcert::checker_tests {
-namespace DELCERT_THIS_FILE {
+namespace {
 
 /// Lines that are neither empty nor only a comment.
 int lines_of_code(const std::filesystem::path& file) {
@@ -47,5 +47,5 @@ TEST(SizeOfTheChecker, is_what_docs_decisions_size_of_the_checker_says) {
   EXPECT_EQ(page().parts, lines);
 }
 
-}  // namespace DELCERT_THIS_FILE
+}  // namespace
 }  // namespace delcert::checker_tests

@@ -8,7 +8,7 @@
 #include "tests/kernel/topology/naive_homology.hpp"
 
 namespace delcert::checker_tests {
-namespace DELCERT_THIS_FILE {
+namespace {
 
 using checker::Column;
 using checker::SmithForm;
@@ -80,5 +80,5 @@ TEST(SmithForm, of_coefficients_beyond_64_bits_is_left_undecided) {
   EXPECT_EQ(reduction({{large, 0}, {0, 1}}, 2).form.torsion, (std::vector<std::string>{std::to_string(large)}));
 }
 
-}  // namespace DELCERT_THIS_FILE
+}  // namespace
 }  // namespace delcert::checker_tests

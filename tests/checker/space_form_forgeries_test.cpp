@@ -13,7 +13,7 @@
 #include "tests/checker/support/forgeries.hpp"
 
 namespace delcert::checker_tests {
-namespace DELCERT_THIS_FILE {
+namespace {
 
 /// The rules that one of the checker's sources names.
 std::set<std::string> rules_in(const std::filesystem::path& source) {
@@ -65,5 +65,5 @@ TEST(SpaceFormForgeries, are_those_of_the_format_page) {
     EXPECT_NE(page.find("\n| " + rule + " | " + forged + " |\n"), std::string::npos) << rule << ": " << forged;
 }
 
-}  // namespace DELCERT_THIS_FILE
+}  // namespace
 }  // namespace delcert::checker_tests

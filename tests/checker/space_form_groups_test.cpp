@@ -11,7 +11,7 @@
 #include "tests/checker/upwards.hpp"
 
 namespace delcert::checker_tests {
-namespace DELCERT_THIS_FILE {
+namespace {
 
 struct Written {
   int curvature, dimension;
@@ -174,5 +174,5 @@ TEST(SpaceFormGroups, without_a_compact_polyhedron_that_closes_up_are_rejected) 
   EXPECT_EQ(fault(none), "group.polyhedron");
 }
 
-}  // namespace DELCERT_THIS_FILE
+}  // namespace
 }  // namespace delcert::checker_tests

@@ -14,7 +14,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert::checker_tests {
-namespace DELCERT_THIS_FILE {
+namespace {
 
 struct Certified {
   SpaceFormAtlas<2> atlas;
@@ -76,5 +76,5 @@ TEST_P(SpaceFormMargins, hold_and_little_more_does_not) {
 
 INSTANTIATE_TEST_SUITE_P(Runs, SpaceFormMargins, testing::Values("projective-plane", "bolza-surface"));
 
-}  // namespace DELCERT_THIS_FILE
+}  // namespace
 }  // namespace delcert::checker_tests

@@ -12,7 +12,7 @@
 #include "tests/checker/support/run_checker.hpp"
 
 namespace delcert::checker_tests {
-namespace DELCERT_THIS_FILE {
+namespace {
 
 struct Certified {
   std::string path;
@@ -77,5 +77,5 @@ TEST(SpaceFormRuns, of_a_coarse_three_sphere_are_verified) {
   std::printf("%s", check.output.c_str());
 }
 
-}  // namespace DELCERT_THIS_FILE
+}  // namespace
 }  // namespace delcert::checker_tests

@@ -4,7 +4,7 @@
 #include "tests/checker/support/space_form_samples.hpp"
 
 namespace delcert::checker_tests {
-namespace DELCERT_THIS_FILE {
+namespace {
 
 void expect_accepted(const SpaceFormSample& sample) {
   const CheckerRun run = run_checker(sealed(sample.document()));
@@ -116,5 +116,5 @@ TEST(SpaceForm, huge_and_tiny_numbers_never_verify) {
   }
 }
 
-}  // namespace DELCERT_THIS_FILE
+}  // namespace
 }  // namespace delcert::checker_tests

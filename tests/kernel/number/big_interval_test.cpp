@@ -9,6 +9,7 @@
 #include "kernel/number/rounding_guard.hpp"
 #include "kernel/number/scalar.hpp"
 #include "tests/kernel/number/random_numbers.hpp"
+#include "tests/support/contains.hpp"
 
 namespace delcert {
 namespace DELCERT_THIS_FILE {
@@ -17,12 +18,6 @@ static_assert(Scalar<BigInterval>);
 static_assert(std::is_nothrow_move_constructible_v<BigInterval>);
 
 Rational fraction(long numerator, long denominator) { return Rational(numerator) / Rational(denominator); }
-
-bool contains(const BigInterval& interval, const Rational& x) {
-  const mpfi_srcptr raw = interval.mpfi();
-  if (mpfr_nan_p(&raw->left) != 0 || mpfr_nan_p(&raw->right) != 0) return false;
-  return mpfr_cmp_q(&raw->left, x.gmp()) <= 0 && mpfr_cmp_q(&raw->right, x.gmp()) >= 0;
-}
 
 bool contains_root(const BigInterval& interval, const Rational& x) {
   return interval.lower() >= Rational(0) && square(interval.lower()) <= x && x <= square(interval.upper());

@@ -10,6 +10,7 @@
 
 #include "kernel/number/interval.hpp"
 #include "kernel/number/rational.hpp"
+#include "tests/support/contains.hpp"
 
 namespace delcert {
 
@@ -91,18 +92,6 @@ class RandomNumbers {
  private:
   std::mt19937_64 bits_;
 };
-
-/// Whether x lies in the interval, whose endpoints may be infinite but not NaN.
-inline bool contains(const Interval& interval, const Rational& x) {
-  const double lower = interval.lower();
-  const double upper = interval.upper();
-  if (std::isnan(lower) || std::isnan(upper)) return false;
-  const bool above =
-      lower == -std::numeric_limits<double>::infinity() || (std::isfinite(lower) && Rational::exactly(lower) <= x);
-  const bool below =
-      upper == std::numeric_limits<double>::infinity() || (std::isfinite(upper) && x <= Rational::exactly(upper));
-  return above && below;
-}
 
 /// Whether the root of x >= 0 lies in the interval.
 inline bool contains_root(const Interval& interval, const Rational& x) {

@@ -11,6 +11,7 @@
 
 #include "kernel/number/ladder.hpp"
 #include "kernel/simplex/edge_gram.hpp"
+#include "tests/support/contains.hpp"
 #include "tests/support/ratio.hpp"
 
 namespace delcert {
@@ -61,16 +62,6 @@ inline Points right_corner(std::size_t k) {
   Points points(k + 1, std::vector<Rational>(k));
   for (std::size_t i = 0; i < k; ++i) points[i + 1][i] = Rational(1);
   return points;
-}
-
-inline bool contains(const Interval& enclosure, const Rational& x) {
-  const auto below = [](double bound, const Rational& y) {
-    return bound == -std::numeric_limits<double>::infinity() || Rational::exactly(bound) <= y;
-  };
-  return below(enclosure.lower(), x) && below(-enclosure.upper(), -x);
-}
-inline bool contains(const BigInterval& enclosure, const Rational& x) {
-  return enclosure.lower() <= x && x <= enclosure.upper();
 }
 
 /// What an interval says is either nothing or the truth.

@@ -10,6 +10,7 @@
 #include "proofs/formula/type_check.hpp"
 #include "support/error.hpp"
 #include "tests/proofs/formula/random_formulas.hpp"
+#include "tests/support/contains.hpp"
 
 namespace delcert {
 namespace DELCERT_THIS_FILE {
@@ -100,13 +101,6 @@ Partial<S> value(std::string_view text) {
 std::optional<Rational> exactly(std::string_view text) {
   Scene scene(bindings());
   return exact_value(*typed(text, types::number), scene);
-}
-
-/// Rational numbers as the rungs enclose them.
-bool contains(const Interval& enclosure, const Rational& x) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  return (enclosure.lower() == -infinity || Rational::exactly(enclosure.lower()) <= x) &&
-         (enclosure.upper() == infinity || x <= Rational::exactly(enclosure.upper()));
 }
 
 RC_GTEST_PROP(Evaluation, every_rung_encloses_the_exact_value_of_a_rational_term, ()) {
