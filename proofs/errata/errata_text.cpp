@@ -28,6 +28,12 @@ stands, it reproduces the finding, from the root of the sources and with exit st
 read, and rests on the argument given.
 )";
 
+/// What the lines of a finding are lines of.
+constexpr const char* text_that_was_read =
+    "the LaTeX source of a preprint of Delaunay triangulation of manifolds, with dates from 2013 to October 2014 in "
+    "its "
+    "comments; the article of 2017 was not compared";
+
 /// The severest first.
 constexpr std::array wrong_judgements{Judgement::theorem, Judgement::constant, Judgement::word, Judgement::misprint};
 
@@ -115,7 +121,7 @@ std::string errata_json(const std::vector<Erratum>& errata) {
                     {"decidable", erratum.decidable},
                     {"command", erratum.command}});
   }
-  return nlohmann::ordered_json{{"errata", std::move(list)}}.dump(2) + "\n";
+  return nlohmann::ordered_json{{"text", text_that_was_read}, {"errata", std::move(list)}}.dump(2) + "\n";
 }
 
 std::string lines_text(const std::vector<LineRange>& lines) {

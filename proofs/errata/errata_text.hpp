@@ -11,7 +11,8 @@ namespace delcert {
 /// the severest kind first and those of one kind in their order, a table of what was read and holds.
 [[nodiscard]] std::string errata_markdown(const std::vector<Erratum>& errata);
 
-/// The same as a JSON document {"errata": […]}, with the keys of the files, `lines` as text, and all keys always there.
+/// The same as a JSON document {"text": …, "errata": […]}: which text was read, and the findings with the keys of the
+/// files, `lines` as text, and all keys always there.
 [[nodiscard]] std::string errata_json(const std::vector<Erratum>& errata);
 
 /// "17-23, 40".

@@ -5,7 +5,7 @@ file(WRITE ${finding} "label = 'lem:x'\nlines = '7'\nkind = 'misprint'\nprinted 
 file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/malformed-finding.toml "label = 'lem:x'\nlines = '7-3'\n")
 
 delcert_cli_test(errata-help COMMAND ${errata} --help STATUS 0 OUTPUT "--json.*Examples:" ERROR "^$")
-delcert_cli_test(errata-json COMMAND ${errata} --json STATUS 0 OUTPUT "^{\n  \"errata\": \\[.*lem:bound.cc.*\\]\n}\n$" ERROR "^$")
+delcert_cli_test(errata-json COMMAND ${errata} --json STATUS 0 OUTPUT "^{\n  \"text\": [^\n]*preprint[^\n]*,\n  \"errata\": \\[.*lem:bound.cc.*\\]\n}\n$" ERROR "^$")
 delcert_cli_test(errata-file COMMAND ${errata} ${finding} STATUS 0 OUTPUT "^# Errata\n.*\n## line 7, lem:x: misprint\n" ERROR "^$")
 delcert_cli_test(errata-malformed COMMAND ${errata} malformed-finding.toml STATUS 3 OUTPUT "^$"
   ERROR "^delcert: error: malformed-finding.toml:2:9: lines are [^\n]*\n$")

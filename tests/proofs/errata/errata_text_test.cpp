@@ -69,6 +69,7 @@ TEST(ErrataText, is_json_with_all_keys) {
   EXPECT_EQ(first["decidable"], false);
   EXPECT_EQ(first["mended"], "");
   EXPECT_EQ(first.size(), 11U);
+  EXPECT_TRUE(mentions(document["text"], "preprint"));
   EXPECT_TRUE(nlohmann::json::parse(errata_json({}))["errata"].empty());
 }
 
