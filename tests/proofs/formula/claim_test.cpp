@@ -113,7 +113,9 @@ TEST(Claims, every_file_of_the_library_is_a_claim_named_after_it) {
   for (const BuiltinClaim& file : builtin_claims()) {
     const Claim claim = parse_claim(file.text, file.name + ".toml", full_vocabulary(), signatures());
     EXPECT_EQ(claim.name, file.name);
-    EXPECT_NE(claim.status, ClaimStatus::user) << file.name;
+    // Two claims are readings of the paper, and not its statements.
+    const bool reading = file.name == "top-simplices-suffice" || file.name == "circumcentres-under-distortion";
+    EXPECT_EQ(claim.status == ClaimStatus::user, reading) << file.name;
     for (const Conclusion& conclusion : claim.conclusions) {
       EXPECT_TRUE(conclusion.twin || !conclusion.no_twin.empty())
           << file.name << ": " << conclusion.name << " has neither a twin nor a reason why not";
