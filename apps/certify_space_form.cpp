@@ -57,15 +57,14 @@ ExitStatus certify(const CertifyOptions& options, SpaceForm form, ProgressLine& 
   report.certificate = options.output.empty() ? report.manifold + ".delcert.json.zst" : options.output;
   std::vector<Vector<Rational, m>> net;
   std::vector<Vector<Rational, m>> vectors;
-  std::vector<std::vector<std::array<std::uint32_t, static_cast<std::size_t>(m)>>> stars;
   for (std::uint32_t index = 0; index < atlas.size(); ++index) {
     net.push_back(atlas.centre(Label(index)));
     vectors.push_back(run.points.exact(Label(index)));
-    stars.push_back(run.complex.star(Label(index)));
   }
+  const PlacedComplex<m> complex = placed_complex<m>(atlas, run.complex);
   write_space_form_certificate<m>(
-      report.certificate, {atlas.form(), report.parameters, report.sampling_radius, net, vectors, stars, report.claims},
-      progress);
+      report.certificate,
+      {atlas.form(), report.parameters, report.sampling_radius, net, vectors, complex, report.claims}, progress);
 
   report.take<m>(run);
   report.stages = clock.finish();

@@ -9,7 +9,7 @@
 #include "apps/commands.hpp"
 #include "kernel/topology/components.hpp"
 #include "kernel/topology/orientation.hpp"
-#include "proofs/certificate/star_file.hpp"
+#include "proofs/certificate/simplex_file.hpp"
 
 namespace delcert {
 
@@ -21,7 +21,7 @@ struct HomologyOptions {
 };
 
 ExitStatus print_homology(const HomologyOptions& options) {
-  const PureComplex complex = read_star_complex(options.file);
+  const PureComplex complex = read_simplices(options.file);
   const FacetDegrees degrees = facet_degrees(complex);
   const std::optional<bool> orientable = is_orientable(complex);
   std::vector<std::size_t> counts;
@@ -61,16 +61,16 @@ ExitStatus print_homology(const HomologyOptions& options) {
 void add_homology(CLI::App& program, Action& chosen) {
   const auto options = std::make_shared<HomologyOptions>();
   CLI::App* command = program.add_subcommand(
-      "homology", "Homology of the complex in a certificate, from the labels of its stars alone");
-  command->add_option("FILE", options->file, "A certificate, plain or compressed, or {\"stars\": ...} alone")
+      "homology", "Homology of the complex in a certificate, from the labels of its simplices alone");
+  command->add_option("FILE", options->file, "A certificate, plain or compressed, or {\"simplices\": ...} alone")
       ->required();
   command->add_flag("--json", options->json, "Print JSON");
   command->footer(
-      "Of the file only the key \"stars\" is looked at: for each label, the other labels of the simplices of its "
-      "star.\n\n"
+      "Of the file only the key \"simplices\" is looked at: rows of m + 1 labels and m more integers, which do not "
+      "matter.\n\n"
       "Examples:\n"
       "  delcert homology lens-space-5-2.json.zst\n"
-      "  echo '{\"stars\": [[[1, 2]], [[0, 2]], [[0, 1]]]}' > triangle.json; delcert homology triangle.json");
+      "  echo '{\"simplices\": [[0,1,0], [0,2,0], [1,2,0]]}' > triangle.json; delcert homology triangle.json");
   command->callback([options, &chosen] { chosen = [options] { return print_homology(*options); }; });
 }
 

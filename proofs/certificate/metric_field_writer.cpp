@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "proofs/certificate/placed_complex.hpp"
+
 namespace delcert {
 
 namespace {
@@ -54,9 +56,9 @@ void write_metric_field_certificate(const std::filesystem::path& path, const Met
                                     const Progress& progress) {
   const MetricFieldAtlas<m>& atlas = content.atlas;
   const std::size_t count = atlas.size();
-  const auto label = [](std::uint32_t index) { return std::to_string(index); };
-  Document document(path, 4 * count, progress);
-  document.add(R"({"format":"delcert-certificate","version":1,"software":)" + software_object());
+  const PlacedComplex<m> complex = placed_complex<m>(atlas, content.complex);
+  Document document(path, 3 * count + complex.simplices.size(), progress);
+  document.add(R"({"format":"delcert-certificate","version":2,"software":)" + software_object());
   document.add(",\"manifold\":" + manifold_text(content));
   document.add(",\"parameters\":" +
                parameters_object(content.parameters, atlas.sampling_radius(), content.distortion.transition));
@@ -65,9 +67,7 @@ void write_metric_field_certificate(const std::filesystem::path& path, const Met
   document.add_array("charts", count, [&](std::size_t at) { return chart_text<m>(atlas.chart(Label(at))); });
   document.add(",\"net_simplices\":[]");
   document.add_array("points", count, [&](std::size_t at) { return listed(content.points.exact(Label(at)), number); });
-  document.add_array("stars", count, [&](std::size_t at) {
-    return listed(content.complex.star(Label(at)), [&](const auto& simplex) { return listed(simplex, label); });
-  });
+  add_complex<m>(document, complex);
   document.seal();
 }
 

@@ -32,14 +32,9 @@ class Drawing {
 
   std::string svg() {
     std::string triangles;
-    for (std::uint32_t i = 0; i < certificate_.stars.size(); ++i) {
-      for (const auto& others : certificate_.stars[i]) {
-        // One copy: at its smallest label with a star.
-        if (std::any_of(others.begin(), others.end(), [&](auto j) { return j < i && !certificate_.stars[j].empty(); }))
-          continue;
-        triangles += triangle(frame_point(i), nearest(i, others.at(0)), nearest(i, others.at(1)));
-      }
-    }
+    for (const auto& simplex : certificate_.simplices)
+      triangles += triangle(frame_point(simplex.at(0), 0), frame_point(simplex.at(1), simplex.at(3)),
+                            frame_point(simplex.at(2), simplex.at(4)));
     if (is_torus()) outline_ = {cartesian({0, 0}), cartesian({1, 0}), cartesian({1, 1}), cartesian({0, 1})};
     for (const Point& corner : outline_) include(corner);
     const double scale = (picture_size - 2 * margin) / std::max(highest_[0] - lowest_[0], highest_[1] - lowest_[1]);
@@ -65,31 +60,12 @@ class Drawing {
   [[nodiscard]] Point cartesian(const Point& x) const {
     return {first_[0] * x[0] + second_[0] * x[1], second_[1] * x[1]};
   }
-  [[nodiscard]] Point frame_point(std::uint32_t label) const {
+  [[nodiscard]] Point frame_point(std::uint32_t label, std::uint32_t element) const {
     const auto& point = certificate_.points.at(label);
-    return {approximate_double(point.at(0)), approximate_double(point.at(1))};
-  }
-
-  /// The lift of j nearest to i, looked for near the rounded difference.
-  [[nodiscard]] Point nearest(std::uint32_t i, std::uint32_t j) const {
-    const Point base = frame_point(i);
-    const Point other = frame_point(j);
-    if (!is_torus()) return other;
-    Point best{};
-    double least = std::numeric_limits<double>::infinity();
-    for (int a = -1; a <= 1; ++a) {
-      for (int b = -1; b <= 1; ++b) {
-        const Point lift{other[0] - std::nearbyint(other[0] - base[0]) + a,
-                         other[1] - std::nearbyint(other[1] - base[1]) + b};
-        const Point edge = cartesian({lift[0] - base[0], lift[1] - base[1]});
-        const double squared = edge[0] * edge[0] + edge[1] * edge[1];
-        if (squared < least) {
-          least = squared;
-          best = lift;
-        }
-      }
-    }
-    return best;
+    Point result{approximate_double(point.at(0)), approximate_double(point.at(1))};
+    if (element == 0) return result;
+    for (std::size_t axis = 0; axis < 2; ++axis) result[axis] += certificate_.elements.at(element - 1).at(axis);
+    return result;
   }
 
   void include(const Point& x) {

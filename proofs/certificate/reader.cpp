@@ -48,6 +48,7 @@ ManifoldDescription manifold_of(const Json& json) {
 }
 
 CertificateSummary summary_of(const Json& json) {
+  if (json.value("version", 2) == 1) throw InputError("version 1 is read by delcert 0.1");
   CertificateSummary result;
   result.software = entries(json.at("software"));
   result.parameters = entries(json.at("parameters"));
@@ -59,7 +60,8 @@ CertificateSummary summary_of(const Json& json) {
     result.points.emplace_back();
     for (const Json& coordinate : point) result.points.back().push_back(parse_exact(coordinate.get<std::string>()));
   }
-  result.stars = json.at("stars").get<std::vector<std::vector<std::vector<std::uint32_t>>>>();
+  result.simplices = json.at("simplices").get<std::vector<std::vector<std::uint32_t>>>();
+  result.elements = json.at("elements").get<std::vector<std::vector<std::int32_t>>>();
   result.seal = json.at("sha256").get<std::string>();
   return result;
 }

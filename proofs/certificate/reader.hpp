@@ -25,8 +25,9 @@ struct CertificateSummary {
   std::size_t net_simplices = 0;
   /// Of a space form tangent vectors at the points of the net.
   std::vector<std::vector<Rational>> points;
-  /// For each label the other labels of the simplices of its star.
-  std::vector<std::vector<std::vector<std::uint32_t>>> stars;
+  /// As in the file: labels and the numbers of elements; what describes elements 1, 2, ….
+  std::vector<std::vector<std::uint32_t>> simplices;
+  std::vector<std::vector<std::int32_t>> elements;
   std::string seal;
 };
 

@@ -99,18 +99,15 @@ template <int m>
 void write_space_form_certificate(const std::filesystem::path& path, const SpaceFormContent<m>& content,
                                   const Progress& progress) {
   const std::size_t count = content.centres.size();
-  const auto label = [](std::uint32_t index) { return std::to_string(index); };
-  Document document(path, 3 * count, progress);
-  document.add(R"({"format":"delcert-certificate","version":1,"software":)" + software_object());
+  Document document(path, 2 * count + content.complex.simplices.size(), progress);
+  document.add(R"({"format":"delcert-certificate","version":2,"software":)" + software_object());
   document.add(",\"manifold\":" + manifold_object(content.form));
   document.add(",\"parameters\":" + parameters_object(content.parameters, content.sampling_radius));
   document.add(",\"levels\":" + levels_text(content.claims));
   document.add_array("net", count, [&](std::size_t at) { return listed(content.centres[at], number); });
   document.add(",\"net_simplices\":[]");
   document.add_array("points", count, [&](std::size_t at) { return listed(content.vectors[at], number); });
-  document.add_array("stars", count, [&](std::size_t at) {
-    return listed(content.stars[at], [&](const auto& simplex) { return listed(simplex, label); });
-  });
+  add_complex<m>(document, content.complex);
   document.seal();
 }
 

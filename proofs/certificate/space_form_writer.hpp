@@ -1,16 +1,15 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <optional>
 #include <vector>
 
 #include "kernel/manifold/quotient/space_form.hpp"
+#include "support/progress.hpp"
 #include "kernel/simplex/vector.hpp"
-#include "kernel/stars/star_complex.hpp"
 #include "proofs/certificate/claims.hpp"
 #include "proofs/certificate/document.hpp"
-#include "support/progress.hpp"
+#include "proofs/certificate/placed_complex.hpp"
 
 namespace delcert {
 
@@ -49,8 +48,7 @@ struct SpaceFormContent {
   const Rational& sampling_radius;
   const std::vector<Vector<Rational, m>>& centres;  ///< conformal coordinates of the net
   const std::vector<Vector<Rational, m>>& vectors;  ///< tangent vectors of the perturbed points
-  const std::vector<std::vector<std::array<std::uint32_t, static_cast<std::size_t>(m)>>>&
-      stars;  ///< the other labels of simplices, sorted
+  const PlacedComplex<m>& complex;
   const SpaceFormClaims& claims;
 };
 

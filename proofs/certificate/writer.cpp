@@ -4,6 +4,7 @@
 
 #include "kernel/simplex/dimensions.hpp"
 #include "proofs/certificate/document.hpp"
+#include "proofs/certificate/placed_complex.hpp"
 
 namespace delcert {
 
@@ -37,11 +38,11 @@ std::string levels_object(const Claims& claims) {
 template <int m>
 void write_certificate(const std::filesystem::path& path, const CertificateContent<m>& content,
                        const Progress& progress) {
-  const auto label = [](std::uint32_t index) { return std::to_string(index); };
   const std::size_t count = content.atlas.size();
   const std::size_t net_simplices = content.claims.input ? content.net_simplices.size() : 0;
-  Document document(path, 3 * count + net_simplices, progress);
-  document.add(R"({"format":"delcert-certificate","version":1,"software":)" + software_object());
+  const PlacedComplex<m> complex = placed_complex<m>(content.atlas, content.run.points, content.run.complex);
+  Document document(path, 2 * count + net_simplices + complex.simplices.size(), progress);
+  document.add(R"({"format":"delcert-certificate","version":2,"software":)" + software_object());
   document.add(",\"manifold\":" + manifold_object(content.manifold));
   document.add(",\"parameters\":" + parameters_object(content.parameters, content.atlas.sampling_radius()));
   document.add(",\"levels\":" + levels_object(content.claims));
@@ -52,9 +53,7 @@ void write_certificate(const std::filesystem::path& path, const CertificateConte
   });
   document.add_array("points", count,
                      [&](std::size_t at) { return listed(content.run.points.exact(Label(at)), number); });
-  document.add_array("stars", count, [&](std::size_t at) {
-    return listed(content.run.complex.star(Label(at)), [&](const auto& simplex) { return listed(simplex, label); });
-  });
+  add_complex<m>(document, complex);
   document.seal();
 }
 

@@ -27,7 +27,10 @@ Certificate::Certificate(std::string_view text) {
   require_levels();
   if (space_form) require_space_form();
   if (metric_field) require_metric_field();
-  require_stars();
+  require_elements();
+  require_loops();
+  derive_stars();
+  require_simplices();
 }
 
 /// On a Euclidean ball |p_i| <= radius - 8 epsilon.
@@ -48,10 +51,9 @@ void Certificate::require_lengths() const {
           "too few or too many points");
   require("form.lengths", net_text.size() == points_text.size() || (net_text.empty() && torus && !claimed[level_0]),
           "net and points have different lengths");
-  require("form.lengths", star_begin.size() == std::size_t{n} + 1, "stars and points have different lengths");
   require("form.lengths", !metric_field || chart_text.size() / chart_size() == points_text.size() / m_size(),
           "charts and points have different lengths");
-  for (const std::vector<Label>* labels : {&net_simplices, &star_labels}) {
+  for (const std::vector<Label>* labels : {&net_simplices, &simplex_labels}) {
     for (const Label j : *labels)
       require("form.labels", j < n, "label " + std::to_string(j) + " is not below " + std::to_string(n));
   }
@@ -99,27 +101,6 @@ void Certificate::require_levels() const {
     const Label* labels = &net_simplices[s];
     const bool distinct = std::set<Label>(labels, labels + size).size() == size;
     if (!distinct) Report::require("form.net-simplices", false, label_set(labels, labels + size) + " repeats a label");
-  }
-}
-
-void Certificate::require_stars() const {
-  // Level 1 would hold of nothing.
-  const bool any = std::find(interior.begin(), interior.end(), true) != interior.end();
-  Report::require("form.interior", any || !claimed[level_1], "no label is interior");
-  for (Label i = 0; i < n; ++i) {
-    const auto require = [&](const char* rule, bool holds, const char* what) {
-      if (!holds) Report::require(rule, false, "star of " + std::to_string(i) + what);
-    };
-    require("form.interior", interior[i] == (star_size(i) > 0),
-            interior[i] ? " is empty" : " is not empty, but the label is not interior");
-    for (std::size_t s = 0; s < star_size(i); ++s) {
-      const Label* labels = star_simplex(i, s);
-      bool increasing = std::find(labels, labels + m, i) == labels + m;
-      for (int k = 1; k < m; ++k) increasing = increasing && labels[k - 1] < labels[k];
-      require("form.star-labels", increasing, " has labels that are not increasing or not others");
-      const bool follows = s == 0 || std::lexicographical_compare(labels - m, labels, labels, labels + m);
-      require("form.star-order", follows, " has simplices out of order");
-    }
   }
 }
 

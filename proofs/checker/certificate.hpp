@@ -20,6 +20,11 @@ enum class Kind { flat, space_form, metric_field };
 /// The levels with which a level must be claimed.
 std::vector<Level> rests_on(std::size_t level, Kind kind);
 
+/// An edge of a simplex: from its vertex at one position to that at another.
+struct LoopStep {
+  std::uint32_t simplex, from, to;
+};
+
 /// A certificate of the right form. Neither copied nor moved: the point sets refer to it, and it refers to the text.
 struct Certificate {
   /// Reads the whole text. Throws Malformed: `form.*` or `seal`.
@@ -53,8 +58,13 @@ struct Certificate {
   std::vector<std::string_view> net_text, points_text;  // m to a point
   std::vector<std::string_view> chart_text;             // m (m + 1) / 2 to a point, on a metric field
   std::vector<Label> net_simplices;                     // m + 1 to a simplex
-  std::vector<std::uint64_t> star_begin;                // star(i) is simplices star_begin[i] … star_begin[i + 1] - 1
-  std::vector<Label> star_labels;                       // m to a simplex
+  std::vector<std::int32_t> element_entries;            // element_size() to an element; the identity is not among them
+  std::vector<Label> simplex_labels;                    // m + 1 to a simplex, increasing
+  std::vector<std::uint32_t> simplex_elements;          // m to a simplex: of its second to its last vertex
+  std::vector<std::vector<LoopStep>> loops;             // one for each generator of the group; none without one
+  // From the simplices.
+  std::vector<std::uint64_t> star_begin;  // star(i) is simplices star_begin[i] … star_begin[i + 1] - 1
+  std::vector<Label> star_labels;         // m to a simplex
 
   Metric metric;
   PointSet net, points;
@@ -73,6 +83,26 @@ struct Certificate {
   /// What any level looks at.
   Rational reach() const;
 
+  /// How many integers describe an element: a vector, or parent and letter; none on a Euclidean ball.
+  std::size_t element_size() const { return space_form ? 2 : has_boundary() ? 0 : m_size(); }
+  /// The identity, element 0, is counted.
+  std::size_t element_count() const { return 1 + (element_size() == 0 ? 0 : element_entries.size() / element_size()); }
+  /// What describes element number e > 0.
+  const std::int32_t* element(std::size_t e) const { return &element_entries[(e - 1) * element_size()]; }
+  /// The letters of words: generators, then translations where they are understood.
+  std::size_t letter_count() const {
+    return space_form ? space_form->generators.size() + (space_form->K == 0 ? m_size() : 0) : 0;
+  }
+  /// How many loops there have to be: one for each generator of the group.
+  std::size_t loop_count() const { return space_form ? letter_count() : torus ? m_size() : 0; }
+  std::size_t simplex_count() const { return simplex_labels.size() / (m_size() + 1); }
+  /// The m + 1 labels of simplex number s.
+  const Label* simplex(std::size_t s) const { return &simplex_labels[s * (m_size() + 1)]; }
+  /// The number of the element at which simplex number s has its k-th vertex.
+  std::uint32_t element_of(std::size_t s, std::size_t k) const {
+    return k == 0 ? 0 : simplex_elements[s * m_size() + k - 1];
+  }
+
   std::size_t star_size(Label i) const { return star_begin[i + 1] - star_begin[i]; }
   /// The m labels other than i of simplex number s of star(i), increasing.
   const Label* star_simplex(Label i, std::size_t s) const {
@@ -84,6 +114,7 @@ struct Certificate {
   void parse_manifold(Cursor& cursor);
   void parse_parameters(Cursor& cursor);
   void parse_levels(Cursor& cursor);
+  void parse_complex(Cursor& cursor);
   void require_lengths() const;
   void require_parameters() const;
   void parse_space_form_level(Cursor& cursor, std::size_t level);
@@ -91,7 +122,10 @@ struct Certificate {
   void require_levels() const;
   void require_space_form() const;
   void require_metric_field() const;
-  void require_stars() const;
+  void require_elements() const;
+  void require_loops() const;
+  void require_simplices() const;
+  void derive_stars();
   bool is_interior(Label i) const;
 };
 

@@ -20,7 +20,7 @@ class StarChecker {
     check_facets(c_, i, report_);
     for (std::size_t s = 0; s < c_.star_size(i); ++s) {
       const Label* labels = c_.star_simplex(i, s);
-      // A simplex is looked at from its smallest interior label; 2.agreement says that it is listed there.
+      // A simplex is looked at from its smallest interior label; it is in the star of each of its interior labels.
       if (std::any_of(labels, labels + c_.m, [&](Label j) { return j < i && c_.interior[j]; })) continue;
       ++simplices;
       check_simplex(i, labels);

@@ -7,54 +7,10 @@
 namespace delcert::checker {
 namespace {
 
-LabelSet joined(const Certificate& c, Label i, const Label* labels) {
-  LabelSet set{};
-  const auto m = static_cast<std::size_t>(c.m);
-  std::copy_n(labels, m, set.begin());
-  const auto place = std::lower_bound(set.begin(), set.begin() + c.m, i);
-  std::copy_backward(place, set.begin() + c.m, set.begin() + c.m + 1);
-  *place = i;
-  return set;
-}
-
-/// Whether star(j) lists the simplex.
-bool lists(const Certificate& c, Label j, const LabelSet& simplex) {
-  const auto m = static_cast<std::size_t>(c.m);
-  std::array<Label, 4> rest{};
-  std::remove_copy(simplex.begin(), simplex.begin() + c.m + 1, rest.begin(), j);
-  std::size_t low = 0, high = c.star_size(j);
-  while (low < high) {
-    const std::size_t middle = (low + high) / 2;
-    const Label* labels = c.star_simplex(j, middle);
-    const auto [in_star, in_rest] = std::mismatch(labels, labels + m, rest.begin());
-    if (in_star == labels + m) return true;
-    (*in_star < *in_rest ? low : high) = *in_star < *in_rest ? middle + 1 : middle;
-  }
-  return false;
-}
-
-/// Checks 2.agreement and returns the different simplices of the stars.
-std::vector<LabelSet> check_agreement(const Certificate& c, Report& report) {
-  std::vector<LabelSet> different;
-  for (Label i = 0; i < c.n; ++i) {
-    for (std::size_t s = 0; s < c.star_size(i); ++s) {
-      const Label* labels = c.star_simplex(i, s);
-      const LabelSet simplex = joined(c, i, labels);
-      bool first = true;
-      for (int k = 0; k < c.m; ++k) {
-        const Label j = labels[k];
-        const bool listed = lists(c, j, simplex);
-        first = first && !(listed && j < i);
-        if (listed || !c.interior[j]) continue;
-        report.reject("2.agreement", [&] {
-          return "star of " + std::to_string(i) + " has simplex " +
-                 label_set(simplex.data(), simplex.data() + c.m + 1) + ", star of " + std::to_string(j) + " does not";
-        });
-      }
-      if (first) different.push_back(simplex);
-    }
-  }
-  return different;
+std::vector<LabelSet> simplices_of(const Certificate& c) {
+  std::vector<LabelSet> result(c.simplex_count());
+  for (std::size_t s = 0; s < result.size(); ++s) std::copy_n(c.simplex(s), c.m_size() + 1, result[s].begin());
+  return result;
 }
 
 std::string listed(const std::vector<std::string>& groups) {
@@ -66,9 +22,8 @@ std::string listed(const std::vector<std::string>& groups) {
 }  // namespace
 
 std::string check_level_2(const Certificate& c, Report& report) {
-  std::vector<LabelSet> simplices = check_agreement(c, report);
-  const std::size_t count = simplices.size();
-  const FaceComplex complex(c.m, std::move(simplices));
+  const std::size_t count = c.simplex_count();
+  const FaceComplex complex(c.m, simplices_of(c));
   const std::int64_t euler = complex.euler_characteristic();
   std::string found = std::to_string(count) + " simplices, Euler characteristic " + std::to_string(euler) +
                       (c.has_boundary() ? ", not closed" : ", closed");

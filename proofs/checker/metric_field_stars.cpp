@@ -141,7 +141,7 @@ std::string check_stars_of_metric_field(const AffineCharts& charts, Report& repo
          ", thickness >= " + about(c.thickness.filter) + ", circumradius <= " + about(c.circumradius.filter);
 }
 
-/// In the chart of j, the stars of j and of all labels of star(j). By 2.agreement j is in the stars of just these.
+/// In the chart of j, the stars of j and of all labels of star(j). j is in the stars of just these.
 std::string check_stable_stars_of_metric_field(const AffineCharts& charts, Report& report) {
   const Certificate& c = charts.certificate();
   if (!is_in_patches(c, c.reach_2s.exact)) {

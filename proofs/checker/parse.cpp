@@ -1,6 +1,7 @@
 #include <set>
 
 #include "proofs/checker/certificate.hpp"
+#include "proofs/checker/report.hpp"
 
 namespace delcert::checker {
 namespace {
@@ -177,8 +178,9 @@ void Certificate::parse(Cursor& cursor) {
   const auto parse_labels = [&](std::vector<Label>& labels, int length) {
     cursor.array([&] { cursor.row(length, [&] { labels.push_back(static_cast<Label>(cursor.count(UINT32_MAX))); }); });
   };
-  const auto simplices_read = [this] { return star_labels.size() / static_cast<std::size_t>(m); };
-  cursor.expect("{\"format\":\"delcert-certificate\",\"version\":1,\"software\":");
+  cursor.expect("{\"format\":\"delcert-certificate\",\"version\":");
+  if (cursor.accept("1,")) throw Malformed("form.version", "version 1 is read by delcert 0.1");
+  cursor.expect("2,\"software\":");
   parse_software(cursor);
   cursor.expect(",\"manifold\":");
   parse_manifold(cursor);
@@ -196,12 +198,7 @@ void Certificate::parse(Cursor& cursor) {
   parse_labels(net_simplices, m + 1);
   cursor.expect(",\"points\":");
   parse_points(points_text);
-  cursor.expect(",\"stars\":");
-  cursor.array([&] {
-    star_begin.push_back(simplices_read());
-    parse_labels(star_labels, m);
-  });
-  star_begin.push_back(simplices_read());
+  parse_complex(cursor);
 }
 
 }  // namespace delcert::checker

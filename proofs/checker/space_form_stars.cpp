@@ -101,7 +101,7 @@ std::string check_stars_in_charts(const Certificate& c, const Lifts& lifts, Repo
          ", thickness >= " + about(c.thickness.filter) + ", circumradius <= " + about(c.circumradius.filter);
 }
 
-/// In the chart of j, the stars of j and of all labels of star(j). By 2.agreement j is in the stars of just these.
+/// In the chart of j, the stars of j and of all labels of star(j). j is in the stars of just these.
 std::string check_stable_stars_in_charts(const Certificate& c, const Lifts& lifts, Report& report) {
   if (!is_shown_by_charts(c, c.reach_2s.exact))
     report.reject("2s.patch", [] { return "reach is not below 9 epsilon and the injectivity radius"; });

@@ -4,6 +4,7 @@
 
 #include "tests/checker/support/run_checker.hpp"
 #include "tests/checker/support/samples.hpp"
+#include "tests/checker/support/space_form_samples.hpp"
 
 namespace delcert::checker_tests {
 namespace {
@@ -81,13 +82,13 @@ TEST(Malformed, compressed_bytes_are_one_frame_of_sane_size) {
 
 TEST(Malformed, keys_are_those_of_the_page_in_its_order_without_white_space) {
   expect_malformed(
-      {{"white space", "form.keys", with("\"version\":1", "\"version\": 1")},
-       {"white space between labels", "form.keys", with("[[1],[29]]", "[[1], [29]]")},
+      {{"white space", "form.keys", with("\"version\":2", "\"version\": 2")},
+       {"white space between labels", "form.keys", with("[0,1,0],[0,29,1]", "[0,1,0], [0,29,1]")},
        {"another format", "form.keys", with("delcert-certificate", "delcert-certificate-2")},
-       {"another version", "form.keys", with("\"version\":1", "\"version\":2")},
-       {"a version that begins right", "form.keys", with("\"version\":1", "\"version\":1.0")},
-       {"an unknown key", "form.keys", with("\"version\":1", "\"version\":1,\"note\":1")},
-       {"a repeated key", "form.keys", with("\"version\":1", "\"version\":1,\"version\":1")},
+       {"another version", "form.keys", with("\"version\":2", "\"version\":3")},
+       {"a version that begins right", "form.keys", with("\"version\":2", "\"version\":2.0")},
+       {"an unknown key", "form.keys", with("\"version\":2", "\"version\":2,\"note\":1")},
+       {"a repeated key", "form.keys", with("\"version\":2", "\"version\":2,\"version\":2")},
        {"a missing key", "form.keys", with("\"candidates\":\"pruned\",", "")},
        {"keys out of order", "form.keys",
         with("\"candidates\":\"pruned\",\"seed\":\"7\"", "\"seed\":\"7\",\"candidates\":\"pruned\"")},
@@ -132,8 +133,8 @@ TEST(Malformed, values_have_the_types_of_the_page) {
        {"too many homology groups", "form.keys", with(closed, closed + ",\"homology\":[\"Z\",\"Z\",\"0\"]")},
        {"no homology group", "form.types", with(closed, closed + ",\"homology\":[]")},
        {"homology before its place", "form.keys", with("\"closed\"", "\"homology\":[\"Z\",\"Z\"],\"closed\"")},
-       {"a label as a string", "form.types", with("[[1],[29]]", "[[\"1\"],[29]]")},
-       {"a negative label", "form.types", with("[[1],[29]]", "[[-1],[29]]")},
+       {"a label as a string", "form.types", with("[0,1,0],[0,29,1]", "[0,\"1\",0],[0,29,1]")},
+       {"a negative label", "form.types", with("[0,1,0],[0,29,1]", "[0,-1,0],[0,29,1]")},
        {"null", "form.keys", with("\"net\":[", "\"net\":null,\"x\":[")},
        {"a control character in a string", "form.bytes", with("a test", "a\ttest")},
        {"invalid UTF-8", "form.bytes", with("a test", "a \xff test")},
@@ -182,17 +183,7 @@ TEST(Malformed, lengths_and_labels_fit_together) {
        {"a net point too few", "form.lengths", changed([](Json& d) { d["net"].erase(4); })},
        {"no net although level 0 is claimed", "form.lengths", changed([](Json& d) { d["net"] = Json::array(); })},
        {"no net of a ball", "form.lengths", sealed(without_net)},
-       {"a star too few", "form.lengths", changed([](Json& d) { d["stars"].erase(29); })},
-       {"a star too many", "form.lengths", changed([](Json& d) { d["stars"].push_back(d["stars"][0]); })},
-       {"no points", "form.lengths", changed([](Json& d) {
-          for (const char* key : {"net", "points", "stars", "net_simplices"}) d[key] = Json::array();
-        })},
-       {"a point with two coordinates", "form.keys", changed([](Json& d) { d["points"][3].push_back("1"); })},
-       {"a point without coordinates", "form.types", changed([](Json& d) { d["points"][3] = Json::array(); })},
-       {"a star simplex with two labels", "form.keys", changed([](Json& d) { d["stars"][3][0].push_back(17); })},
-       {"a net simplex with one label", "form.keys", changed([](Json& d) { d["net_simplices"][3].erase(1); })},
-       {"gram with two rows", "form.keys", changed([](Json& d) { d["manifold"]["gram"].push_back({"1"}); })},
-       {"a label of a star that is no label", "form.labels", changed([](Json& d) { d["stars"][3][1] = {30}; })},
+       {"a label of a simplex that is no label", "form.labels", changed([](Json& d) { d["simplices"][3][1] = 30; })},
        {"a label of a net simplex that is no label", "form.labels",
         changed([](Json& d) { d["net_simplices"][3][1] = 30; })},
        {"gram not positive", "form.gram", changed([](Json& d) { d["manifold"]["gram"][0][0] = "-1"; })},
@@ -208,6 +199,63 @@ TEST(Malformed, lengths_and_labels_fit_together) {
           std::string text = valid();
           return text.erase(text.size() - 5, 1);
         }()}});
+}
+
+TEST(Malformed, files_of_version_1_are_said_to_be) {
+  Json document = circle().document();
+  document["version"] = 1;
+  for (const char* key : {"elements", "simplices", "loops"}) document.erase(key);
+  document["stars"] = circle().model.stars;
+  const CheckerRun run = run_checker(sealed(document));
+  EXPECT_EQ(run.status, 3);
+  EXPECT_EQ(run.rules, std::set<std::string>{"form.version"}) << run.output;
+  EXPECT_NE(run.output.find("version 1 is read by delcert 0.1"), std::string::npos) << run.output;
+}
+
+TEST(Malformed, elements_and_loops_are_those_of_the_group) {
+  const auto changed = [](const Json& valid, auto change) {
+    Json document = valid;
+    change(document);
+    return sealed(document);
+  };
+  const Json line = circle().document(), torus = wide_torus().document(), ball = disc().document();
+  const Json bolza = bolza_surface().document(), bottle = klein_bottle().document();
+  const auto element = [](std::size_t k, const char* value) {
+    return [=](Json& d) { d["elements"][k] = Json::parse(value); };
+  };
+  const auto loop = [](std::size_t k, const char* value) {
+    return [=](Json& d) { d["loops"][k] = Json::parse(value); };
+  };
+  ASSERT_EQ(line["elements"], Json::parse("[[-1]]"));
+  expect_malformed(
+      {{"an element of two coordinates", "form.keys", changed(line, element(0, "[1,0]"))},
+       {"an element of 32 bits", "form.types", changed(line, element(0, "[-2147483648]"))},
+       {"the identity as an element", "form.elements", changed(line, element(0, "[0]"))},
+       {"an element twice", "form.elements", changed(torus, [](Json& d) { d["elements"][1] = d["elements"][0]; })},
+       {"elements out of order", "form.elements",
+        changed(torus, [](Json& d) { std::swap(d["elements"][1], d["elements"][0]); })},
+       {"elements of a ball", "form.keys", changed(ball, [](Json& d) { d["elements"] = Json::parse("[[1,0]]"); })},
+       {"a simplex of a ball elsewhere", "form.elements", changed(ball, [](Json& d) { d["simplices"][2][3] = 1; })},
+       {"an element that is not in the table", "form.elements",
+        changed(line, [](Json& d) { d["simplices"][4][2] = 2; })},
+       {"a parent that comes later", "form.elements", changed(bolza, element(3, "[4,1]"))},
+       {"a parent of its own", "form.elements", changed(bolza, element(0, "[1,1]"))},
+       {"a negative parent", "form.elements", changed(bolza, element(3, "[-1,1]"))},
+       {"the letter 0", "form.elements", changed(bolza, element(3, "[0,0]"))},
+       {"a letter too many", "form.elements", changed(bolza, element(3, "[0,5]"))},
+       {"an inverse of a letter too many", "form.elements", changed(bolza, element(3, "[0,-5]"))},
+       {"a translation too many", "form.elements", changed(bottle, element(3, "[0,4]"))},
+       {"a loop too few", "form.loops", changed(bottle, [](Json& d) { d["loops"].erase(2); })},
+       {"a loop too many", "form.loops", changed(ball, [](Json& d) { d["loops"].push_back(Json::array()); })},
+       {"a step of two numbers", "form.keys", changed(line, loop(0, "[0,1]"))},
+       {"a simplex that is none", "form.loops", changed(line, loop(0, "[30,0,1]"))},
+       {"a position that is none", "form.loops", changed(line, loop(0, "[0,0,2]"))},
+       {"a step that stays", "form.loops", changed(line, loop(0, "[0,0,0]"))},
+       {"a loop that begins elsewhere", "form.loops", changed(line, loop(0, "[2,0,1]"))},
+       {"a loop with a gap", "form.loops", changed(line, loop(0, "[0,0,1,1,0,1]"))},
+       {"a loop that does not end at 0", "form.loops", changed(line, loop(0, "[0,0,1]"))}});
+  // There and back: of the right form, whatever group element it is.
+  EXPECT_NE(run_checker(changed(line, loop(0, "[0,0,1,0,1,0]"))).status, 3);
 }
 
 TEST(Malformed, numbers_too_large_for_the_filter_end_undecided_and_never_crash) {

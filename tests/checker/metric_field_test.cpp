@@ -92,10 +92,14 @@ TEST(MetricField, stars_are_complete_and_their_labels_are_seen) {
     change(document);
     return run_checker(sealed(document)).rules;
   };
-  const auto incomplete = rules([](Json& j) { j["stars"][4].erase(1); });
+  const auto incomplete = rules([](Json& j) { j["simplices"].erase(4); });
   EXPECT_TRUE(incomplete.contains("1.facets"));
-  EXPECT_TRUE(incomplete.contains("2.agreement"));
-  const auto far = rules([](Json& j) { j["stars"][0].back().back() = far_from_first(j["net"]); });
+  EXPECT_TRUE(incomplete.contains("2.count"));
+  const auto far = rules([](Json& j) {
+    std::size_t last = 0;  // of label 0
+    while (j["simplices"][last + 1][0] == 0) ++last;
+    j["simplices"][last][2] = far_from_first(j["net"]);
+  });
   EXPECT_TRUE(far.contains("1.vertices")) << testing::PrintToString(far);
   // A point that is moved is in balls, or its star is another.
   const auto moved = rules([](Json& j) { j["points"][9] = Json::parse(R"(["0x3p-6","0"])"); });

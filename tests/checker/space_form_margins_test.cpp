@@ -25,15 +25,13 @@ struct Certified {
   [[nodiscard]] CheckerRun check(const SpaceFormClaims& some) const {
     std::vector<Vector<Rational, 2>> centres;
     std::vector<Vector<Rational, 2>> vectors;
-    std::vector<std::vector<std::array<std::uint32_t, 2>>> stars;
     for (std::uint32_t index = 0; index < atlas.size(); ++index) {
       centres.push_back(atlas.centre(Label(index)));
       vectors.push_back(run.points.exact(Label(index)));
-      stars.push_back(run.complex.star(Label(index)));
     }
     const test::TemporaryFolder folder;
-    write_space_form_certificate<2>(folder / "run.json",
-                                    {atlas.form(), parameters, atlas.sampling_radius(), centres, vectors, stars, some});
+    write_space_form_certificate<2>(folder / "run.json", {atlas.form(), parameters, atlas.sampling_radius(), centres,
+                                                          vectors, placed_complex<2>(atlas, run.complex), some});
     std::ifstream file(folder / "run.json", std::ios::binary);
     return run_checker(std::string(std::istreambuf_iterator<char>(file), {}));
   }

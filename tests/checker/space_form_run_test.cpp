@@ -33,15 +33,14 @@ Certified certified(const std::string& name, const Rational& radius, int factor 
   result.claims = derive_claims<m>(atlas, space_form_parameters(parameters, Dimension(m), true), run,
                                    measure_run<m>(atlas, run, no_progress()), all_levels(), result.reasons);
   std::vector<Vector<Rational, m>> centres, vectors;
-  std::vector<std::vector<std::array<std::uint32_t, static_cast<std::size_t>(m)>>> stars;
   for (std::uint32_t index = 0; index < atlas.size(); ++index) {
     centres.push_back(atlas.centre(Label(index)));
     vectors.push_back(run.points.exact(Label(index)));
-    stars.push_back(run.complex.star(Label(index)));
   }
   result.path = temporary_file("");
-  write_space_form_certificate<m>(result.path, {form, space_form_parameters(parameters, Dimension(m), true), radius,
-                                                centres, vectors, stars, result.claims});
+  write_space_form_certificate<m>(
+      result.path, {form, space_form_parameters(parameters, Dimension(m), true), radius, centres, vectors,
+                    placed_complex<m>(atlas, run.complex), result.claims});
   return result;
 }
 

@@ -10,7 +10,7 @@ certificates.tsv has a name and the options of `delcert certify` on every line. 
   document    the bytes of the certificate without `software` (the versions of libraries) and without its seal
   manifold, parameters, levels      the text of that section
   net, points                       the exact numbers, whatever their spelling
-  simplices                         the set of the labels of the simplices that the stars have
+  simplices                         the set of the labels of the simplices
 
 The last three are the geometry: no change of the format, of reports or of the order of work may change them."""
 
@@ -48,9 +48,9 @@ def points_text(points):
     return "\n".join(" ".join(str(exact(coordinate)) for coordinate in point) for point in points)
 
 
-def simplices_text(stars):
-    simplices = {tuple(sorted([label, *others])) for label, star in enumerate(stars) for others in star}
-    return "\n".join(" ".join(map(str, simplex)) for simplex in sorted(simplices))
+def simplices_text(rows):
+    simplices = sorted(tuple(row[: len(row) // 2 + 1]) for row in rows)
+    return "\n".join(" ".join(map(str, simplex)) for simplex in simplices)
 
 
 def without_versions(certificate):
@@ -68,7 +68,7 @@ def sections_of(certificate):
         result[section] = digest(json.dumps(content[section], separators=(",", ":"), ensure_ascii=False))
     result["net"] = digest(points_text(content["net"]))
     result["points"] = digest(points_text(content["points"]))
-    result["simplices"] = digest(simplices_text(content["stars"]))
+    result["simplices"] = digest(simplices_text(content["simplices"]))
     return result
 
 

@@ -5,6 +5,9 @@
 
 #include <cmath>
 #include <cstdio>
+#include <map>
+
+#include "tests/checker/support/edge_path.hpp"
 
 namespace delcert::checker_tests {
 namespace {
@@ -35,6 +38,64 @@ std::string theory_flake(int m) {
     if (carry > 0) digits.insert(digits.begin(), '1');
   }
   return "1/" + digits;
+}
+
+using Shift = std::vector<int>;
+
+/// The loops of a torus, in the order of the coordinates.
+Json loops_of(const Model& model, const std::vector<MovedSimplex<Shift>>& simplices) {
+  const auto m = static_cast<std::size_t>(model.m);
+  Json loops = Json::array();
+  for (std::size_t axis = 0; axis < m; ++axis) {
+    Shift end(m, 0);
+    end[axis] = 1;
+    const auto step = [&](Shift h, const Shift& a, const Shift& b) {
+      for (std::size_t k = 0; k < m; ++k) h[k] += b[k] - a[k];
+      return h;
+    };
+    const auto remaining = [&](int label, const Shift& h) {
+      double sum = 0;
+      std::vector<double> x;
+      for (std::size_t k = 0; k < m; ++k)
+        x.push_back(model.points[static_cast<std::size_t>(label)][k].value() - model.points[0][k].value() + h[k] -
+                    end[k]);
+      for (std::size_t i = 0; i < m; ++i) {
+        for (std::size_t k = 0; k < m; ++k) sum += model.gram[i][k] * x[i] * x[k];
+      }
+      return sum;
+    };
+    loops.push_back(
+        edge_path<Shift>(simplices, Shift(m, 0), step, remaining, [&](const Shift& h) { return h == end; }));
+  }
+  return loops;
+}
+
+/// The keys from `elements` on.
+void add_complex(Json& document, const Model& model) {
+  const auto m = static_cast<std::size_t>(model.m);
+  std::vector<MovedSimplex<Shift>> simplices;
+  std::map<Shift, int> numbers;
+  for (const Labels& labels : simplices_of(model.stars)) {
+    MovedSimplex<Shift>& simplex = simplices.emplace_back();
+    simplex.labels = labels;
+    simplex.motions = {Shift(m, 0)};
+    for (const Shift& shift : nearest_shifts(model, labels)) {
+      simplex.motions.push_back(shift);
+      if (shift != Shift(m, 0)) numbers[shift] = 0;
+    }
+  }
+  document["elements"] = Json::array();
+  for (auto& [shift, number] : numbers) {
+    document["elements"].push_back(shift);
+    number = static_cast<int>(document["elements"].size());
+  }
+  document["simplices"] = Json::array();
+  for (const auto& [labels, motions] : simplices) {
+    Json row = labels;
+    for (std::size_t k = 1; k <= m; ++k) row.push_back(motions[k] == Shift(m, 0) ? 0 : numbers[motions[k]]);
+    document["simplices"].push_back(row);
+  }
+  document["loops"] = model.torus ? loops_of(model, simplices) : Json::array();
 }
 
 }  // namespace
@@ -84,16 +145,17 @@ Json certificate(const Model& model, const Claims& claims) {
     if (name == "6") levels[name] = Json{{"self_delaunay", true}, {"bilipschitz", "1"}};
   }
   const bool input = claims.levels.contains("0");
-  return Json{{"format", "delcert-certificate"},
-              {"version", 1},
+  Json result{{"format", "delcert-certificate"},
+              {"version", 2},
               {"software", Json{{"delcert", "test"}}},
               {"manifold", manifold},
               {"parameters", parameters},
               {"levels", levels},
               {"net", texts(model.net)},
               {"net_simplices", input ? Json(model.net_simplices) : Json::array()},
-              {"points", texts(model.points)},
-              {"stars", model.stars}};
+              {"points", texts(model.points)}};
+  add_complex(result, model);
+  return result;
 }
 
 std::string sha256_of(const std::string& text) {

@@ -61,30 +61,42 @@ std::vector<Forgery> form_forgeries() {
   forge("net simplices although level 0 is not claimed", "form.net-simplices",
         wide_torus().claiming({"1", "2"}).document(), [&](Json& d) { d["net_simplices"] = torus["net_simplices"]; });
 
-  // The star of a label that is not interior, out of simplices that are listed elsewhere.
-  Sample ring = disc();
-  const auto inside = static_cast<std::size_t>(
-      std::find_if(ring.model.stars.begin(), ring.model.stars.end(), [](const auto& s) { return !s.empty(); }) -
-      ring.model.stars.begin());
-  const Labels& triangle = ring.model.stars[inside][0];
-  for (const int j : triangle) {
-    if (ring.model.interior[static_cast<std::size_t>(j)]) continue;
-    const int k = triangle[0] + triangle[1] - j, i = static_cast<int>(inside);
-    ring.model.stars[static_cast<std::size_t>(j)] = {{std::min(i, k), std::max(i, k)}};
-    break;
-  }
-  forge("a star of a label that is not interior", "form.interior", ring.document(), [](Json&) {});
+  forge("a simplex without interior label", "form.interior", disc().claiming({"0"}).document(), [](Json& d) {
+    const auto far = [](const Json& row) {
+      return std::none_of(row.begin(), row.end(),
+                          [](const Json& j) { return disc().model.interior[j.get<std::size_t>()]; });
+    };
+    Json rows = d["simplices"];
+    for (Labels labels : disc().model.net_simplices) {
+      std::sort(labels.begin(), labels.end());
+      if (!far(labels)) continue;
+      labels.insert(labels.end(), {0, 0});
+      rows.push_back(labels);
+      break;
+    }
+    std::sort(rows.begin(), rows.end());
+    d["simplices"] = rows;
+  });
+  forge("labels in no simplex", "form.interior", input, [](Json& d) {
+    d["simplices"] = Json::array();
+    d["loops"] = Json::parse("[[],[]]");
+  });
   Sample empty = disc().claiming({"1", "2"});
   empty.model.radius = {79 * empty.model.epsilon.numerator, 10 * empty.model.epsilon.denominator};
   for (auto& star : empty.model.stars) star.clear();
   forge("stars of no label at all", "form.interior", empty.document(), [](Json&) {});
-  forge("labels of a star simplex out of order", "form.star-labels", input,
-        [](Json& d) { std::swap(d["stars"][5].back()[0], d["stars"][5].back()[1]); });
-  forge("a star simplex with the label of the star", "form.star-labels", input,
-        [](Json& d) { d["stars"][783][5][1] = 783; });
-  forge("simplices of a star out of order", "form.star-order", input,
-        [](Json& d) { std::swap(d["stars"][5][2], d["stars"][5][3]); });
-  forge("a simplex twice in a star", "form.star-order", input, [](Json& d) { d["stars"][5][2] = d["stars"][5][1]; });
+  // By form no two stars can disagree on a simplex. What is left of it: a simplex twice, seen at other lifts.
+  forge("labels of a simplex out of order", "form.simplex-labels", input,
+        [](Json& d) { std::swap(d["simplices"].back()[1], d["simplices"].back()[2]); });
+  forge("a simplex with a label twice", "form.simplex-labels", input,
+        [](Json& d) { d["simplices"].back()[1] = d["simplices"].back()[2]; });
+  forge("simplices out of order", "form.simplex-order", input,
+        [](Json& d) { std::swap(d["simplices"][600], d["simplices"][601]); });
+  forge("a simplex twice", "form.simplex-order", input, [](Json& d) { d["simplices"][601] = d["simplices"][600]; });
+  forge("a simplex twice, at other lifts", "form.simplex-order", input, [](Json& d) {
+    d["simplices"][601] = d["simplices"][600];
+    d["simplices"][601][4] = 1;
+  });
   return result;
 }
 

@@ -119,7 +119,6 @@ std::vector<Forgery> forgeries_of_stars() {
   forge("a hole in the sphere", "1.facets", pierced(icosphere(), 20));
   forge("a hole in the projective space", "1.facets", pierced(projective_space(), 20));
   forge("a hole in the Klein bottle", "1.facets", pierced(klein_bottle(), 20));
-  forge("stars that disagree", "2.agreement", torn_bolza_surface());
   forge("the Euler characteristic of a sphere", "2.count", bolza_surface(),
         [](Json& j) { j["levels"]["2"]["euler_characteristic"] = 2; });
   forge("a tetrahedron too few is counted", "2.count", cell_600(),

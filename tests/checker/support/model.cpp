@@ -127,6 +127,47 @@ std::vector<std::vector<Labels>> stars_of(const std::vector<Labels>& simplices, 
   return stars;
 }
 
+std::vector<Labels> simplices_of(const std::vector<std::vector<Labels>>& stars) {
+  std::set<Labels> all;
+  for (std::size_t i = 0; i < stars.size(); ++i) {
+    for (Labels simplex : stars[i]) {
+      simplex.push_back(static_cast<int>(i));
+      std::sort(simplex.begin(), simplex.end());
+      all.insert(simplex);
+    }
+  }
+  return {all.begin(), all.end()};
+}
+
+std::vector<std::vector<int>> nearest_shifts(const Model& model, const Labels& simplex) {
+  const auto times = [](const std::vector<std::vector<int>>& matrix, const auto& x) {
+    auto result = x;
+    for (std::size_t i = 0; i < x.size() && !matrix.empty(); ++i) {
+      result[i] = 0;
+      for (std::size_t k = 0; k < x.size(); ++k) result[i] += matrix[i][k] * x[k];
+    }
+    return result;
+  };
+  Model reduced;
+  reduced.torus = model.torus;
+  reduced.gram = model.basis.empty() ? model.gram : model.reduced_gram;
+  std::vector<Row> place;
+  for (const int j : simplex) {
+    place.push_back(times(model.basis, coordinates(model.points[index(j)])));
+    auto& point = reduced.points.emplace_back();
+    for (const double x : place.back()) point.push_back({static_cast<long long>(std::floor(x * 0x1p40)), 1ll << 40});
+  }
+  std::vector<std::vector<int>> result;
+  for (std::size_t k = 1; k < simplex.size(); ++k) {
+    const Row offset = shortest(reduced, 0, static_cast<int>(k));
+    std::vector<int> shift;
+    for (std::size_t axis = 0; axis < offset.size(); ++axis)
+      shift.push_back(static_cast<int>(std::lround(offset[axis] - place[k][axis] + place[0][axis])));
+    result.push_back(times(model.inverse, shift));
+  }
+  return result;
+}
+
 std::pair<long long, long long> count(const std::vector<std::vector<Labels>>& stars) {
   std::set<Labels> faces;
   long long simplices = 0, euler = 0;
@@ -234,6 +275,9 @@ Model staggered_disc(int N, double size, std::uint64_t seed) {
 Model in_basis(const Model& model, const std::vector<std::vector<int>>& basis,
                const std::vector<std::vector<int>>& inverse) {
   Model result = model;
+  result.basis = basis;
+  result.inverse = inverse;
+  result.reduced_gram = model.gram;
   const std::size_t m = index(model.m);
   for (std::size_t i = 0; i < m; ++i) {
     for (std::size_t j = 0; j < m; ++j) {

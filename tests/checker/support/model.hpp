@@ -35,7 +35,16 @@ struct Model {
   std::vector<Labels> net_simplices;       // of positive determinant
   std::vector<std::vector<Labels>> stars;  // for each label its simplices, without the label
   std::vector<bool> interior;
+  // Of a basis that is not reduced: its columns in terms of one that is, the inverse of that matrix, the Gram matrix
+  // there.
+  std::vector<std::vector<int>> basis, inverse, reduced_gram;
 };
+
+/// The simplices of the stars, each once, as sorted sets in lexicographic order.
+std::vector<Labels> simplices_of(const std::vector<std::vector<Labels>>& stars);
+
+/// The integer vectors by which the lifts of the other vertices of a simplex nearest to its first one are moved.
+std::vector<std::vector<int>> nearest_shifts(const Model& model, const Labels& simplex);
 
 /// Margins in doubles, without error bounds.
 struct Margins {

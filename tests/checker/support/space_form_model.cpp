@@ -6,6 +6,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "tests/checker/support/edge_path.hpp"
+
 namespace delcert::checker_tests {
 namespace {
 
@@ -274,6 +276,87 @@ void find_stars(SpaceFormModel& model, const Atlas& atlas) {
     model.stars.push_back(star_of(model, atlas.around(i, 4 * model.epsilon), static_cast<int>(i)));
 }
 
+Point perturbed_point(const SpaceFormModel& model, int i) {
+  const auto at = static_cast<std::size_t>(i);
+  return framed(model.K, model.m, model.net[at], 1, exponential(model.K, model.m, model.vectors[at]));
+}
+
+/// Increases with the distance of two points: -cos d, d^2, cosh d.
+double spread(const SpaceFormModel& model, const Point& x, const Point& y) {
+  double along = 0, squares = 0;
+  for (std::size_t k = 1; k <= model.m; ++k) {
+    along += x[k] * y[k];
+    squares += (x[k] - y[k]) * (x[k] - y[k]);
+  }
+  return model.K == 0 ? squares : model.K > 0 ? -x[0] * y[0] - along : x[0] * y[0] - along;
+}
+
+Isometry times(const Isometry& a, const Isometry& b) {
+  Isometry result{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      for (std::size_t j = 0; j < 4; ++j) result[i][k] += a[i][j] * b[j][k];
+    }
+  }
+  return result;
+}
+
+/// Of an isometry in the standard basis.
+Isometry inverse(const SpaceFormModel& model, const Isometry& a) {
+  Isometry result{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const bool mixed = (i == 0) != (k == 0);
+      result[i][k] = mixed ? model.K * a[k][i] : a[k][i];
+    }
+  }
+  for (std::size_t i = 1; i < 4 && model.K == 0; ++i) {
+    for (std::size_t k = 1; k < 4; ++k) result[i][0] -= result[i][k] * a[k][0];
+  }
+  return result;
+}
+
+/// The keys from `elements` on.
+void add_complex(Json& document, const SpaceFormModel& model) {
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < model.size(); ++i) points.push_back(perturbed_point(model, static_cast<int>(i)));
+  std::vector<MovedSimplex<Isometry>> simplices;
+  Json rows = Json::array();
+  for (const Labels& labels : simplices_of(model.stars)) {
+    simplices.push_back({labels, {model.elements[0]}});
+    rows.push_back(labels);
+    const Point& first = points[static_cast<std::size_t>(labels[0])];
+    for (std::size_t k = 1; k < labels.size(); ++k) {
+      const Point& x = points[static_cast<std::size_t>(labels[k])];
+      const auto away = [&](const Isometry& g) { return spread(model, image(model.m, g, x), first); };
+      const auto nearest = std::min_element(model.elements.begin(), model.elements.end(),
+                                            [&](const Isometry& g, const Isometry& h) { return away(g) < away(h); });
+      rows.back().push_back(nearest - model.elements.begin());
+      simplices.back().motions.push_back(*nearest);
+    }
+  }
+  document["elements"] = model.words;
+  document["simplices"] = rows;
+  document["loops"] = Json::array();
+  for (const Isometry& end : model.letters) {
+    const Point target = image(model.m, end, points[0]);
+    const auto step = [&](const Isometry& h, const Isometry& a, const Isometry& b) {
+      return times(times(h, inverse(model, a)), b);
+    };
+    const auto remaining = [&](int label, const Isometry& h) {
+      return spread(model, image(model.m, h, points[static_cast<std::size_t>(label)]), target);
+    };
+    const auto at_end = [&](const Isometry& h) {
+      double most = 0;
+      for (std::size_t i = 0; i <= model.m; ++i) {
+        for (std::size_t k = 0; k <= model.m; ++k) most = std::max(most, std::fabs(h[i][k] - end[i][k]));
+      }
+      return most < 1e-5;
+    };
+    document["loops"].push_back(edge_path<Isometry>(simplices, model.elements[0], step, remaining, at_end));
+  }
+}
+
 double tangent(int K, double r) { return K == 0 ? r : K > 0 ? std::tan(r) : std::tanh(r); }
 
 }  // namespace
@@ -330,16 +413,6 @@ void perturb_until_stars_agree(SpaceFormModel& model, std::uint64_t seed, bool i
     for (const int i : bad) model.vectors[static_cast<std::size_t>(i)] = mover.draw();
   }
   throw std::runtime_error("the stars do not come to agree");
-}
-
-void perturb_until_stars_disagree(SpaceFormModel& model, std::uint64_t seed) {
-  Mover mover(model, seed);
-  for (int round = 0; round < 200; ++round) {
-    model.vectors = mover.draw_all();
-    find_stars(model, Atlas(model));
-    if (!in_disagreement(model.stars).empty()) return;
-  }
-  throw std::runtime_error("all stars always agree");
 }
 
 SpaceFormMargins roomy_margins(const SpaceFormModel& model) {
@@ -462,16 +535,17 @@ Json certificate(const SpaceFormModel& model, const SpaceFormMargins& margins, c
   for (const auto& [name, value] : values.items()) {
     if (levels.contains(name)) claimed[name] = value;
   }
-  return Json{{"format", "delcert-certificate"},
-              {"version", 1},
+  Json result{{"format", "delcert-certificate"},
+              {"version", 2},
               {"software", Json{{"delcert", "test"}}},
               {"manifold", model.manifold},
               {"parameters", parameters},
               {"levels", claimed},
               {"net", points(model.net)},
               {"net_simplices", Json::array()},
-              {"points", points(model.vectors)},
-              {"stars", model.stars}};
+              {"points", points(model.vectors)}};
+  add_complex(result, model);
+  return result;
 }
 
 }  // namespace delcert::checker_tests

@@ -17,8 +17,10 @@ struct SpaceFormModel {
   std::size_t m = 2;
   Json manifold;  // the block of the certificate
   double injectivity_radius = 0;
-  std::vector<Isometry> elements;  // in the standard basis, the identity first; all that matter
-  Point frame{1, 1, 1, 1};         // flat: coordinates are those of the standard basis divided by these
+  std::vector<Isometry> elements;         // in the standard basis, the identity first; all that matter
+  std::vector<std::array<int, 2>> words;  // of all but the identity: a parent before it, and a letter
+  std::vector<Isometry> letters;          // the generators; if it is flat, then the translations
+  Point frame{1, 1, 1, 1};                // flat: coordinates are those of the standard basis divided by these
   double epsilon = 0, mu = 0, rho = 0;
   std::vector<Point> net, vectors;  // conformal coordinates of the points, perturbations
   std::vector<std::vector<Labels>> stars;
@@ -53,9 +55,6 @@ double metric_distortion(const SpaceFormModel& model);
 /// Moves the points at random by at most rho epsilon, anew those whose stars disagree, until all stars agree, each in
 /// its own chart, or, for surfaces, in the charts of all its labels. Throws std::runtime_error if that takes too long.
 void perturb_until_stars_agree(SpaceFormModel& model, std::uint64_t seed, bool in_all_charts);
-
-/// Moves the points at random by at most rho epsilon, until some star, in its own chart, disagrees with another.
-void perturb_until_stars_disagree(SpaceFormModel& model, std::uint64_t seed);
 
 /// What the stars have, with room: lower bounds are halved or so, upper ones a little larger.
 SpaceFormMargins roomy_margins(const SpaceFormModel& model);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 
 namespace delcert::checker_tests {
@@ -72,6 +73,8 @@ SpaceFormModel spherical(std::size_t m, bool projective, std::vector<Point> poin
       for (double& x : row) x = -x;
     }
     model.elements.push_back(opposite);
+    model.words.push_back({0, 1});
+    model.letters.push_back(opposite);
     std::erase_if(points, [](const Point& x) { return x < Point{}; });
   }
   model.manifold = manifold("a test", "spherical", m, rational_field, around_0, rational("1"), diagonal(m, "1"),
@@ -262,6 +265,7 @@ const SpaceFormSample& bolza_surface() {
         }
         steps.push_back(g);
       }
+      model.letters.push_back(steps[steps.size() - 2]);
       generators.push_back(rows(3, [&](std::size_t i, std::size_t k) {
         const auto times = [](int sign, int value) { return std::to_string(sign * value); };
         if (i == 0 && k == 0) return pair("5", "4");
@@ -282,12 +286,15 @@ const SpaceFormSample& bolza_surface() {
     model.injectivity_radius = 1.5;
     model.elements = {identity(2)};
     for (std::size_t at = 0; at < model.elements.size(); ++at) {
-      for (const Isometry& step : steps) {
-        const Isometry next = product(model.elements[at], step);
+      for (std::size_t number = 0; number < steps.size(); ++number) {
+        const Isometry next = product(model.elements[at], steps[number]);
         const bool known = std::any_of(model.elements.begin(), model.elements.end(), [&](const Isometry& g) {
           return std::fabs(g[1][0] - next[1][0]) + std::fabs(g[2][0] - next[2][0]) < 1e-4;
         });
-        if (!known && next[0][0] < std::cosh(8)) model.elements.push_back(next);
+        if (known || next[0][0] >= std::cosh(8)) continue;
+        const int letter = static_cast<int>(number / 2) + 1;
+        model.words.push_back({static_cast<int>(at), number % 2 == 0 ? letter : -letter});
+        model.elements.push_back(next);
       }
     }
     throw_darts(model, 0.105, 5, [&](const std::function<double()>& uniform, Point& a) {
@@ -310,16 +317,6 @@ const SpaceFormSample& unstable_bolza_surface() {
   return result;
 }
 
-const SpaceFormSample& torn_bolza_surface() {
-  static const SpaceFormSample result = [] {
-    SpaceFormModel model = bolza_surface().model;
-    perturb_until_stars_disagree(model, 9);
-    const SpaceFormMargins margins = roomy_margins(model);
-    return SpaceFormSample{std::move(model), margins, {"1", "2"}};
-  }();
-  return result;
-}
-
 /// The torus of 2 by 1 modulo a glide reflection along the first axis.
 const SpaceFormSample& klein_bottle() {
   static const SpaceFormSample result = [] {
@@ -334,13 +331,27 @@ const SpaceFormSample& klein_bottle() {
     model.manifold = manifold("a test", "flat", 2, rational_field, around_0, rational("0"), gram, generators, "1/2");
     model.injectivity_radius = 0.5;
     model.elements = {identity(2)};
-    for (int x = -3; x <= 3; ++x) {
-      for (int y = -3; y <= 3; ++y) {
-        Isometry g = identity(2);
-        g[1][0] = x;
-        g[2][0] = y;
-        if (x % 2 != 0) g[2][2] = -1;
-        if (x != 0 || y != 0) model.elements.push_back(g);
+    // (u, v) -> (u + x, ±v + y): translations by y, each followed by powers of the glide.
+    const auto moved = [](int x, int y) {
+      Isometry g = identity(2);
+      g[1][0] = x;
+      g[2][0] = y;
+      if (x % 2 != 0) g[2][2] = -1;
+      return g;
+    };
+    model.letters = {moved(1, 0), moved(2, 0), moved(0, 1)};
+    std::map<std::pair<int, int>, int> numbers{{{0, 0}, 0}};
+    const auto add = [&](std::pair<int, int> from, int letter, int x, int y) {
+      numbers[{x, y}] = static_cast<int>(model.elements.size());
+      model.words.push_back({numbers.at(from), letter});
+      model.elements.push_back(moved(x, y));
+    };
+    for (int y = 1; y <= 3; ++y) {
+      for (const int sign : {1, -1}) add({0, sign * (y - 1)}, 3 * sign, 0, sign * y);
+    }
+    for (int y = -3; y <= 3; ++y) {
+      for (int x = 1; x <= 3; ++x) {
+        for (const int sign : {1, -1}) add({sign * (x - 1), y}, sign, sign * x, y);
       }
     }
     throw_darts(model, 0.0375, 7, [](const std::function<double()>& uniform, Point& a) {

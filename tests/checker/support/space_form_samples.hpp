@@ -29,8 +29,5 @@ const SpaceFormSample& bolza_surface();
 const SpaceFormSample& klein_bottle();
 /// The Bolza surface, perturbed so that stars agree, but some differ in the charts of others.
 const SpaceFormSample& unstable_bolza_surface();
-/// The Bolza surface with stars that disagree, each the Delaunay star in its own chart: of levels 1 and 2, the second
-/// is claimed wrongly.
-const SpaceFormSample& torn_bolza_surface();
 
 }  // namespace delcert::checker_tests

@@ -29,9 +29,9 @@ TEST(MetricFieldWriter, WritesTheKeysOfTheFormatAndTheReaderReadsThem) {
   std::vector<std::string> reasons;
   sample.write(folder / "m.json", sample.claims(reasons));
   const Json json = Json::parse(bytes_of(folder / "m.json"));
-  EXPECT_EQ(keys_of(json),
-            (std::vector<std::string>{"format", "version", "software", "manifold", "parameters", "levels", "net",
-                                      "charts", "net_simplices", "points", "stars", "sha256"}));
+  EXPECT_EQ(keys_of(json), (std::vector<std::string>{"format", "version", "software", "manifold", "parameters",
+                                                     "levels", "net", "charts", "net_simplices", "points", "elements",
+                                                     "simplices", "loops", "sha256"}));
   EXPECT_EQ(keys_of(json["manifold"]), (std::vector<std::string>{"name", "family", "dimension", "constant", "waves",
                                                                  "rounding", "patch_radius", "metric_distortion"}));
   EXPECT_EQ(json["manifold"]["family"], "metric-field");
@@ -55,7 +55,7 @@ TEST(MetricFieldWriter, WritesTheKeysOfTheFormatAndTheReaderReadsThem) {
   const CertificateSummary read = read_certificate(folder / "m.json");
   EXPECT_EQ(read.family, "metric-field");
   EXPECT_EQ(read.manifold.name, "shear");
-  EXPECT_EQ(read.stars.size(), sample.atlas.size());
+  EXPECT_EQ(read.simplices.size(), sample.run.complex.simplices().size());
   EXPECT_EQ(read.levels.size(), 4U);
 }
 

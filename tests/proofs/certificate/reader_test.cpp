@@ -26,6 +26,11 @@ TEST(Reader, ReadsBackWhatWasWrittenBitForBit) {
     EXPECT_EQ(read.levels[2].second.back(), homology);
     EXPECT_EQ(read.net_simplices, small_run().density.simplices.size());
     EXPECT_EQ(read.seal.size(), 64U);
+    EXPECT_EQ(read.simplices.size(), small_run().run.complex.simplices().size());
+    for (const auto& simplex : read.simplices) {
+      ASSERT_EQ(simplex.size(), 5U);
+      EXPECT_LE(std::max(simplex[3], simplex[4]), read.elements.size());
+    }
   }
 }
 
@@ -51,6 +56,8 @@ TEST(Reader, SaysWhichFileCannotBeRead) {
   EXPECT_NE(message(folder / "cut.json").find("cut.json: "), std::string::npos);
   std::ofstream(folder / "other.json") << "{\"format\":1}\n";
   EXPECT_NE(message(folder / "other.json").find("software"), std::string::npos);
+  std::ofstream(folder / "old.json") << "{\"format\":\"delcert-certificate\",\"version\":1}\n";
+  EXPECT_NE(message(folder / "old.json").find("old.json: version 1 is read by delcert 0.1"), std::string::npos);
 }
 
 }  // namespace DELCERT_THIS_FILE

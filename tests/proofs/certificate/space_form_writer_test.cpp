@@ -54,7 +54,7 @@ TEST(SpaceFormWriter, WritesTheKeysOfTheFormatAndTheReaderReadsThem) {
   const Rational epsilon(Integer(1), Integer(10));
   const std::vector<Vector<Rational, 2>> centres{{Rational(0), Rational(1)}, {Rational(1), epsilon}},
       vectors{{epsilon, Rational(0)}, {Rational(0), Rational(0)}};
-  const std::vector<std::vector<std::array<std::uint32_t, 2>>> stars{{{1, 2}, {1, 3}}, {}};
+  const PlacedComplex<2> complex{{{0, 1}, {1, -1}}, {{0, 1, 2, 0, 1}, {0, 1, 3, 2, 0}}, {{{0, 0, 2}, {1, 2, 0}}}};
   SpaceFormClaims claims;
   claims.stars = StarMargins{epsilon, epsilon, epsilon};
   claims.manifold = ManifoldClaim{};
@@ -65,17 +65,20 @@ TEST(SpaceFormWriter, WritesTheKeysOfTheFormatAndTheReaderReadsThem) {
   claims.triangulation = true;
   claims.riemannian = {epsilon, epsilon};
   claims.metric = SpaceFormClaims::Metric{Rational(0), epsilon, Rational(2)};
-  write_space_form_certificate<2>(folder / "s.json", {form, parameters, epsilon, centres, vectors, stars, claims});
+  write_space_form_certificate<2>(folder / "s.json", {form, parameters, epsilon, centres, vectors, complex, claims});
   const Json json = Json::parse(bytes_of(folder / "s.json"));
-  EXPECT_EQ(keys_of(json), (std::vector<std::string>{"format", "version", "software", "manifold", "parameters",
-                                                     "levels", "net", "net_simplices", "points", "stars", "sha256"}));
+  EXPECT_EQ(keys_of(json),
+            (std::vector<std::string>{"format", "version", "software", "manifold", "parameters", "levels", "net",
+                                      "net_simplices", "points", "elements", "simplices", "loops", "sha256"}));
   EXPECT_EQ(keys_of(json["levels"]), (std::vector<std::string>{"0", "1", "2", "2s", "4", "5", "6"}));
   EXPECT_EQ(json["levels"]["0"], Json::parse(R"({"density":"1/10","distortion":"1/5","metric_distortion":"3/10"})"));
   EXPECT_EQ(json["levels"]["5"], Json::parse(R"({"route":"space-form","thickness":"1/10","radius":"1/10"})"));
   EXPECT_EQ(json["levels"]["6"], Json::parse(R"({"self_delaunay":true,"weight":"0","bilipschitz":["1/10","2"]})"));
   EXPECT_EQ(json["net"], Json::parse(R"([["0","1"],["1","1/10"]])"));
   EXPECT_EQ(json["points"], Json::parse(R"([["1/10","0"],["0","0"]])"));
-  EXPECT_EQ(json["stars"], Json::parse("[[[1,2],[1,3]],[]]"));
+  EXPECT_EQ(json["elements"], Json::parse("[[0,1],[1,-1]]"));
+  EXPECT_EQ(json["simplices"], Json::parse("[[0,1,2,0,1],[0,1,3,2,0]]"));
+  EXPECT_EQ(json["loops"], Json::parse("[[0,0,2,1,2,0]]"));
 
   const CertificateSummary read = read_certificate(folder / "s.json");
   EXPECT_EQ(read.family, "spherical");

@@ -44,14 +44,14 @@ TEST(Writer, KeysStandInTheOrderOfTheFormat) {
   std::vector<std::string> keys;
   for (const auto& [key, value] : json.items()) keys.push_back(key);
   EXPECT_EQ(keys, (std::vector<std::string>{"format", "version", "software", "manifold", "parameters", "levels", "net",
-                                            "net_simplices", "points", "stars", "sha256"}));
+                                            "net_simplices", "points", "elements", "simplices", "loops", "sha256"}));
   std::vector<std::string> parameters;
   for (const auto& [key, value] : json.at("parameters").items()) parameters.push_back(key);
   EXPECT_EQ(parameters,
             (std::vector<std::string>{"mode", "candidates", "seed", "sampling_radius", "separation", "radius_variation",
                                       "distortion", "perturbation", "flake_parameter_squared", "tolerance"}));
   EXPECT_EQ(json.at("net").size(), small_run().atlas.size());
-  EXPECT_EQ(json.at("stars").size(), small_run().atlas.size());
+  EXPECT_EQ(json.at("simplices").size(), small_run().run.complex.simplices().size());
 }
 
 Rational number(const nlohmann::json& text) { return parse_exact(text.get<std::string>()); }
@@ -59,7 +59,7 @@ Rational number(const nlohmann::json& text) { return parse_exact(text.get<std::s
 TEST(Writer, SaysWhatWasRun) {
   const auto json = nlohmann::json::parse(certificate_bytes());
   EXPECT_EQ(json.at("format"), "delcert-certificate");
-  EXPECT_EQ(json.at("version"), 1);
+  EXPECT_EQ(json.at("version"), 2);
   EXPECT_EQ(json.at("software").at("delcert"), version);
   for (const auto& [name, value] : library_versions()) EXPECT_EQ(json.at("software").at(name), value);
   EXPECT_EQ(json.at("manifold"), nlohmann::json::parse(R"({"name":"torus-2","family":"flat-torus","dimension":2,
@@ -105,10 +105,6 @@ TEST(Writer, HasEveryPointExactly) {
       EXPECT_EQ(number(json.at("net")[index][axis]), small_run().atlas.net().exact(Label(index))[axis]);
       EXPECT_EQ(number(json.at("points")[index][axis]), small_run().run.points.exact(Label(index))[axis]);
     }
-    std::vector<std::vector<std::uint32_t>> star;
-    for (const auto& others : small_run().run.complex.star(Label(index)))
-      star.emplace_back(others.begin(), others.end());
-    EXPECT_EQ(json.at("stars")[index].get<decltype(star)>(), star);
   }
   const auto& simplices = small_run().density.simplices;
   ASSERT_EQ(json.at("net_simplices").size(), simplices.size());
