@@ -84,7 +84,7 @@ delcert_cli_test(homology STATUS 0 OUTPUT "components   1\nfacets       0 in one
   FIXTURES run-square COMMAND ${delcert} homology run-square.json.zst)
 delcert_cli_test(homology-json STATUS 0 OUTPUT "\"components\": 1,.*\"orientable\": true,.*\"homology\": .*\"Z.2\"" ERROR "^$"
   FIXTURES run-square COMMAND ${delcert} homology run-square.json.zst --json)
-delcert_cli_test(homology-without-stars STATUS 3 OUTPUT "^$" ERROR "points.txt: " FIXTURES run-points
+delcert_cli_test(homology-without-simplices STATUS 3 OUTPUT "^$" ERROR "points.txt: " FIXTURES run-points
   COMMAND ${delcert} homology points.txt)
 delcert_cli_test(info-json STATUS 0 OUTPUT "\"levels_claimed\": .*\"homology\": \"Z, Z.2, Z\"" ERROR "^$" FIXTURES run-square
   COMMAND ${delcert} info run-square.json.zst --json)
