@@ -49,6 +49,7 @@ std::vector<Forgery> forgeries_of_groups() {
     Json& g = generators(j).back();
     for (Json& row : g) row.push_back(Json::array({"0"}));
     g.push_back(Json::array({Json::array({"0"}), Json::array({"0"}), Json::array({"1"})}));
+    j["loops"].push_back(Json::array());
   });
   forge("a sphere wider than it is", "group.injectivity", icosphere(),
         [](Json& j) { j["manifold"]["injectivity_radius"] = "22/7"; });
@@ -66,6 +67,9 @@ std::vector<Forgery> forgeries_of_groups() {
     generators(j).push_back(
         Json::array({Json::array({entry("113", "80"), entry("10", "8"), zero}),
                      Json::array({entry("1200", "848"), entry("113", "80"), zero}), Json::array({zero, zero, one})}));
+    Json twice = j["loops"][0];
+    for (const Json& number : j["loops"][0]) twice.push_back(number);
+    j["loops"].push_back(twice);
   });
   return result;
 }

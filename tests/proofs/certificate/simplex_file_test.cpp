@@ -4,8 +4,8 @@
 
 #include <fstream>
 
-#include "support/error.hpp"
 #include "kernel/topology/homology.hpp"
+#include "support/error.hpp"
 #include "tests/proofs/certificate/small_run.hpp"
 #include "tests/support/temporary_folder.hpp"
 
