@@ -13,12 +13,11 @@
 #include "apps/progress_line.hpp"
 #include "apps/report_parts.hpp"
 #include "apps/run_report.hpp"
-#include "kernel/manifold/manifold_file.hpp"
-#include "kernel/manifold/metric_field_file.hpp"
-#include "kernel/manifold/space_form_file.hpp"
+#include "kernel/manifold/any_manifold.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "kernel/parallel/threads.hpp"
 #include "kernel/sample/net_measure.hpp"
+#include "kernel/sample/separation.hpp"
 #include "kernel/simplex/dimensions.hpp"
 #include "proofs/certificate/writer.hpp"
 #include "support/error.hpp"
@@ -130,6 +129,10 @@ void add_certify(CLI::App& program, Action& chosen) {
       ->type_name("pruned|whole|printed");
   add_exact_option(*command, "--perturbation", options->choice.perturbation, "ρ₀ (default μ₀/4, the most)");
   add_exact_option(*command, "--tolerance", options->choice.tolerance, "Measured mode: tolerance in units of ε");
+  add_exact_option(*command, "--clearance", options->choice.clearance,
+                   "A second tolerance, for candidates that can become Delaunay, in units of ε");
+  command->add_option("--choices", options->choice.choices, "Of so many good perturbations the one with most clearance")
+      ->check(CLI::Range(1, 1000000));
   add_exact_option(*command, "--required-protection", options->required_protection,
                    "Repair simplices that are not more protected than this, in units of ε");
   command->add_option("--repair-rounds", options->repair_rounds, "Rounds of repair before giving up (default 20)")
@@ -163,10 +166,11 @@ void add_certify(CLI::App& program, Action& chosen) {
       const ThreadLimit limit(options->threads);
       options->choice.seed = options->source.seed;
       if (options->no_perturbation) options->choice.mode = RunMode::none;
-      if (const auto form = space_form_if_one(options->source.manifold)) return certify_space_form(*options, *form);
-      if (const auto field = metric_field_if_one(options->source.manifold))
+      const AnyManifold found = find_any_manifold(options->source.manifold);
+      if (const auto* form = std::get_if<SpaceFormDescription>(&found)) return certify_space_form(*options, *form);
+      if (const auto* field = std::get_if<MetricFieldDescription>(&found))
         return certify_metric_field(*options, *field);
-      const ManifoldDescription manifold = find_manifold(options->source.manifold);
+      const auto& manifold = std::get<ManifoldDescription>(found);
       return with_dimension(manifold.dimension, [&]<int m>() { return certify<m>(*options, manifold); });
     };
   });

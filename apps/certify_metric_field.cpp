@@ -9,7 +9,7 @@
 #include "apps/metric_field_report.hpp"
 #include "apps/progress_line.hpp"
 #include "apps/report_parts.hpp"
-#include "kernel/sample/metric_field_separation.hpp"
+#include "kernel/sample/separation.hpp"
 #include "proofs/certificate/metric_field_writer.hpp"
 #include "support/error.hpp"
 

@@ -11,7 +11,7 @@
 #include "apps/space_form_report.hpp"
 #include "kernel/manifold/quotient/patch_size.hpp"
 #include "kernel/number/exact_text.hpp"
-#include "kernel/sample/space_form_separation.hpp"
+#include "kernel/sample/separation.hpp"
 #include "support/error.hpp"
 
 namespace delcert {

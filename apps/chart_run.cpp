@@ -10,8 +10,8 @@ RunParameters measured_run_parameters(const CertifyOptions& options, Dimension d
   choice.mode = options.no_perturbation ? RunMode::none : RunMode::measured;
   if (!options.no_perturbation && !choice.tolerance) choice.tolerance = usual.tolerance;
   RunParameters result = parameters_for(dimension, separation, choice);
-  result.algorithm.clearance = usual.clearance;
-  result.algorithm.choices = usual.choices;
+  if (!options.choice.clearance) result.algorithm.clearance = usual.clearance;
+  if (!options.choice.choices) result.algorithm.choices = usual.choices;
   return result;
 }
 

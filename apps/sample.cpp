@@ -8,17 +8,14 @@
 #include "apps/metric_field_net.hpp"
 #include "apps/net_source.hpp"
 #include "apps/progress_line.hpp"
-#include "kernel/manifold/manifold_file.hpp"
-#include "kernel/manifold/metric_field_file.hpp"
+#include "kernel/manifold/any_manifold.hpp"
 #include "kernel/manifold/quotient/patch_size.hpp"
 #include "kernel/manifold/quotient/space_form_atlas.hpp"
-#include "kernel/manifold/space_form_file.hpp"
 #include "kernel/number/exact_text.hpp"
-#include "kernel/sample/metric_field_separation.hpp"
 #include "kernel/sample/net_measure.hpp"
 #include "kernel/sample/point_file.hpp"
+#include "kernel/sample/separation.hpp"
 #include "kernel/sample/space_form_net.hpp"
-#include "kernel/sample/space_form_separation.hpp"
 #include "kernel/simplex/dimensions.hpp"
 #include "support/atomic_file.hpp"
 
@@ -144,16 +141,17 @@ void add_sample(CLI::App& program, Action& chosen) {
       "  delcert sample --manifold torus-3 --lattice 16 --centred --displace 60 --output nearly-bcc.txt");
   command->callback([options, &chosen] {
     chosen = [options] {
-      if (const auto description = space_form_if_one(options->source.manifold)) {
+      const AnyManifold found = find_any_manifold(options->source.manifold);
+      if (const auto* description = std::get_if<SpaceFormDescription>(&found)) {
         const SpaceForm form = verify_space_form(*description);
         if (form.form().dimension() == 2) return sample_space_form<2>(*options, form);
         return sample_space_form<3>(*options, form);
       }
-      if (const auto field = metric_field_if_one(options->source.manifold)) {
+      if (const auto* field = std::get_if<MetricFieldDescription>(&found)) {
         if (field->dimension == Dimension(2)) return sample_metric_field<2>(*options, *field);
         return sample_metric_field<3>(*options, *field);
       }
-      const ManifoldDescription manifold = find_manifold(options->source.manifold);
+      const auto& manifold = std::get<ManifoldDescription>(found);
       return with_dimension(manifold.dimension, [&]<int m>() { return sample<m>(*options, manifold); });
     };
   });

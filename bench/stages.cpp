@@ -14,11 +14,13 @@
 #include <memory>
 #include <string>
 
+#include "kernel/manifold/any_manifold.hpp"
 #include "kernel/manifold/flat_space.hpp"
 #include "kernel/perturb/forbidden_search.hpp"
 #include "kernel/run/run.hpp"
 #include "kernel/sample/net_measure.hpp"
 #include "kernel/sample/poisson_disk.hpp"
+#include "kernel/sample/separation.hpp"
 #include "proofs/certificate/run_parameters.hpp"
 
 namespace delcert {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "kernel/chart/point_grid.hpp"
@@ -9,9 +10,8 @@
 
 namespace delcert {
 
-/// A label as it is seen in a chart: the point of the label, carried there by one transition function. On a quotient
-/// that is named by m integers, the `shift`: of a torus, the lattice vector; of another space form, the number of the
-/// group element, and zeros.
+/// A label as it is seen in a chart: the point of the label, carried there by one transition function. On a torus that
+/// is named by the lattice vector, the `shift`; on another quotient by the group's `element`.
 template <int m>
 using Sighting = Lift<m>;
 
@@ -47,14 +47,13 @@ class Atlas {
 
   /// φ_ij for the sighted label j (the paper's index order: from U_j to U_i): home coordinates of its patch to
   /// coordinates of the chart i that sees it. Enclosures on the first two rungs (the filter needs a `FilterGuard`). On
-  /// the last exact, if the family has exact transitions; else the midpoint of the filter's enclosure: good enough to
-  /// choose by, and nothing may rest on it.
+  /// the last exact, or none if the family has no exact transitions.
   [[nodiscard]] virtual Vector<Filter, m> carry(Label i, const Sighting<m>& seen,
                                                 const Vector<Filter, m>& home) const = 0;
   [[nodiscard]] virtual Vector<BigInterval, m> carry(Label i, const Sighting<m>& seen,
                                                      const Vector<BigInterval, m>& home) const = 0;
-  [[nodiscard]] virtual Vector<Rational, m> carry(Label i, const Sighting<m>& seen,
-                                                  const Vector<Rational, m>& home) const = 0;
+  [[nodiscard]] virtual std::optional<Vector<Rational, m>> carry(Label i, const Sighting<m>& seen,
+                                                                 const Vector<Rational, m>& home) const = 0;
   [[nodiscard]] virtual bool has_exact_transitions() const = 0;
 };
 

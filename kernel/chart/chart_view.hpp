@@ -72,12 +72,12 @@ class ChartView {
                std::vector<std::uint32_t>& out) const;
   template <class S>
   [[nodiscard]] Vector<S, m> position_in(LocalCoordinates coordinates, std::size_t at) const {
-    const Vector<S, m> carried =
-        atlas_->carry(chart_, seen_[at], points_->template coordinates<S>(label_of<m>(seen_[at])));
-    const Vector<S, m> v = difference(carried, atlas_->net().template coordinates<S>(chart_));
+    const auto carried = atlas_->carry(chart_, seen_[at], points_->template coordinates<S>(label_of<m>(seen_[at])));
+    const auto& centre = atlas_->net().template coordinates<S>(chart_);
     if constexpr (std::same_as<S, Rational>) {
-      return v;  // asked for where transitions are exact only: curvature 0
+      return difference(carried.value(), centre);  // asked for where transitions are exact only: curvature 0
     } else {
+      const Vector<S, m> v = difference(carried, centre);
       if (coordinates == LocalCoordinates::chart || geometry_.curvature == Curvature::zero) return v;
       return conformal_coordinates<S, m>(exponential<S, m>(geometry_.curvature, v));
     }

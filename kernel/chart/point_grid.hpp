@@ -30,12 +30,16 @@ template <int m>
   return result;
 }
 
-/// One lift of a point: the point with this index, moved by a lattice vector.
+/// One lift of a point: the point with this index, moved by a lattice vector or by an element of a group.
 template <int m>
 struct Lift {
   std::uint32_t index = 0;
   Shift<m> shift{};
+  std::uint32_t element = 0;  ///< its number in the group's list; 0 is the identity
   friend auto operator<=>(const Lift&, const Lift&) = default;
+
+  /// Whether it is the point itself.
+  [[nodiscard]] bool is_unmoved() const { return shift == Shift<m>{} && element == 0; }
 };
 
 /// Throws InputError, naming the label, for a coordinate of 2³⁰ or more: the shifts of its lifts need not fit.

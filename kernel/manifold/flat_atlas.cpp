@@ -66,7 +66,8 @@ Vector<BigInterval, m> FlatAtlas<m>::carry(Label, const Sighting<m>& seen, const
 }
 
 template <int m>
-Vector<Rational, m> FlatAtlas<m>::carry(Label, const Sighting<m>& seen, const Vector<Rational, m>& home) const {
+std::optional<Vector<Rational, m>> FlatAtlas<m>::carry(Label, const Sighting<m>& seen,
+                                                       const Vector<Rational, m>& home) const {
   return translated<Rational, m>(home, seen.shift);
 }
 

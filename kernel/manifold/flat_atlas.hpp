@@ -45,8 +45,8 @@ class FlatAtlas final : public Atlas<m> {
   [[nodiscard]] Vector<Filter, m> carry(Label i, const Sighting<m>& seen, const Vector<Filter, m>& home) const override;
   [[nodiscard]] Vector<BigInterval, m> carry(Label i, const Sighting<m>& seen,
                                              const Vector<BigInterval, m>& home) const override;
-  [[nodiscard]] Vector<Rational, m> carry(Label i, const Sighting<m>& seen,
-                                          const Vector<Rational, m>& home) const override;
+  [[nodiscard]] std::optional<Vector<Rational, m>> carry(Label i, const Sighting<m>& seen,
+                                                         const Vector<Rational, m>& home) const override;
   [[nodiscard]] bool has_exact_transitions() const override { return true; }
 
  private:

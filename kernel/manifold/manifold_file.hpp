@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,7 +14,7 @@ enum class ManifoldFamily { flat_torus, euclidean_ball };
 /// "flat-torus" or "euclidean-ball", as in files and certificates.
 [[nodiscard]] std::string_view name_of(ManifoldFamily family);
 
-/// A manifold as a file describes it (docs/manifold-file.md).
+/// A manifold as a file describes it (docs/cli.md, "Manifold files").
 struct ManifoldDescription {
   std::string name;
   ManifoldFamily family = ManifoldFamily::flat_torus;
@@ -30,12 +29,5 @@ struct ManifoldDescription {
 /// Reads a description in TOML; `source` is the file's name for messages. Throws InputError with file, line, column,
 /// key, what was found and what was expected.
 [[nodiscard]] ManifoldDescription parse_manifold(std::string_view text, const std::string& source);
-
-/// The same, from a file. Throws InputError if it cannot be read.
-[[nodiscard]] ManifoldDescription read_manifold(const std::filesystem::path& path);
-
-/// A built-in manifold by its name, otherwise the manifold of the file with this path. (A file that has the name of a
-/// built-in manifold is reached as ./NAME.) Throws InputError, listing the names, if it is neither.
-[[nodiscard]] ManifoldDescription find_manifold(const std::string& name_or_path);
 
 }  // namespace delcert

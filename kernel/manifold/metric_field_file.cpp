@@ -1,8 +1,6 @@
 #include "kernel/manifold/metric_field_file.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include "kernel/number/exact_text.hpp"
 #include "support/error.hpp"
@@ -20,19 +18,20 @@ constexpr int greatest_frequency = 64;
 
 class MetricFieldReader : TomlReader {
  public:
-  MetricFieldReader(const toml::table& table, const std::string& source) : TomlReader(table, source) {}
+  MetricFieldReader(std::string_view text, const std::string& source) : TomlReader(text, source), table_(parse()) {}
 
   MetricFieldDescription read() const {
-    allow(table(), {"name", "family", "dimension", "constant", "waves"});
-    if (text("family") != family) fail(node("family"), "key \"family\"", "\"metric-field\"");
+    refuse_unknown(table_, {"name", "family", "dimension", "constant", "waves"});
+    if (short_string(table_, "family") != family)
+      fail(required(table_, "family"), "key \"family\"", "\"metric-field\"");
     MetricFieldDescription result;
-    result.name = text("name");
-    const int m = integer("dimension", 2, 3);
+    result.name = short_string(table_, "name");
+    const int m = integer(table_, "dimension", 2, 3);
     result.dimension = Dimension(m);
     const auto size = static_cast<std::size_t>(m);
-    result.constant = matrix(node("constant"), size, "key \"constant\"");
-    if (!table().contains("waves")) return result;
-    const toml::node& list = node("waves");
+    result.constant = matrix(required(table_, "constant"), size, "key \"constant\"");
+    if (!table_.contains("waves")) return result;
+    const toml::node& list = required(table_, "waves");
     const auto* waves = list.as_array();
     if (waves == nullptr || waves->size() > most_waves) fail(list, "key \"waves\"", "an array of at most 64 tables");
     for (const toml::node& entry : *waves) result.waves.push_back(wave(entry, size, result.waves.size() + 1));
@@ -44,9 +43,9 @@ class MetricFieldReader : TomlReader {
     const std::string what = "wave " + std::to_string(number);
     const auto* table = entry.as_table();
     if (table == nullptr) fail(entry, what, "a table {frequency = …, cosine = …, sine = …}");
-    allow(*table, {"frequency", "cosine", "sine"});
+    refuse_unknown(*table, {"frequency", "cosine", "sine"});
     MetricFieldDescription::Term result;
-    const toml::node& frequency = node(*table, "frequency");
+    const toml::node& frequency = required(*table, "frequency");
     const auto* entries = frequency.as_array();
     if (entries == nullptr || entries->size() != size)
       fail(frequency, what + ", frequency", "an array of " + std::to_string(size) + " integers");
@@ -58,8 +57,8 @@ class MetricFieldReader : TomlReader {
     const bool has_sine = table->contains("sine");
     if (!has_cosine && !has_sine) fail(entry, what, "a matrix \"cosine\" or \"sine\"");
     const Square zero(size, std::vector<Rational>(size));
-    result.cosine = has_cosine ? matrix(node(*table, "cosine"), size, what + ", cosine") : zero;
-    result.sine = has_sine ? matrix(node(*table, "sine"), size, what + ", sine") : zero;
+    result.cosine = has_cosine ? matrix(required(*table, "cosine"), size, what + ", cosine") : zero;
+    result.sine = has_sine ? matrix(required(*table, "sine"), size, what + ", sine") : zero;
     return result;
   }
 
@@ -82,29 +81,17 @@ class MetricFieldReader : TomlReader {
     try {
       return parse_exact(string->get());
     } catch (const InputError& error) {
-      fail_at(node, what + ": " + error.what());
+      fail(node.source(), what + ": " + error.what());
     }
   }
+
+  toml::table table_;
 };
 
 }  // namespace
 
 MetricFieldDescription parse_metric_field(std::string_view text, const std::string& source) {
-  return read_toml<MetricFieldReader>(text, source);
-}
-
-std::optional<MetricFieldDescription> metric_field_if_one(const std::string& name_or_path) {
-  for (const BuiltinManifold& builtin : builtin_metric_fields()) {
-    if (builtin.name == name_or_path) return parse_metric_field(builtin.text, builtin.name);
-  }
-  try {
-    const toml::table table = toml::parse_file(name_or_path);
-    if (table["family"].value<std::string_view>() != family) return std::nullopt;
-  } catch (const toml::parse_error&) {
-    return std::nullopt;
-  }
-  std::ifstream stream(name_or_path, std::ios::binary);
-  return parse_metric_field(std::string(std::istreambuf_iterator<char>(stream), {}), name_or_path);
+  return MetricFieldReader(text, source).read();
 }
 
 }  // namespace delcert

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -18,9 +16,5 @@ namespace delcert {
 /// is positive definite is not looked at. Throws InputError with file, line, column, key, what was found and what was
 /// expected.
 [[nodiscard]] MetricFieldDescription parse_metric_field(std::string_view text, const std::string& source);
-
-/// The built-in metric field of this name, or that of the file with this path. None if there is neither, or the file is
-/// none or of another family. Throws InputError as `parse_metric_field`.
-[[nodiscard]] std::optional<MetricFieldDescription> metric_field_if_one(const std::string& name_or_path);
 
 }  // namespace delcert

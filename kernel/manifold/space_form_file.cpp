@@ -1,10 +1,5 @@
 #include "kernel/manifold/space_form_file.hpp"
 
-#include <algorithm>
-#include <array>
-#include <fstream>
-#include <iterator>
-
 #include "kernel/manifold/quotient/polynomial_text.hpp"
 #include "kernel/manifold/quotient/space_form_families.hpp"
 #include "kernel/number/exact_text.hpp"
@@ -15,58 +10,56 @@ namespace delcert {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> families{"space-form", "sphere", "projective-space", "lens-space",
-                                                   "regular-polygon-surface"};
-
 class SpaceFormReader : TomlReader {
  public:
-  SpaceFormReader(const toml::table& table, const std::string& source) : TomlReader(table, source) {}
+  SpaceFormReader(std::string_view text, const std::string& source) : TomlReader(text, source), table_(parse()) {}
 
   SpaceFormDescription read() const {
-    const std::string family = text("family");
+    const std::string family = short_string(table_, "family");
     SpaceFormDescription result = of_family(family);
-    result.name = text("name");
+    result.name = short_string(table_, "name");
     return result;
   }
 
  private:
   SpaceFormDescription of_family(const std::string& family) const {
     if (family == "space-form") {
-      allow(table(), {"name", "family", "dimension", "curvature", "field", "root", "time", "gram", "generators",
-                      "first_homology", "order"});
+      refuse_unknown(table_, {"name", "family", "dimension", "curvature", "field", "root", "time", "gram", "generators",
+                              "first_homology", "order"});
       return general();
     }
     if (family == "sphere" || family == "projective-space") {
-      allow(table(), {"name", "family", "dimension"});
-      const int m = integer("dimension", 2, 3);
+      refuse_unknown(table_, {"name", "family", "dimension"});
+      const int m = integer(table_, "dimension", 2, 3);
       return family == "sphere" ? sphere(m) : projective_space(m);
     }
     if (family == "lens-space") {
-      allow(table(), {"name", "family", "p", "q"});
-      const int p = integer("p", 3, 1000);
-      return lens_space(p, integer("q", 1, p - 1));
+      refuse_unknown(table_, {"name", "family", "p", "q"});
+      const int p = integer(table_, "p", 3, 1000);
+      return lens_space(p, integer(table_, "q", 1, p - 1));
     }
     if (family == "regular-polygon-surface") {
-      allow(table(), {"name", "family", "genus"});
-      return regular_polygon_surface(integer("genus", 2, 50));
+      refuse_unknown(table_, {"name", "family", "genus"});
+      return regular_polygon_surface(integer(table_, "genus", 2, 50));
     }
-    fail(node("family"), "key \"family\"",
+    fail(required(table_, "family"), "key \"family\"",
          "\"space-form\", \"sphere\", \"projective-space\", \"lens-space\" or \"regular-polygon-surface\"");
   }
 
   SpaceFormDescription general() const {
-    const auto m = static_cast<std::size_t>(integer("dimension", 2, 3));
-    const int curvature = integer("curvature", -1, 1);
+    const auto m = static_cast<std::size_t>(integer(table_, "dimension", 2, 3));
+    const int curvature = integer(table_, "curvature", -1, 1);
     const FieldElement::Field field = this->field();
     FieldElement time(curvature);
-    if (table().contains("time")) time = element(field, node("time"), "key \"time\"");
+    if (table_.contains("time")) time = element(field, required(table_, "time"), "key \"time\"");
     if (time.sign() != curvature)
-      fail(node("time"), "key \"time\"", "a number with the sign of the curvature, " + std::to_string(curvature));
+      fail(required(table_, "time"), "key \"time\"",
+           "a number with the sign of the curvature, " + std::to_string(curvature));
     FieldMatrix gram = FieldMatrix::identity(m);
-    if (table().contains("gram")) gram = matrix(field, node("gram"), m, "key \"gram\"");
+    if (table_.contains("gram")) gram = matrix(field, required(table_, "gram"), m, "key \"gram\"");
     SpaceFormDescription result{"", form(time, gram), generators(field, m + 1), {}, {}};
-    result.first_homology = text("first_homology");
-    if (table().contains("order")) result.order = static_cast<std::size_t>(integer("order", 1, 100000));
+    result.first_homology = short_string(table_, "first_homology");
+    if (table_.contains("order")) result.order = static_cast<std::size_t>(integer(table_, "order", 1, 100000));
     return result;
   }
 
@@ -74,15 +67,15 @@ class SpaceFormReader : TomlReader {
     try {
       return {time, gram};
     } catch (const InputError& error) {
-      fail_at(node("gram"), error.what());
+      fail(required(table_, "gram").source(), error.what());
     }
   }
 
   FieldElement::Field field() const {
-    if (!table().contains("field")) return nullptr;
-    const toml::node& node = this->node("field");
+    if (!table_.contains("field")) return nullptr;
+    const toml::node& node = required(table_, "field");
     const auto polynomial = of_text(node, "key \"field\"", [](const std::string& x) { return parse_polynomial(x); });
-    const toml::node& root = this->node("root");
+    const toml::node& root = required(table_, "root");
     const auto* ends = root.as_array();
     if (ends == nullptr || ends->size() != 2) fail(root, "key \"root\"", "an array of two exact numbers");
     const auto end = [&](std::size_t at) {
@@ -91,12 +84,12 @@ class SpaceFormReader : TomlReader {
     try {
       return std::make_shared<const NumberField>(polynomial, end(0), end(1));
     } catch (const InputError& error) {
-      fail_at(node, error.what());
+      fail(node.source(), error.what());
     }
   }
 
   std::vector<FieldMatrix> generators(const FieldElement::Field& field, std::size_t order) const {
-    const toml::node& node = this->node("generators");
+    const toml::node& node = required(table_, "generators");
     const auto* list = node.as_array();
     if (list == nullptr) fail(node, "key \"generators\"", "an array of matrices");
     std::vector<FieldMatrix> result;
@@ -136,35 +129,17 @@ class SpaceFormReader : TomlReader {
     try {
       return parse(text);
     } catch (const InputError& error) {
-      fail_at(node, what + ": " + error.what());
+      fail(node.source(), what + ": " + error.what());
     }
   }
+
+  toml::table table_;
 };
 
 }  // namespace
 
 SpaceFormDescription parse_space_form(std::string_view text, const std::string& source) {
-  return read_toml<SpaceFormReader>(text, source);
-}
-
-SpaceFormDescription read_space_form(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(path)) throw InputError("cannot read " + path.string());
-  return parse_space_form(std::string(std::istreambuf_iterator<char>(stream), {}), path.string());
-}
-
-std::optional<SpaceFormDescription> space_form_if_one(const std::string& name_or_path) {
-  const auto& known = builtin_space_forms();
-  if (std::any_of(known.begin(), known.end(), [&](const auto& builtin) { return builtin.name == name_or_path; }))
-    return find_space_form(name_or_path);
-  try {
-    const toml::table table = toml::parse_file(name_or_path);
-    const auto family = table["family"].value<std::string_view>();
-    if (!family || std::find(families.begin(), families.end(), *family) == families.end()) return std::nullopt;
-  } catch (const toml::parse_error&) {
-    return std::nullopt;
-  }
-  return read_space_form(name_or_path);
+  return SpaceFormReader(text, source).read();
 }
 
 SpaceFormDescription find_space_form(const std::string& name) {

@@ -15,7 +15,7 @@ namespace delcert {
 ///
 /// Every operation is exact. The degree of a result may be the product of the operands' degrees, and beyond
 /// `greatest_degree` the time would not be worth the answer: there an operation throws `Algebraic::TooLarge`, which
-/// `decide_algebraic` reports as undecided. A number that was moved from can be assigned to and destroyed only.
+/// `decide_statement` reports as undecided. A number that was moved from can be assigned to and destroyed only.
 class Algebraic {
  public:
   class TooLarge : public Undecided {

@@ -3,8 +3,9 @@
 #include <array>
 #include <cstdint>
 
-#include "kernel/number/algebraic.hpp"
+#include "kernel/number/big_interval.hpp"
 #include "kernel/number/filter.hpp"
+#include "kernel/number/rational.hpp"
 #include "kernel/number/scalar.hpp"
 
 namespace delcert {
@@ -26,79 +27,60 @@ struct LadderStatistics {
 /// The counters of this thread. Code whose filter runs in a tight loop counts its interval decisions here itself.
 [[nodiscard]] LadderStatistics& ladder_statistics();
 
-namespace detail {
-template <class Predicate>
-bool settles(Rung rung, Verdict& verdict, const Predicate& predicate) {
-  verdict = predicate();
-  if (is_undecided(verdict)) return false;
-  ladder_statistics().count(rung);
-  return true;
-}
-}  // namespace detail
+/// One decision that climbs: asked on one rung after the other until a rung is sure, and counted there. How far it goes
+/// and over which rungs is the caller's; `decide` is the usual way.
+class Ladder {
+ public:
+  /// Asks on one rung, unless one before was sure. Returns whether the decision is made.
+  template <class Predicate>
+  bool ask(Rung rung, const Predicate& predicate) {
+    if (is_undecided(verdict_)) {
+      verdict_ = predicate();
+      if (!is_undecided(verdict_)) ladder_statistics().count(rung);
+    }
+    return !is_undecided(verdict_);
+  }
+
+  /// The same in intervals of first, 2·first, … last bits.
+  template <class Predicate>
+  bool ask_in_bits(unsigned first, unsigned last, const Predicate& predicate) {
+    for (unsigned bits = first; bits <= last && is_undecided(verdict_); bits *= 2) {
+      const BigInterval::Precision precision(PrecisionBits{bits});
+      ask(Rung::big_interval, predicate);
+    }
+    return !is_undecided(verdict_);
+  }
+
+  /// What came of it; a decision that no rung has made is counted.
+  [[nodiscard]] Verdict finish() const {
+    if (is_undecided(verdict_)) ++ladder_statistics().undecided;
+    return verdict_;
+  }
+
+ private:
+  Verdict verdict_ = Verdict::undecided;
+};
 
 /// The part of the ladder above the filter: for callers that have already found the interval rung undecided.
 /// `predicate.template operator()<S>()` returns the verdict computed in S, S = BigInterval, Rational.
 template <class Predicate>
 [[nodiscard]] Verdict decide_above_filter(const Predicate& predicate) {
-  Verdict verdict = Verdict::undecided;
-  {
-    const BigInterval::Precision precision(PrecisionBits{128});
-    if (detail::settles(Rung::big_interval, verdict, [&] { return predicate.template operator()<BigInterval>(); }))
-      return verdict;
-  }
-  if (detail::settles(Rung::rational, verdict, [&] { return predicate.template operator()<Rational>(); }))
-    return verdict;
-  ++ladder_statistics().undecided;
-  return Verdict::undecided;
+  Ladder ladder;
+  ladder.ask_in_bits(128, 128, [&] { return predicate.template operator()<BigInterval>(); });
+  ladder.ask(Rung::rational, [&] { return predicate.template operator()<Rational>(); });
+  return ladder.finish();
 }
 
 /// Decides a predicate about rational quantities: intervals, 128-bit intervals, rationals, in this order, until one
 /// is sure. The rational rung always is, unless the predicate itself gives up (a degenerate simplex, say).
 template <class Predicate>
 [[nodiscard]] Verdict decide(const Predicate& predicate) {
-  Verdict verdict = Verdict::undecided;
   {
     const FilterGuard guard;
-    if (detail::settles(Rung::interval, verdict, [&] { return predicate.template operator()<Filter>(); }))
-      return verdict;
+    Ladder filter;
+    if (filter.ask(Rung::interval, [&] { return predicate.template operator()<Filter>(); })) return filter.finish();
   }
   return decide_above_filter(predicate);
-}
-
-/// The part of `decide_algebraic` above the filter.
-/// `predicate.template operator()<S>()` returns the verdict computed in S, S = BigInterval, Algebraic.
-template <class Predicate>
-[[nodiscard]] Verdict decide_algebraic_above_filter(const Predicate& predicate) {
-  constexpr unsigned first_precision = 128;
-  constexpr unsigned last_precision = 4096;
-  Verdict verdict = Verdict::undecided;
-  for (unsigned bits = first_precision; bits <= last_precision; bits *= 2) {
-    const BigInterval::Precision precision(PrecisionBits{bits});
-    if (detail::settles(Rung::big_interval, verdict, [&] { return predicate.template operator()<BigInterval>(); }))
-      return verdict;
-  }
-  try {
-    if (detail::settles(Rung::algebraic, verdict, [&] { return predicate.template operator()<Algebraic>(); }))
-      return verdict;
-  } catch (const Algebraic::TooLarge&) {
-    // Undecided, like a predicate that gives up.
-  }
-  ++ladder_statistics().undecided;
-  return Verdict::undecided;
-}
-
-/// Decides a predicate about quantities with square roots: intervals, intervals of 128, 256, … 4096 bits, algebraic
-/// numbers. The algebraic rung is always sure, unless the predicate itself gives up or the degree grows beyond what
-/// `Algebraic` takes on.
-template <class Predicate>
-[[nodiscard]] Verdict decide_algebraic(const Predicate& predicate) {
-  Verdict verdict = Verdict::undecided;
-  {
-    const FilterGuard guard;
-    if (detail::settles(Rung::interval, verdict, [&] { return predicate.template operator()<Filter>(); }))
-      return verdict;
-  }
-  return decide_algebraic_above_filter(predicate);
 }
 
 }  // namespace delcert

@@ -34,7 +34,7 @@ class Search {
     view_.clear(i);
     // i itself first, at home; then the larger labels that are near enough to it.
     for (const Sighting<m>& sighting : seen_) {
-      if (label_of<m>(sighting) == i && sighting.shift == Shift<m>{}) view_.add(sighting);
+      if (label_of<m>(sighting) == i && sighting.is_unmoved()) view_.add(sighting);
     }
     for (const Sighting<m>& sighting : seen_) {
       if (!(i < label_of<m>(sighting))) continue;

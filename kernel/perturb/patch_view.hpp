@@ -57,16 +57,32 @@ class PatchView {
   }
 
   [[nodiscard]] const Vector<Filter, m>& position(std::size_t at) const { return position_[at]; }
+  /// An enclosure; on the last rung exact, or where the family has no exact transitions the middle of the filter's
+  /// enclosure: good enough to choose by, and nothing may rest on it.
   template <class S>
   [[nodiscard]] Vector<S, m> position_in(std::size_t at) const {
     if constexpr (std::same_as<S, Filter>) {
       return position_[at];
     } else {
-      return atlas_->carry(chart_, seen_[at], points_->template coordinates<S>(label_of<m>(seen_[at])));
+      const auto carried = atlas_->carry(chart_, seen_[at], points_->template coordinates<S>(label_of<m>(seen_[at])));
+      if constexpr (std::same_as<S, Rational>) {
+        return carried ? *carried : middle_of(position_[at]);
+      } else {
+        return carried;
+      }
     }
   }
 
  private:
+  static Vector<Rational, m> middle_of(const Vector<Filter, m>& enclosure) {
+    Vector<Rational, m> result;
+    for (std::size_t axis = 0; axis < m; ++axis) {
+      result[axis] = (Rational::exactly(enclosure[axis].lower()) + Rational::exactly(enclosure[axis].upper())) *
+                     Rational::power_of_two(-1);
+    }
+    return result;
+  }
+
   const Atlas<m>* atlas_;
   const PointSet<m>* points_;
   Label chart_{0};

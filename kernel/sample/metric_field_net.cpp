@@ -188,7 +188,7 @@ class MetricFieldSampling {
     std::sort(seen.begin(), seen.end());
     std::vector<Vector<double, m>> result;
     for (const Lift<m>& lift : seen) {
-      if (lift.index == label && lift.shift == Shift<m>{}) continue;
+      if (lift.index == label && lift.is_unmoved()) continue;
       const auto place = applied_triangle(chart.matrix, offset(lift, points_[label]));
       if (pairing(place, place) <= square_of(reach * radius_)) result.push_back(place);
     }

@@ -20,7 +20,6 @@ namespace {
 /// same way in every copy, in others nearly always.
 constexpr double jitter = 0x1p-32;
 constexpr std::uint32_t most_displacements = 4;
-constexpr long separation_exponent = -20;
 /// ε is rounded up to this many binary digits: far less than the 0.1 % that it may exceed the covering radius by.
 constexpr long radius_digits = 30;
 
@@ -111,41 +110,9 @@ NetDensity<m> measure_density(const FlatSpace<m>& space, const PointSet<m>& net,
   return result;
 }
 
-template <int m>
-Rational measure_separation(const FlatAtlas<m>& atlas) {
-  const auto filter = atlas.metric().template on<Filter>();
-  const auto exact = atlas.metric().template on<Rational>();
-  const Rational squared_radius = square(atlas.sampling_radius());
-  const double distance = approximate_double(atlas.sampling_radius());
-  std::vector<Sighting<m>> seen;
-  Rational least = squared_radius;
-  const FilterGuard guard;
-  const Filter filter_squared_radius = scalar_from<Filter>(squared_radius);
-  for (std::uint32_t index = 0; index < atlas.size(); ++index) {
-    const Label i(index);
-    atlas.sightings(i, distance, seen);
-    for (const Sighting<m>& other : seen) {
-      if (other.index == index && other.shift == Shift<m>{}) continue;
-      const auto offset =
-          difference(atlas.carry(i, other, atlas.net().enclosure(label_of<m>(other))), atlas.net().enclosure(i));
-      if (is_proved(less_equal(filter_squared_radius, filter.squared_norm(offset)))) continue;
-      const auto exact_offset =
-          difference(atlas.carry(i, other, atlas.net().exact(label_of<m>(other))), atlas.net().exact(i));
-      const Rational squared = exact.squared_norm(exact_offset);
-      if (squared < least) least = squared;
-      if (squared < squared_radius * Rational::power_of_two(2 * separation_exponent)) {
-        throw InputError("labels " + std::to_string(index) + " and " + std::to_string(other.index) +
-                         " are points closer than 2^-20 times the sampling radius, or the same");
-      }
-    }
-  }
-  return rounded_down(square_root_lower(least / squared_radius, 40), separation_exponent);
-}
-
 #define DELCERT_INSTANTIATE(m)                                                                                       \
   template NetDensity<m> measure_density<m>(const FlatSpace<m>&, const PointSet<m>&, const std::optional<Rational>&, \
-                                            const Progress&);                                                        \
-  template Rational measure_separation<m>(const FlatAtlas<m>&);
+                                            const Progress&);
 DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
 #undef DELCERT_INSTANTIATE
 

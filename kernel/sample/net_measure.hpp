@@ -33,9 +33,4 @@ template <int m>
 [[nodiscard]] NetDensity<m> measure_density(const FlatSpace<m>& space, const PointSet<m>& net,
                                             const std::optional<Rational>& nominal, const Progress& progress);
 
-/// μ₀: the largest multiple of 2⁻²⁰ that is at most 1 with pairwise distances at least μ₀ε, in all lifts.
-/// Throws InputError naming the labels of points that coincide, or are closer than 2⁻²⁰ε.
-template <int m>
-[[nodiscard]] Rational measure_separation(const FlatAtlas<m>& atlas);
-
 }  // namespace delcert

@@ -64,9 +64,7 @@ bool SpaceFormPoints<m>::insert(const Vector<double, m>& coordinates, double lea
   points_.push_back(coordinates);
   grid_.insert({label, {}}, x);
   domain_.lifts().for_each_lift(x, [&](std::uint32_t number, const ModelPoint<Interval, m>& lift) {
-    Shift<m> shift{};
-    shift[0] = static_cast<std::int32_t>(number);
-    grid_.insert({label, shift}, lift);
+    grid_.insert({label, {}, number}, lift);
   });
   return true;
 }
@@ -82,7 +80,7 @@ void SpaceFormPoints<m>::look_about(std::uint32_t label, std::vector<Vector<doub
   around.clear();
   const auto home = frame(label);
   for (const Lift<m>& lift : seen) {
-    const auto number = static_cast<std::uint32_t>(lift.shift[0]);
+    const std::uint32_t number = lift.element;
     if (lift.index == label && number == 0) continue;
     auto x = domain_.point(points_[lift.index]);
     if (number != 0) x = applied(domain_.matrix(number), x);

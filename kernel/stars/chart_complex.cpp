@@ -123,7 +123,8 @@ StarAgreement ChartComplex<m>::agreement() const {
         concerned[label] = true;
         text += (label == missing.front() ? " " : ", ") + std::to_string(label);
       }
-      result.failures.push_back({Label(missing.front()), std::move(text), labels_of<m>(simplex)});
+      result.failures.push_back(
+          {Label(missing.front()), std::move(text), labels_of<m>(simplex), FailureCause::combinatorial});
     }
     first = last;
   }

@@ -23,7 +23,7 @@ std::vector<Label> labels_of(const ChartView<m>& view, const PlaceSimplex<m>& si
 template <int m>
 std::optional<std::uint32_t> home_of(const ChartView<m>& view, Label i) {
   for (std::uint32_t place = 0; place < view.size(); ++place) {
-    if (view.label(place) == i && view.sighting(place).shift == Shift<m>{}) return place;
+    if (view.label(place) == i && view.sighting(place).is_unmoved()) return place;
   }
   return std::nullopt;
 }
@@ -62,7 +62,7 @@ class StarCertification {
   void run() {
     const auto home = home_of<m>(view_, label_);
     if (!home) {
-      fail({label_}, "its own point is not in its patch");
+      fail({label_}, FailureCause::undecided, "its own point is not in its patch");
       return;
     }
     const auto simplices = proposed<m>(view_, *home);
@@ -81,21 +81,21 @@ class StarCertification {
       if (view_.label(place) != label_ && next < m) others[next++] = view_.sighting(place);
     }
     if (next < m || std::adjacent_find(labels.begin(), labels.end()) != labels.end()) {
-      fail(labels, simplex_text(labels) + " has a label twice");
+      fail(labels, FailureCause::combinatorial, simplex_text(labels) + " has a label twice");
       return;
     }
     result_.star.simplices.push_back(others);
     LocalMargins margins;
     std::size_t witness = view_.size();
-    if (const auto reason = chart_simplex_failure<m>(view_, simplex, required_protection_, margins, witness)) {
+    if (const auto failure = chart_simplex_failure<m>(view_, simplex, required_protection_, margins, witness)) {
       auto concerned = labels;
-      std::string text = simplex_text(labels) + " " + *reason;
+      std::string text = simplex_text(labels) + " " + failure->reason;
       if (witness < view_.size()) {
         blames_a_point_ = true;
         concerned.push_back(view_.label(witness));
         text += ": label " + std::to_string(view_.label(witness).value);
       }
-      fail(concerned, text);
+      fail(concerned, failure->cause, text);
     } else if (result_.star.simplices.size() == 1) {
       result_.margins = margins;
     } else {
@@ -105,7 +105,7 @@ class StarCertification {
 
   void check_facets() {
     if (result_.star.simplices.empty()) {
-      fail({label_}, "its star is empty");
+      fail({label_}, FailureCause::combinatorial, "its star is empty");
       return;
     }
     std::vector<std::array<std::uint32_t, static_cast<std::size_t>(m)>> faces;
@@ -126,15 +126,16 @@ class StarCertification {
       if (last - first != 2) {
         std::vector<Label> concerned{label_};
         for (std::size_t at = 0; at + 1 < m; ++at) concerned.emplace_back(faces[first][at]);
-        fail(concerned, "a face of its star is in " + std::to_string(last - first) + " simplices instead of 2");
+        fail(concerned, FailureCause::combinatorial,
+             "a face of its star is in " + std::to_string(last - first) + " simplices instead of 2");
         return;
       }
       first = last;
     }
   }
 
-  void fail(std::vector<Label> concerned, std::string reason) {
-    result_.failures.push_back({label_, std::move(reason), std::move(concerned)});
+  void fail(std::vector<Label> concerned, FailureCause cause, std::string reason) {
+    result_.failures.push_back({label_, std::move(reason), std::move(concerned), cause});
   }
 
   const ChartView<m>& view_;
@@ -164,16 +165,18 @@ std::string simplex_text(std::vector<Label> labels) {
 }
 
 template <int m>
-std::optional<std::string> chart_simplex_failure(const ChartView<m>& view, const PlaceSimplex<m>& simplex,
-                                                 double required_protection, LocalMargins& margins,
-                                                 std::size_t& witness, int look_beyond_part) {
+std::optional<SimplexFailure> chart_simplex_failure(const ChartView<m>& view, const PlaceSimplex<m>& simplex,
+                                                    double required_protection, LocalMargins& margins,
+                                                    std::size_t& witness, int look_beyond_part) {
+  const auto undecided = [](std::string reason) { return SimplexFailure{FailureCause::undecided, std::move(reason)}; };
   witness = view.size();
   const double look_beyond = approximate_double(view.atlas().sampling_radius(view.chart())) / look_beyond_part;
   const auto ball = look_at_ball<m>(view, LocalCoordinates::chart, simplex, look_beyond);
   if (!is_proved(ball.empty)) {
     witness = ball.witness;
-    if (witness == view.size()) return "cannot be told from a degenerate simplex";
-    return is_refuted(ball.empty) ? "has another point in its closed circumball" : "is undecided";
+    if (witness == view.size()) return undecided("cannot be told from a degenerate simplex");
+    if (!is_refuted(ball.empty)) return undecided("is undecided");
+    return SimplexFailure{FailureCause::occupied_ball, "has another point in its closed circumball"};
   }
   const double complete = view.complete_radius(LocalCoordinates::chart);
   const FilterGuard guard;
@@ -191,12 +194,12 @@ std::optional<std::string> chart_simplex_failure(const ChartView<m>& view, const
   for (std::size_t corner = 0; corner <= m; ++corner)
     vertices[corner] = view.position(LocalCoordinates::chart, simplex[corner]);
   margins.thickness = thickness_of<m>(metric, vertices);
-  if (!(room.lower() > 0)) return "has a circumball that does not lie in the patch";
-  if (!(margins.protection > 0)) return "has a protection too small for the filter";
-  if (!(margins.thickness > 0)) return "has a thickness too small for the filter";
+  if (!(room.lower() > 0)) return undecided("has a circumball that does not lie in the patch");
+  if (!(margins.protection > 0)) return undecided("has a protection too small for the filter");
+  if (!(margins.thickness > 0)) return undecided("has a thickness too small for the filter");
   if (!(margins.protection > required_protection)) {
     witness = ball.nearest;
-    return "is less protected than required";
+    return SimplexFailure{FailureCause::less_protected, "is less protected than required"};
   }
   return std::nullopt;
 }
@@ -217,10 +220,10 @@ CertifiedStar<m> chart_star(ChartView<m>& scratch, Label i, double required_prot
   return result;
 }
 
-#define DELCERT_INSTANTIATE(m)                                                                                      \
-  template CertifiedStar<m> chart_star<m>(ChartView<m>&, Label, double);                                            \
-  template std::optional<std::string> chart_simplex_failure<m>(const ChartView<m>&, const PlaceSimplex<m>&, double, \
-                                                               LocalMargins&, std::size_t&, int);
+#define DELCERT_INSTANTIATE(m)                                                                                         \
+  template CertifiedStar<m> chart_star<m>(ChartView<m>&, Label, double);                                               \
+  template std::optional<SimplexFailure> chart_simplex_failure<m>(const ChartView<m>&, const PlaceSimplex<m>&, double, \
+                                                                  LocalMargins&, std::size_t&, int);
 DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
 #undef DELCERT_INSTANTIATE
 

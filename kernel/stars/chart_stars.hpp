@@ -50,13 +50,20 @@ struct CertifiedStar {
 template <int m>
 [[nodiscard]] CertifiedStar<m> chart_star(ChartView<m>& scratch, Label i, double required_protection = 0);
 
-/// What is certified of one simplex of a view in the chart, added to `margins`; or why it is not, as text, with the
+/// Why a simplex is not certified.
+struct SimplexFailure {
+  FailureCause cause = FailureCause::undecided;
+  std::string reason;
+};
+
+/// What is certified of one simplex of a view in the chart, added to `margins`; or why it is not, with the
 /// place of a point that is to blame in `witness` (the size of the view for none). The protection is not looked for
 /// beyond a sampling radius divided by `look_beyond_part`.
 template <int m>
-[[nodiscard]] std::optional<std::string> chart_simplex_failure(const ChartView<m>& view, const PlaceSimplex<m>& simplex,
-                                                               double required_protection, LocalMargins& margins,
-                                                               std::size_t& witness, int look_beyond_part = 2);
+[[nodiscard]] std::optional<SimplexFailure> chart_simplex_failure(const ChartView<m>& view,
+                                                                  const PlaceSimplex<m>& simplex,
+                                                                  double required_protection, LocalMargins& margins,
+                                                                  std::size_t& witness, int look_beyond_part = 2);
 
 /// "simplex {1, 2, 3}".
 [[nodiscard]] std::string simplex_text(std::vector<Label> labels);

@@ -182,20 +182,11 @@ LocalBall<m> look_at_ball(const ChartView<m>& view, LocalCoordinates coordinates
     result.empty = Verdict::proved;
     return result;
   }
-  constexpr unsigned first_precision = 128;
-  constexpr unsigned last_precision = 1024;
-  for (unsigned bits = first_precision; bits <= last_precision && is_undecided(result.empty); bits *= 2) {
-    const BigInterval::Precision precision(PrecisionBits{bits});
-    result.empty = look.template above_filter<BigInterval>();
-  }
-  if (!is_undecided(result.empty)) {
-    ladder_statistics().count(Rung::big_interval);
-  } else if (view.atlas().has_exact_transitions()) {
-    result.empty = look.template above_filter<Rational>();
-    ladder_statistics().count(Rung::rational);
-  } else {
-    ++ladder_statistics().undecided;
-  }
+  Ladder ladder;
+  ladder.ask_in_bits(128, 1024, [&look] { return look.template above_filter<BigInterval>(); });
+  if (view.atlas().has_exact_transitions())
+    ladder.ask(Rung::rational, [&look] { return look.template above_filter<Rational>(); });
+  result.empty = ladder.finish();
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/manifold/lattice.hpp"
 #include "kernel/simplex/dimensions.hpp"
 #include "kernel/stars/approximate_sphere.hpp"
 #include "support/error.hpp"
@@ -92,6 +93,15 @@ std::pair<std::vector<LiftedSimplex<m>>, double> simplices_at_unit_cell(const Fr
   return result;
 }
 
+/// How large a coordinate of a vector of length 1 can be: large in a skewed basis.
+template <int m>
+double coordinate_of_a_unit(const FrameMetric<m>& metric) {
+  double result = 0;
+  for (std::size_t axis = 0; axis < m; ++axis)
+    result = std::max(result, std::sqrt(approximate_double(metric.inverse_diagonal(axis))));
+  return result;
+}
+
 }  // namespace
 
 template <int m>
@@ -114,15 +124,19 @@ std::vector<LiftedSimplex<m>> propose_delaunay(const FlatSpace<m>& space, const 
     std::sort(result.begin(), result.end());
     return result;
   }
-  double widest = 0;
-  for (std::size_t axis = 0; axis < m; ++axis) {
-    widest = std::max(widest, std::sqrt(approximate_double(space.metric.inverse_diagonal(axis))));
-  }
+  const double widest = coordinate_of_a_unit<m>(space.metric);
   for (double margin = 2.5 * usual_circumradius; margin * widest <= most_copies; margin *= 2) {
     auto [simplices, largest] =
         simplices_at_unit_cell<m>(space.metric, copies_around_unit_cell<m>(space.metric, points, margin));
     // A ball of radius R through a point of the cell lies within 2R of the cell: it has seen all the points it could.
     if (!simplices.empty() && 2 * largest <= margin) return simplices;
+  }
+  const Matrix<Rational, m> reduced = reduced_gram<m>(space.metric);
+  if (2 * coordinate_of_a_unit<m>(FrameMetric<m>(reduced)) < widest) {
+    throw InputError(
+        "the lattice basis is too skewed for a Delaunay triangulation of the torus: describe the same torus by a "
+        "reduced basis, " +
+        gram_text<m>(reduced));
   }
   throw Rejection("the points are too few, or too unevenly spread, for a Delaunay triangulation of the torus");
 }

@@ -20,7 +20,7 @@ template <int m>
 /// for the lifts; their number grows, from what the usual circumradius (> 0) asks for, until every proposed circumball
 /// is well inside.
 /// Throws Rejection when the points are too few for that, or span no m-simplex, InputError for coordinates of 2³⁰ or
-/// more.
+/// more, and for a lattice basis so skewed that copies do not reach; the message has a reduced one.
 template <int m>
 [[nodiscard]] std::vector<LiftedSimplex<m>> propose_delaunay(const FlatSpace<m>& space,
                                                              const std::vector<Vector<double, m>>& points,

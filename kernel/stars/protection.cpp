@@ -97,7 +97,12 @@ class Measurement {
   template <class S>
   Vector<S, m> position(const Lift<m>& lift) const {
     const Label label(lift.index);
-    return atlas_.carry(label, lift, points_.template coordinates<S>(label));
+    const auto carried = atlas_.carry(label, lift, points_.template coordinates<S>(label));
+    if constexpr (std::same_as<S, Rational>) {
+      return carried.value();
+    } else {
+      return carried;
+    }
   }
 
   /// Pushes the vertices in the given order of corners; proved if the simplex is certainly non-degenerate.
@@ -158,7 +163,7 @@ class Measurement {
     const auto& simplex = complex_.simplices()[at];
     const auto sphere = look_around(simplex);
     if (!std::isfinite(sphere.squared_radius) || !measure_shape(at) || !has_seen_enough(sphere)) {
-      fail(simplex, nullptr, "cannot be told from a degenerate simplex");
+      fail(simplex, nullptr, FailureCause::undecided, "cannot be told from a degenerate simplex");
       return;
     }
     measure_protection(at);
@@ -223,21 +228,26 @@ class Measurement {
       if (std::find(simplex.begin(), simplex.end(), lift) != simplex.end()) continue;
       const Verdict verdict = decide_power(simplex, lift, outside);
       if (is_proved(verdict)) continue;
-      fail(simplex, &lift, is_refuted(verdict) ? "has another point in its closed circumball" : "is undecided");
+      if (is_refuted(verdict)) {
+        fail(simplex, &lift, FailureCause::occupied_ball, "has another point in its closed circumball");
+      } else {
+        fail(simplex, &lift, FailureCause::undecided, "is undecided");
+      }
       return;
     }
-    fail(simplex, &nearest_, "has a protection too small for the filter");
+    fail(simplex, &nearest_, FailureCause::undecided, "has a protection too small for the filter");
   }
 
   void require(std::size_t at, const Rational& required) {
     if (Rational::exactly(lower_[at]) > required) return;
     if (const auto lift = less_protected(at, required)) {
-      fail(complex_.simplices()[at], &*lift, "is less protected than required");
+      fail(complex_.simplices()[at], &*lift, FailureCause::less_protected, "is less protected than required");
     }
   }
 
-  void fail(const LiftedSimplex<m>& simplex, const Lift<m>* other, const std::string& reason) {
+  void fail(const LiftedSimplex<m>& simplex, const Lift<m>* other, FailureCause cause, const std::string& reason) {
     StarFailure failure;
+    failure.cause = cause;
     failure.label = Label(simplex[0].index);
     failure.reason = "simplex {";
     for (std::size_t corner = 0; corner < corners<m>; ++corner) {

@@ -83,13 +83,13 @@ class ChartCheck {
     }
     LocalMargins margins;
     std::size_t witness = view_.size();
-    const auto reason = chart_simplex_failure<m>(view_, places, 0, margins, witness, look_beyond_part);
-    if (!reason) {
+    const auto failure = chart_simplex_failure<m>(view_, places, 0, margins, witness, look_beyond_part);
+    if (!failure) {
       reasons_.erase(labels);
       include(result_.margins, margins);
       return Outcome::certified;
     }
-    std::string text = simplex_text(std::vector<Label>(labels.begin(), labels.end())) + " " + *reason;
+    std::string text = simplex_text(std::vector<Label>(labels.begin(), labels.end())) + " " + failure->reason;
     const bool blames_a_point = witness < view_.size();
     if (blames_a_point) text += ": label " + std::to_string(view_.label(witness).value);
     reasons_[labels] = std::move(text);

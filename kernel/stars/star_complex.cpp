@@ -100,7 +100,8 @@ std::vector<StarFailure> StarComplex<m>::combinatorial_failures() const {
       if (simplex[corner].index == simplex[corner - 1].index) {
         failures.push_back({Label(simplex[corner].index),
                             "a simplex of its star has this vertex twice",
-                            {Label(simplex[corner].index)}});
+                            {Label(simplex[corner].index)},
+                            FailureCause::combinatorial});
       }
     }
   }
@@ -110,7 +111,7 @@ std::vector<StarFailure> StarComplex<m>::combinatorial_failures() const {
     if (!interior_[index]) continue;
     const auto simplices = star(i);
     if (simplices.empty()) {
-      failures.push_back({i, "its star is empty", {i}});
+      failures.push_back({i, "its star is empty", {i}, FailureCause::combinatorial});
       continue;
     }
     // The faces of dimension m−1 that contain i: its m−1 other labels.
@@ -126,8 +127,10 @@ std::vector<StarFailure> StarComplex<m>::combinatorial_failures() const {
       std::size_t last = first;
       while (last < faces.size() && faces[last] == faces[first]) ++last;
       if (last - first != 2) {
-        StarFailure failure{
-            i, "a face of its star is in " + std::to_string(last - first) + " simplices instead of 2", {i}};
+        StarFailure failure{i,
+                            "a face of its star is in " + std::to_string(last - first) + " simplices instead of 2",
+                            {i},
+                            FailureCause::combinatorial};
         for (const auto label : faces[first]) failure.concerned.emplace_back(label);
         failures.push_back(failure);
         break;

@@ -8,11 +8,20 @@
 
 namespace delcert {
 
+/// What is wrong with a star.
+enum class FailureCause : unsigned char {
+  undecided,       ///< a decision was left open, or too little was seen: the star may be right
+  occupied_ball,   ///< the closed circumball of a simplex has another point in it: shown, not only not refuted
+  less_protected,  ///< a simplex is less protected than required, or not certainly as much
+  combinatorial,   ///< no simplices, labels twice, faces in other than two simplices, stars that disagree
+};
+
 /// Why a star is not certified.
 struct StarFailure {
   Label label;
-  std::string reason;
+  std::string reason;            ///< for people
   std::vector<Label> concerned;  ///< the points that it lies with
+  FailureCause cause = FailureCause::undecided;
 };
 
 /// All points that failures lie with, each once, in increasing order.

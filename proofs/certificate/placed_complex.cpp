@@ -238,8 +238,7 @@ PlacedComplex<m> placed_complex(const SpaceFormAtlas<m>& atlas, const ChartCompl
     PlacedSimplex<m>& placed = result.simplices.emplace_back();
     for (std::size_t corner = 0; corner <= m; ++corner) {
       placed[corner] = simplex[corner].index;
-      if (corner > 0)
-        placed[m + corner] = words.number_of(atlas.elements()[static_cast<std::size_t>(simplex[corner].shift[0])]);
+      if (corner > 0) placed[m + corner] = words.number_of(atlas.elements()[simplex[corner].element]);
     }
   }
   for (const auto& word : words.words()) result.elements.emplace_back(word.begin(), word.end());
@@ -264,7 +263,7 @@ PlacedComplex<m> placed_complex(const MetricFieldAtlas<m>&, const ChartComplex<m
   template PlacedComplex<m> placed_complex<m>(const FlatAtlas<m>&, const PointSet<m>&, const StarComplex<m>&);
 DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
 #undef DELCERT_INSTANTIATE
-#define DELCERT_INSTANTIATE(m)                                                                       \
+#define DELCERT_INSTANTIATE(m)                                                                   \
   template PlacedComplex<m> placed_complex<m>(const SpaceFormAtlas<m>&, const ChartComplex<m>&); \
   template PlacedComplex<m> placed_complex<m>(const MetricFieldAtlas<m>&, const ChartComplex<m>&);
 DELCERT_INSTANTIATE(2)

@@ -44,6 +44,12 @@ RunParameters parameters_for(Dimension dimension, const Rational& separation, co
   result.algorithm.candidates = choice.candidates;
   result.algorithm.seed = choice.seed;
   result.algorithm.circumradius_bound = Rational(2);
+  result.algorithm.clearance = choice.clearance.value_or(Rational(0));
+  result.algorithm.choices = choice.choices.value_or(1);
+  if (result.algorithm.clearance < Rational(0) || result.algorithm.clearance >= Rational(1)) {
+    throw InputError("clearance " + exact_text(result.algorithm.clearance) + " is not in [0, 1)");
+  }
+  if (result.algorithm.choices == 0) throw InputError("choices: 0 is not at least 1");
   if (choice.mode == RunMode::measured) {
     result.algorithm.tolerance = choice.tolerance.value_or(default_tolerance(dimension));
     if (result.algorithm.tolerance <= Rational(0) || result.algorithm.tolerance >= perturbation) {

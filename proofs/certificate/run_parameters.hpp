@@ -31,6 +31,9 @@ struct ParameterChoice {
   RunMode mode = RunMode::theory;
   std::optional<Rational> perturbation;  ///< ρ₀; by default μ₀/4
   std::optional<Rational> tolerance;     ///< measured mode only; by default one per dimension
+  /// The second tolerance and the number of tries of `PerturbationParameters`; by default those of the family.
+  std::optional<Rational> clearance;
+  std::optional<std::uint32_t> choices;
   CandidateRule candidates = CandidateRule::pruned;
   std::uint64_t seed = 0;
 };

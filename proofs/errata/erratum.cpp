@@ -7,8 +7,9 @@
 #include <tuple>
 
 #include "proofs/errata/builtin_errata.hpp"
-#include "proofs/formula/toml_reader.hpp"
 #include "support/error.hpp"
+#include "support/spelling.hpp"
+#include "support/toml_reader.hpp"
 
 namespace delcert {
 

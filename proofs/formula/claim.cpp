@@ -1,14 +1,12 @@
 #include "proofs/formula/claim.hpp"
 
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <fstream>
 
 #include "proofs/formula/formula_error.hpp"
+#include "proofs/formula/formula_reader.hpp"
 #include "proofs/formula/step_reader.hpp"
 #include "proofs/formula/token.hpp"
-#include "proofs/formula/toml_reader.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
@@ -17,10 +15,10 @@ namespace {
 
 constexpr std::size_t largest_claim_file = std::size_t{1} << 20U;
 
-class ClaimReader : TomlReader {
+class ClaimReader : FormulaReader {
  public:
   ClaimReader(const std::string& text, std::string file, const Vocabulary& vocabulary, const Signatures& signatures)
-      : TomlReader(text, std::move(file)), vocabulary_(vocabulary), signatures_(signatures) {}
+      : FormulaReader(text, std::move(file)), vocabulary_(vocabulary), signatures_(signatures) {}
 
   Claim read() {
     const toml::table table = parse();

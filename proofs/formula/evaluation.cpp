@@ -431,31 +431,24 @@ template class Evaluation<Algebraic>;
 
 Verdict decide_statement(const Expression& statement, Scene& scene) {
   const auto truth = [&]<class S>() { return Evaluation<S>(scene).truth(statement); };
-  Verdict verdict = Verdict::undecided;
-  const auto settles = [&](Rung rung, Verdict found) {
-    verdict = found;
-    if (!is_undecided(found)) ladder_statistics().count(rung);
-    return !is_undecided(found);
-  };
+  const auto in_intervals = [&] { return truth.template operator()<BigInterval>(); };
+  Ladder ladder;
   {
     const RoundingGuard guard;
-    if (settles(Rung::interval, truth.template operator()<Interval>())) return verdict;
+    ladder.ask(Rung::interval, [&] { return truth.template operator()<Interval>(); });
   }
-  for (unsigned bits = first_precision; bits <= last_precision; bits *= 2) {
-    {
-      const BigInterval::Precision precision(PrecisionBits{bits});
-      if (settles(Rung::big_interval, truth.template operator()<BigInterval>())) return verdict;
+  ladder.ask_in_bits(first_precision, first_precision, in_intervals);
+  // Most of what 128 bits cannot tell is a tie.
+  ladder.ask(Rung::rational, [&] { return truth.template operator()<Surd>(); });
+  ladder.ask_in_bits(2 * first_precision, last_precision, in_intervals);
+  ladder.ask(Rung::algebraic, [&] {
+    try {
+      return truth.template operator()<Algebraic>();
+    } catch (const Algebraic::TooLarge&) {
+      return Verdict::undecided;  // like a predicate that gives up
     }
-    // Most of what 128 bits cannot tell is a tie.
-    if (bits == first_precision && settles(Rung::rational, truth.template operator()<Surd>())) return verdict;
-  }
-  try {
-    if (settles(Rung::algebraic, truth.template operator()<Algebraic>())) return verdict;
-  } catch (const Algebraic::TooLarge&) {
-    // Undecided, like a predicate that gives up.
-  }
-  ++ladder_statistics().undecided;
-  return verdict;
+  });
+  return ladder.finish();
 }
 
 std::optional<DoubleBounds> ratio_bounds(const Expression& statement, Scene& scene, bool sharp) {

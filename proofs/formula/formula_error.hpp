@@ -1,11 +1,10 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
-#include <string_view>
 
 #include "support/error.hpp"
+#include "support/spelling.hpp"
 
 namespace delcert {
 
@@ -20,33 +19,5 @@ class FormulaError : public InputError {
  private:
   std::size_t offset_;
 };
-
-/// ", did you mean x?" for the candidate that is nearest to the word, empty if none is near or the word is longer than
-/// any that we use.
-template <class Words>
-[[nodiscard]] std::string suggestion(std::string_view word, const Words& candidates);
-
-/// A text of a user for messages: on one line, without control characters, at most 60 bytes, never half a character.
-[[nodiscard]] std::string shortened(std::string_view text);
-
-/// The number of characters to insert, delete or replace to make one word of the other.
-[[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
-
-template <class Words>
-std::string suggestion(std::string_view word, const Words& candidates) {
-  constexpr std::size_t longest = 64;
-  if (word.size() > longest) return "";
-  std::string best;
-  // A word of which nothing would be left is no guess.
-  std::size_t least = std::min(word.size() / 3 + 2, word.size());
-  for (const std::string& candidate : candidates) {
-    const std::size_t distance = edit_distance(word, candidate);
-    if (distance < least) {
-      least = distance;
-      best = candidate;
-    }
-  }
-  return best.empty() ? "" : ", did you mean " + best + "?";
-}
 
 }  // namespace delcert

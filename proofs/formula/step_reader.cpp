@@ -37,7 +37,7 @@ bool is_list_of_lines(std::string_view text) {
 
 class StepReader {
  public:
-  StepReader(const TomlReader& reader, const toml::table& table, const Vocabulary& vocabulary)
+  StepReader(const FormulaReader& reader, const toml::table& table, const Vocabulary& vocabulary)
       : reader_(reader), table_(table), vocabulary_(vocabulary) {}
 
   Step read(ClaimStatus status_of_file) {
@@ -194,7 +194,7 @@ class StepReader {
     }
   }
 
-  const TomlReader& reader_;
+  const FormulaReader& reader_;
   const toml::table& table_;
   const Vocabulary& vocabulary_;
   Signature signature_;
@@ -203,7 +203,7 @@ class StepReader {
 
 }  // namespace
 
-std::vector<Step> read_steps(const TomlReader& reader, const toml::table& claim, ClaimStatus status,
+std::vector<Step> read_steps(const FormulaReader& reader, const toml::table& claim, ClaimStatus status,
                              const Vocabulary& vocabulary) {
   std::vector<Step> steps;
   const toml::array* all = reader.list(claim, "step");

@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "kernel/number/exact_text.hpp"
-#include "proofs/formula/toml_reader.hpp"
 #include "support/error.hpp"
+#include "support/toml_reader.hpp"
 
 namespace delcert {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "kernel/manifold/any_manifold.hpp"
 #include "kernel/manifold/builtin_manifolds.hpp"
-#include "kernel/manifold/manifold_file.hpp"
 #include "kernel/simplex/circumsphere.hpp"
 #include "kernel/simplex/edges.hpp"
 #include "properties/instances/pair_image.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "kernel/manifold/manifold_file.hpp"
+#include "kernel/manifold/any_manifold.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "kernel/number/ladder.hpp"
 #include "kernel/simplex/gram_elimination.hpp"

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "kernel/manifold/any_manifold.hpp"
 #include "kernel/manifold/flat_space.hpp"
 #include "kernel/manifold/input_check.hpp"
 #include "kernel/number/exact_text.hpp"
@@ -9,6 +10,7 @@
 #include "kernel/sample/lattice_net.hpp"
 #include "kernel/sample/net_measure.hpp"
 #include "kernel/sample/poisson_disk.hpp"
+#include "kernel/sample/separation.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
@@ -30,7 +32,7 @@ std::vector<Rational> squared_edges_of(const FlatAtlas<m>& atlas, const PointSet
   const auto metric = atlas.metric().template on<Rational>();
   const auto position = [&](std::size_t at) {
     const Label label(simplex[at].index);
-    return atlas.carry(label, simplex[at], points.exact(label));
+    return atlas.carry(label, simplex[at], points.exact(label)).value();
   };
   std::vector<Rational> result;
   for (std::size_t i = 0; i < simplex.size(); ++i) {
@@ -45,7 +47,7 @@ std::vector<Rational> squared_edges_of(const FlatAtlas<m>& atlas, const PointSet
 Verdict stars_verdict(bool certified, const ProtectionReport& report) {
   if (certified) return Verdict::proved;
   for (const StarFailure& failure : report.failures) {
-    if (failure.reason.find("has another point in its closed circumball") != std::string::npos) return Verdict::refuted;
+    if (failure.cause == FailureCause::occupied_ball) return Verdict::refuted;
   }
   return Verdict::undecided;
 }

@@ -122,17 +122,13 @@ void add_numbers(Vocabulary& vocabulary) {
       "\\operatorname{sep}(#1)", []<class S>(Evaluation<S>&, Arguments<S> a) -> Partial<S> {
         return between<S>(run_of(a[0]).distance_lower(), run_of(a[0]).distance_upper());
       }));
-  vocabulary.add({"euler_characteristic",
-                  {types::run},
-                  types::integer,
-                  "Of the complex of a run; of one that is no manifold -1000000.",
-                  "\\chi(#1)",
-                  false,
-                  ItemFunction([](std::span<const Item> a) {
-                    constexpr long none = -1000000;
-                    const auto& manifold = object_of<RunObject>(a[0]).claims().manifold;
-                    return Item(manifold ? manifold->euler_characteristic : none);
-                  })});
+  vocabulary.add(number_function("euler_characteristic", {types::run},
+                                 "Of the complex of a run, where it is certified to be a manifold.", "\\chi(#1)",
+                                 []<class S>(Evaluation<S>&, Arguments<S> a) -> Partial<S> {
+                                   const auto& manifold = run_of(a[0]).claims().manifold;
+                                   if (!manifold) return Partial<S>::absent(reached(run_of(a[0]), false));
+                                   return scalar_from<S>(Rational(manifold->euler_characteristic));
+                                 }));
 }
 
 }  // namespace

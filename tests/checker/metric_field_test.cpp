@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "kernel/sample/separation.hpp"
 #include "tests/checker/support/forgeries.hpp"
 #include "tests/checker/support/metric_field_documents.hpp"
 

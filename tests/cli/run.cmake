@@ -22,6 +22,7 @@ delcert_run_test(square-lattice-displaced --manifold torus-2 --lattice 20 --disp
 delcert_run_test(hexagonal-lattice --manifold torus-2-hexagonal --lattice 20 --mode measured LEVELS "${all}")
 delcert_run_test(whole --manifold torus-2-hexagonal --lattice 15 --candidates whole LEVELS "${all}")
 delcert_run_test(printed --manifold torus-2-hexagonal --lattice 15 --candidates printed LEVELS "${all}")
+delcert_run_test(best-of-many --manifold torus-2 --radius 1/24 --seed 1 --clearance 1/20 --choices 20 LEVELS "${all}")
 delcert_run_test(disk --manifold disk --radius 1/12 --seed 1 LEVELS "${ball}")
 delcert_run_test(ball-lattice --manifold disk --lattice 12 --seed 1 LEVELS "${ball}")
 delcert_run_test(torus-3 --manifold torus-3 --radius 1/24 --seed 1 LEVELS "${all}")
@@ -47,6 +48,15 @@ delcert_cli_test(certify-perturbation-too-large STATUS 3 OUTPUT "^$" ERROR "pert
   COMMAND ${delcert} certify --manifold torus-2 --radius 1/24 --perturbation 1/2 --output never.json)
 delcert_cli_test(certify-without-net STATUS 3 OUTPUT "^$" ERROR "give --radius, --lattice or --points"
   COMMAND ${delcert} certify --manifold torus-2 --output never.json)
+delcert_cli_test(certify-clearance-too-large STATUS 3 OUTPUT "^$" ERROR "clearance 1 is not in"
+  COMMAND ${delcert} certify --manifold torus-2 --radius 1/24 --clearance 1 --output never.json)
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/very-skewed.toml
+  "name = \"very-skewed\"\nfamily = \"flat-torus\"\ndimension = 2\nbasis = [[1, 0], [1000, 1]]\n")
+delcert_cli_test(certify-skewed-basis STATUS 3 OUTPUT "^$" ERROR "too skewed.*a reduced basis, gram = "
+  COMMAND ${delcert} certify --manifold very-skewed.toml --radius 1/24 --output never.json)
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/misspelt.toml "name = \"x\"\nfamily = \"space-from\"\ndimension = 2\n")
+delcert_cli_test(certify-misspelt-family STATUS 3 OUTPUT "^$" ERROR "misspelt.toml:2:10: key .family.*did you mean space-form"
+  COMMAND ${delcert} certify --manifold misspelt.toml --radius 1/24 --output never.json)
 delcert_cli_test(certify-unknown-level STATUS 64 OUTPUT "^$" ERROR "7"
   COMMAND ${delcert} certify --manifold torus-2 --radius 1/24 --levels 0,7 --output never.json)
 delcert_cli_test(certify-no-such-folder STATUS 3 OUTPUT "^$" ERROR "no-such-folder"

@@ -6,10 +6,12 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/manifold/any_manifold.hpp"
 #include "kernel/manifold/flat_space.hpp"
 #include "kernel/run/run.hpp"
 #include "kernel/sample/net_measure.hpp"
 #include "kernel/sample/poisson_disk.hpp"
+#include "kernel/sample/separation.hpp"
 #include "proofs/certificate/run_parameters.hpp"
 
 // Certified runs for other software to look at.

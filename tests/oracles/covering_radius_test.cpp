@@ -4,6 +4,7 @@
 #include <CGAL/Gmpq.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include "kernel/manifold/any_manifold.hpp"
 #include "kernel/manifold/flat_space.hpp"
 #include "kernel/sample/net_measure.hpp"
 #include "kernel/sample/poisson_disk.hpp"

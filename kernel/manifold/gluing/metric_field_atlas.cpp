@@ -164,8 +164,8 @@ Vector<BigInterval, m> MetricFieldAtlas<m>::carry(Label i, const Sighting<m>& se
 }
 
 template <int m>
-Vector<Rational, m> MetricFieldAtlas<m>::carry(Label i, const Sighting<m>& seen,
-                                               const Vector<Rational, m>& home) const {
+std::optional<Vector<Rational, m>> MetricFieldAtlas<m>::carry(Label i, const Sighting<m>& seen,
+                                                              const Vector<Rational, m>& home) const {
   return carried<Rational>(i, seen, home, chart(i).matrix(), charts_[seen.index].inverse());
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "kernel/chart/atlas.hpp"
@@ -54,8 +55,8 @@ class MetricFieldAtlas final : public Atlas<m> {
   [[nodiscard]] Vector<Filter, m> carry(Label i, const Sighting<m>& seen, const Vector<Filter, m>& home) const override;
   [[nodiscard]] Vector<BigInterval, m> carry(Label i, const Sighting<m>& seen,
                                              const Vector<BigInterval, m>& home) const override;
-  [[nodiscard]] Vector<Rational, m> carry(Label i, const Sighting<m>& seen,
-                                          const Vector<Rational, m>& home) const override;
+  [[nodiscard]] std::optional<Vector<Rational, m>> carry(Label i, const Sighting<m>& seen,
+                                                         const Vector<Rational, m>& home) const override;
   [[nodiscard]] bool has_exact_transitions() const override { return true; }
 
  private:

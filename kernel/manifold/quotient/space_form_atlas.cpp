@@ -94,9 +94,7 @@ void SpaceFormAtlas<m>::fill_grid() {
     first_lift_frame_.push_back(lift_frames_.size());
     grid_.insert({label, {}}, frames_[label].point());
     lifts_.for_each_lift(frames_[label].point(), [&](std::uint32_t number, const ModelPoint<Interval, m>& x) {
-      Shift<m> shift{};
-      shift[0] = static_cast<std::int32_t>(number);
-      grid_.insert({label, shift}, x);
+      grid_.insert({label, {}, number}, x);
       if (curvature() != Curvature::negative) return;
       const auto frame = model_frame<BigInterval, m>(curvature(), on_rung<BigInterval>(centres_[label]));
       lift_frames_.push_back({number, in_doubles<m>(delcert::product(table.big_matrix(number), frame))});
@@ -118,7 +116,7 @@ template <int m>
 ModelPoint<Interval, m> SpaceFormAtlas<m>::enclosed_lift(const Sighting<m>& seen,
                                                          const Vector<Interval, m>& home) const {
   const auto x = exponential<Interval, m>(curvature(), home);
-  const auto number = static_cast<std::uint32_t>(seen.shift[0]);
+  const std::uint32_t number = seen.element;
   if (number == 0) return frames_[seen.index].applied(x);
   if (const auto* frame = lift_frame(seen.index, number)) return applied(*frame, x);
   return applied(lifts_.table().matrix(number), frames_[seen.index].applied(x));
@@ -140,7 +138,7 @@ ModelPoint<S, m> SpaceFormAtlas<m>::lift(const Sighting<m>& seen, const Vector<S
   } else {
     const auto x = exponential<S, m>(curvature(), home);
     const auto moved = Frame<S, m>(curvature(), on_rung<S>(centres_[seen.index])).applied(x);
-    const auto number = static_cast<std::uint32_t>(seen.shift[0]);
+    const std::uint32_t number = seen.element;
     return number == 0 ? moved : applied(lifts_.table().big_matrix(number), moved);
   }
 }
@@ -199,7 +197,7 @@ Vector<BigInterval, m> SpaceFormAtlas<m>::carry(Label i, const Sighting<m>& seen
 template <int m>
 Vector<Rational, m> SpaceFormAtlas<m>::exactly_carried(Label i, const Sighting<m>& seen,
                                                        const Vector<Rational, m>& home) const {
-  const FieldMatrix& element = elements()[static_cast<std::uint32_t>(seen.shift[0])];
+  const FieldMatrix& element = elements()[seen.element];
   const auto x = sum(centres_[seen.index], home);
   Vector<Rational, m> result;
   for (std::size_t row = 0; row < m; ++row) {
@@ -211,16 +209,10 @@ Vector<Rational, m> SpaceFormAtlas<m>::exactly_carried(Label i, const Sighting<m
 }
 
 template <int m>
-Vector<Rational, m> SpaceFormAtlas<m>::carry(Label i, const Sighting<m>& seen, const Vector<Rational, m>& home) const {
-  if (has_exact_transitions()) return exactly_carried(i, seen, home);
-  const RoundingGuard guard;
-  const auto enclosure = enclosed_in_chart(i, enclosed_lift(seen, on_rung<Interval>(home)));
-  Vector<Rational, m> result;
-  for (std::size_t axis = 0; axis < m; ++axis) {
-    const Rational ends = Rational::exactly(enclosure[axis].lower()) + Rational::exactly(enclosure[axis].upper());
-    result[axis] = ends * Rational::power_of_two(-1);
-  }
-  return result;
+std::optional<Vector<Rational, m>> SpaceFormAtlas<m>::carry(Label i, const Sighting<m>& seen,
+                                                            const Vector<Rational, m>& home) const {
+  if (!has_exact_transitions()) return std::nullopt;
+  return exactly_carried(i, seen, home);
 }
 
 #define DELCERT_INSTANTIATE(m)                                                                                   \

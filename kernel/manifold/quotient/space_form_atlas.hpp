@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "kernel/chart/atlas.hpp"
@@ -13,8 +14,8 @@ namespace delcert {
 /// which its exact conformal coordinates give (for curvature 0: coordinates of the frame of the Gram matrix). Home
 /// coordinates of a label are tangent vectors at p̂_i; p_i itself is 0 there.
 ///
-/// The shift of a sighting is (number, 0 … 0): the position of a group element γ in `elements`; the label j is seen at
-/// γp̂_j. So k seen from j through γ′, where i sees j through γ, is seen from i through γγ′.
+/// The element of a sighting is the position of a group element γ in `elements`; the label j is seen at γp̂_j. So k seen
+/// from j through γ′, where i sees j through γ, is seen from i through γγ′.
 ///
 /// Enclosures on the filter are some 10⁻¹⁵ wide in absolute terms (docs/space-forms.md has a table): for curvature 0
 /// and 1 entries of matrices are at most 1, or small integers; for curvature −1 widths grow with cosh² of the distances
@@ -70,8 +71,8 @@ class SpaceFormAtlas final : public Atlas<m> {
   [[nodiscard]] Vector<Filter, m> carry(Label i, const Sighting<m>& seen, const Vector<Filter, m>& home) const override;
   [[nodiscard]] Vector<BigInterval, m> carry(Label i, const Sighting<m>& seen,
                                              const Vector<BigInterval, m>& home) const override;
-  [[nodiscard]] Vector<Rational, m> carry(Label i, const Sighting<m>& seen,
-                                          const Vector<Rational, m>& home) const override;
+  [[nodiscard]] std::optional<Vector<Rational, m>> carry(Label i, const Sighting<m>& seen,
+                                                         const Vector<Rational, m>& home) const override;
   /// For curvature 0.
   [[nodiscard]] bool has_exact_transitions() const override { return curvature() == Curvature::zero; }
 

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "kernel/number/exact_text.hpp"
+#include "kernel/sample/separation.hpp"
 #include "tests/checker/support/certificate_text.hpp"
 #include "tests/checker/support/run_checker.hpp"
 #include "tests/proofs/certificate/metric_field_run.hpp"

@@ -1,5 +1,6 @@
 #include "kernel/manifold/flat_space.hpp"
 
+#include "kernel/manifold/any_manifold.hpp"
 #include "kernel/manifold/builtin_manifolds.hpp"
 #include "tests/kernel/manifold/exhaustive.hpp"
 

@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <type_traits>
 #include <vector>
+
+#include "kernel/number/algebraic.hpp"
 
 namespace delcert {
 namespace DELCERT_THIS_FILE {
@@ -79,12 +82,24 @@ TEST(Ladder, ends_on_the_first_rung_that_is_sure) {
   expect_settled(counted([] { EXPECT_EQ(decide(Tie{}), Verdict::refuted); }), Rung::rational);
 }
 
+/// As statements of claims climb: with roots.
+Verdict decide_with_roots(const auto& predicate) {
+  Ladder ladder;
+  {
+    const FilterGuard guard;
+    ladder.ask(Rung::interval, [&] { return predicate.template operator()<Filter>(); });
+  }
+  ladder.ask_in_bits(128, 4096, [&] { return predicate.template operator()<BigInterval>(); });
+  ladder.ask(Rung::algebraic, [&] { return predicate.template operator()<Algebraic>(); });
+  return ladder.finish();
+}
+
 TEST(Ladder, with_roots_ends_on_the_first_rung_that_is_sure) {
-  expect_settled(counted([] { EXPECT_EQ(decide_algebraic(RootTie{10}), Verdict::proved); }), Rung::interval);
+  expect_settled(counted([] { EXPECT_EQ(decide_with_roots(RootTie{10}), Verdict::proved); }), Rung::interval);
   for (const long k : {60L, 200L, 1000L, 4000L})
-    expect_settled(counted([k] { EXPECT_EQ(decide_algebraic(RootTie{k}), Verdict::proved); }), Rung::big_interval);
-  expect_settled(counted([] { EXPECT_EQ(decide_algebraic(RootTie{5000}), Verdict::proved); }), Rung::algebraic);
-  expect_settled(counted([] { EXPECT_EQ(decide_algebraic(RootTie{}), Verdict::refuted); }), Rung::algebraic);
+    expect_settled(counted([k] { EXPECT_EQ(decide_with_roots(RootTie{k}), Verdict::proved); }), Rung::big_interval);
+  expect_settled(counted([] { EXPECT_EQ(decide_with_roots(RootTie{5000}), Verdict::proved); }), Rung::algebraic);
+  expect_settled(counted([] { EXPECT_EQ(decide_with_roots(RootTie{}), Verdict::refuted); }), Rung::algebraic);
 }
 
 TEST(Ladder, climbs_in_order_and_admits_when_no_rung_was_sure) {
@@ -96,7 +111,7 @@ TEST(Ladder, climbs_in_order_and_admits_when_no_rung_was_sure) {
 
   asked.clear();
   const LadderStatistics algebraic =
-      counted([&] { EXPECT_EQ(decide_algebraic(Reluctant{&asked}), Verdict::undecided); });
+      counted([&] { EXPECT_EQ(decide_with_roots(Reluctant{&asked}), Verdict::undecided); });
   EXPECT_EQ(asked, (std::vector<std::string>{"filter", "128", "256", "512", "1024", "2048", "4096", "algebraic"}));
   EXPECT_EQ(algebraic.undecided, 1U);
   EXPECT_EQ(algebraic.total(), 1U);
@@ -104,31 +119,19 @@ TEST(Ladder, climbs_in_order_and_admits_when_no_rung_was_sure) {
   asked.clear();
   EXPECT_EQ(decide_above_filter(Reluctant{&asked}), Verdict::undecided);
   EXPECT_EQ(asked, (std::vector<std::string>{"128", "rational"}));
-  asked.clear();
-  EXPECT_EQ(decide_algebraic_above_filter(Reluctant{&asked}), Verdict::undecided);
-  EXPECT_EQ(asked.front(), "128");
-  EXPECT_EQ(asked.back(), "algebraic");
 }
 
-/// A sum of more square roots than the algebraic rung takes on, compared with itself.
-struct TooManyRoots {
-  template <class S>
-  Verdict operator()() const {
-    S sum(0);
-    for (const int prime : {2, 3, 5, 7, 11, 13, 17, 19, 23}) sum += square_root(S(prime));
-    return less(sum, sum);
-  }
-};
-
-TEST(Ladder, a_degree_beyond_the_limit_is_undecided_not_true_and_not_false) {
-  const LadderStatistics statistics = counted([] { EXPECT_EQ(decide_algebraic(TooManyRoots{}), Verdict::undecided); });
-  EXPECT_EQ(statistics.undecided, 1U);
-  EXPECT_EQ(statistics.total(), 1U);
+TEST(Ladder, asks_no_further_once_a_rung_was_sure) {
+  Ladder ladder;
+  EXPECT_FALSE(ladder.ask(Rung::interval, [] { return Verdict::undecided; }));
+  EXPECT_TRUE(ladder.ask_in_bits(128, 256, [] { return Verdict::refuted; }));
+  EXPECT_TRUE(ladder.ask(Rung::rational, []() -> Verdict { throw std::logic_error("asked again"); }));
+  EXPECT_EQ(ladder.finish(), Verdict::refuted);
 }
 
 TEST(Ladder, leaves_rounding_mode_and_precision_as_they_were) {
   const BigInterval::Precision precision(PrecisionBits{77});
-  EXPECT_EQ(decide_algebraic(RootTie{}), Verdict::refuted);
+  EXPECT_EQ(decide_with_roots(RootTie{}), Verdict::refuted);
   EXPECT_EQ(decide(Tie{}), Verdict::refuted);
   EXPECT_EQ(BigInterval::working_precision(), PrecisionBits{77});
   volatile double one = 1;
@@ -157,7 +160,6 @@ TEST(Ladder, agrees_with_exact_arithmetic_on_points_at_and_beside_a_circle) {
       const Rational shrink = Rational(1) - Rational::power_of_two(-k);
       EXPECT_EQ(decide(InCircle{x * shrink, y * shrink}), Verdict::proved) << t << " " << k;
       EXPECT_EQ(decide(InCircle{x / shrink, y / shrink}), Verdict::refuted) << t << " " << k;
-      EXPECT_EQ(decide_algebraic(InCircle{x * shrink, y * shrink}), Verdict::proved) << t << " " << k;
     }
   }
 }

@@ -2,8 +2,8 @@
 
 #include "kernel/manifold/space_form_file.hpp"
 #include "kernel/parallel/threads.hpp"
+#include "kernel/sample/separation.hpp"
 #include "kernel/sample/space_form_net.hpp"
-#include "kernel/sample/space_form_separation.hpp"
 #include "kernel/stars/stable_stars.hpp"
 #include "kernel/theorems/piecewise_flat.hpp"
 #include "kernel/theorems/riemannian_simplices.hpp"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "kernel/sample/metric_field_separation.hpp"
+#include "kernel/sample/separation.hpp"
 #include "tests/kernel/manifold/gluing/samples.hpp"
 
 namespace delcert::test {

@@ -32,7 +32,7 @@ void expect_maximal(const std::string& name, const Rational& radius, double leas
   for (std::uint32_t i = 0; i < atlas.size(); ++i) {
     atlas.sightings(Label(i), 1.5 * r, seen);
     for (const auto& other : seen) {
-      if (other.index == i && other.shift[0] == 0) continue;
+      if (other.index == i && other.element == 0) continue;
       const auto x = atlas.carry(Label(i), other, Vector<Filter, m>{});
       EXPECT_TRUE(is_proved(less(scalar_from<Interval>(least), metric.squared_norm(x))));
     }

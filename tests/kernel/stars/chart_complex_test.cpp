@@ -54,6 +54,7 @@ TEST(ChartComplex, names_stars_that_disagree) {
   EXPECT_EQ(agreement.labels, std::vector<Label>{Label(2)});
   ASSERT_EQ(agreement.failures.size(), 1U);
   EXPECT_EQ(agreement.failures[0].label, Label(2));
+  EXPECT_EQ(agreement.failures[0].cause, FailureCause::combinatorial);
   EXPECT_EQ(agreement.failures[0].reason, "simplex {0, 2, 4} is in the star of label 0 but not of 2");
   EXPECT_EQ(agreement.failures[0].concerned, (std::vector<Label>{Label(0), Label(2), Label(4)}));
 

@@ -31,6 +31,7 @@ TEST(ChartStar, does_not_certify_cospherical_points_and_names_them) {
   ASSERT_FALSE(result.failures.empty());
   for (const auto& failure : result.failures) {
     EXPECT_TRUE(mentions(failure.reason, "has another point in its closed circumball: label ")) << failure.reason;
+    EXPECT_EQ(failure.cause, FailureCause::occupied_ball);
     EXPECT_EQ(failure.concerned.size(), 4U);
   }
 }

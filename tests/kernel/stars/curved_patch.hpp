@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -69,17 +70,9 @@ class CurvedPatch final : public Atlas<m> {
                                              const Vector<BigInterval, m>& home) const override {
     return carried_in<BigInterval>(i, seen, home);
   }
-  [[nodiscard]] Vector<Rational, m> carry(Label i, const Sighting<m>& seen,
-                                          const Vector<Rational, m>& home) const override {
-    Vector<Filter, m> enclosed;
-    for (std::size_t axis = 0; axis < m; ++axis) enclosed[axis] = scalar_from<Filter>(home[axis]);
-    const FilterGuard guard;
-    const auto there = carried_in<Filter>(i, seen, enclosed);
-    Vector<Rational, m> result;
-    for (std::size_t axis = 0; axis < m; ++axis) {
-      result[axis] = (Rational::exactly(there[axis].lower()) + Rational::exactly(there[axis].upper())) / Rational(2);
-    }
-    return result;
+  [[nodiscard]] std::optional<Vector<Rational, m>> carry(Label, const Sighting<m>&,
+                                                         const Vector<Rational, m>&) const override {
+    return std::nullopt;
   }
   [[nodiscard]] bool has_exact_transitions() const override { return false; }
 

@@ -147,6 +147,17 @@ TEST(ProposeDelaunay, refuses_too_few_points) {
   EXPECT_THROW((void)proposed<1>(cubic_torus<1>(), {{Rational(0)}, {Rational::power_of_two(31)}}, 0.1), InputError);
 }
 
+TEST(ProposeDelaunay, says_that_a_basis_is_too_skewed_and_gives_a_reduced_one) {
+  const auto in_steps = [](long step) {
+    return torus_of<2>({{{Rational(1), Rational(step)}, {Rational(step), Rational(step * step + 1)}}});
+  };
+  const auto points = random_points<2>(60, 3);
+  EXPECT_FALSE(proposed<2>(in_steps(4), points, 0.1).empty());
+  EXPECT_TRUE(mentions(message_of<InputError>([&] { (void)proposed<2>(in_steps(1000), points, 0.1); }),
+                       "too skewed for a Delaunay triangulation of the torus: describe the same torus by a reduced "
+                       "basis, gram = [[\"1\", \"0\"], [\"0\", \"1\"]]"));
+}
+
 TEST(Canonical, sorts_and_moves_the_first_vertex_home) {
   const LiftedSimplex<2> simplex{{{5, {1, 2}}, {3, {-1, 4}}, {9, {0, 0}}}};
   const LiftedSimplex<2> expected{{{3, {0, 0}}, {5, {2, -2}}, {9, {1, -4}}}};

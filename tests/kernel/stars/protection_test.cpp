@@ -142,6 +142,7 @@ TEST(CertifyProtection, fails_where_points_are_cospherical_and_names_them) {
     const auto& failure = report.failures[at];
     EXPECT_EQ(failure.label, Label(simplices[at][0].index));
     EXPECT_TRUE(mentions(failure.reason, "has another point in its closed circumball: label ")) << failure.reason;
+    EXPECT_EQ(failure.cause, FailureCause::occupied_ball);
     ASSERT_EQ(failure.concerned.size(), 4U);
     // The four are a square of the lattice.
     const auto base = data.points[failure.concerned[3].value];
@@ -214,6 +215,7 @@ TEST(CertifyProtection, fails_simplices_that_are_not_above_what_is_required) {
   ASSERT_FALSE(failing.failures.empty());
   for (const auto& failure : failing.failures) {
     EXPECT_TRUE(mentions(failure.reason, "is less protected than required: label ")) << failure.reason;
+    EXPECT_EQ(failure.cause, FailureCause::less_protected);
     EXPECT_EQ(failure.concerned.size(), 4U);
   }
   // As many simplices fail as are less protected, whatever is required up to half the sampling radius.
@@ -247,6 +249,7 @@ TEST(CertifyProtection, fails_degenerate_simplices) {
   const auto report = data.report(flat);
   ASSERT_EQ(report.failures.size(), 1U);
   EXPECT_TRUE(mentions(report.failures[0].reason, "{0, 1, 2} cannot be told from a degenerate simplex"));
+  EXPECT_EQ(report.failures[0].cause, FailureCause::undecided);
 }
 
 TEST(CertifyProtection, of_nothing_has_neither_margins_nor_failures) {

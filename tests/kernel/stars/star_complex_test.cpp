@@ -145,6 +145,7 @@ TEST(StarComplex, names_empty_stars) {
   ASSERT_EQ(failures.size(), 1U);
   EXPECT_EQ(failures[0].label, Label(4));
   EXPECT_TRUE(mentions(failures[0].reason, "empty"));
+  EXPECT_EQ(failures[0].cause, FailureCause::combinatorial);
   EXPECT_TRUE(concerns(failures[0], 4));
 }
 
@@ -155,6 +156,7 @@ TEST(StarComplex, names_simplices_that_meet_themselves) {
   ASSERT_EQ(failures.size(), 1U);
   EXPECT_EQ(failures[0].label, Label(1));
   EXPECT_TRUE(mentions(failures[0].reason, "twice"));
+  EXPECT_EQ(failures[0].cause, FailureCause::combinatorial);
 }
 
 TEST(StarComplex, keeps_what_interior_labels_need) {

@@ -2,6 +2,7 @@
 
 #include "kernel/sample/net_measure.hpp"
 #include "kernel/sample/poisson_disk.hpp"
+#include "kernel/sample/separation.hpp"
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernel/sample/metric_field_net.hpp"
-#include "kernel/sample/metric_field_separation.hpp"
+#include "kernel/sample/separation.hpp"
 #include "proofs/certificate/metric_field_writer.hpp"
 #include "tests/kernel/manifold/gluing/samples.hpp"
 

@@ -100,6 +100,30 @@ TEST(ParametersFor, no_perturbation_is_one_by_0) {
   EXPECT_GT(parameters.squared_flake_parameter, Rational(0));
 }
 
+TEST(ParametersFor, clearance_and_choices_are_free_in_every_mode) {
+  for (const auto mode : {RunMode::theory, RunMode::measured}) {
+    auto choice = choice_of(mode);
+    const auto usual = parameters_for(Dimension(2), Rational(1), choice);
+    EXPECT_EQ(usual.algorithm.clearance, Rational(0));
+    EXPECT_EQ(usual.algorithm.choices, 1U);
+    choice.clearance = ratio(1, 20);
+    choice.choices = 20;
+    const auto parameters = parameters_for(Dimension(2), Rational(1), choice);
+    EXPECT_EQ(parameters.algorithm.clearance, ratio(1, 20));
+    EXPECT_EQ(parameters.algorithm.choices, 20U);
+    EXPECT_EQ(parameters.algorithm.tolerance, usual.algorithm.tolerance);
+    for (const Rational& wrong : {ratio(-1, 20), Rational(1)}) {
+      choice.clearance = wrong;
+      EXPECT_TRUE(mentions(message_of<InputError>([&] { (void)parameters_for(Dimension(2), Rational(1), choice); }),
+                           "clearance "));
+    }
+    choice.clearance.reset();
+    choice.choices = 0;
+    EXPECT_TRUE(
+        mentions(message_of<InputError>([&] { (void)parameters_for(Dimension(2), Rational(1), choice); }), "choices"));
+  }
+}
+
 TEST(ParametersFor, refuse_what_is_out_of_range) {
   const auto refusal = [](RunMode mode, std::optional<Rational> perturbation, std::optional<Rational> tolerance,
                           const Rational& separation = ratio(1, 2)) {

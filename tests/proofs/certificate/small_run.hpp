@@ -6,9 +6,11 @@
 #include <string>
 #include <utility>
 
+#include "kernel/manifold/any_manifold.hpp"
 #include "kernel/manifold/flat_space.hpp"
 #include "kernel/sample/net_measure.hpp"
 #include "kernel/sample/poisson_disk.hpp"
+#include "kernel/sample/separation.hpp"
 #include "proofs/certificate/writer.hpp"
 
 namespace delcert {

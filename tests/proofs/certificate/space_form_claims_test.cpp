@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "kernel/manifold/quotient/space_form_families.hpp"
+#include "kernel/sample/separation.hpp"
 #include "kernel/sample/space_form_net.hpp"
-#include "kernel/sample/space_form_separation.hpp"
 #include "tests/kernel/manifold/exhaustive.hpp"
 
 namespace delcert::test {

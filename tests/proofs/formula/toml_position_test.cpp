@@ -1,9 +1,10 @@
 #include "proofs/formula/toml_position.hpp"
 
 #include <gtest/gtest.h>
-#include <toml++/toml.h>
 
 #include <string>
+
+#include "support/toml.hpp"
 
 namespace delcert {
 namespace DELCERT_THIS_FILE {

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "kernel/manifold/any_manifold.hpp"
 #include "kernel/manifold/builtin_manifolds.hpp"
-#include "kernel/manifold/manifold_file.hpp"
 #include "properties/instances/map_draw.hpp"
 #include "tests/properties/instances/class_checks.hpp"
 #include "tests/support/ratio.hpp"

@@ -59,12 +59,15 @@ TEST(RunVocabulary, bounds_a_protection_beyond_half_a_sampling_radius) {
 
 TEST(RunVocabulary, refutes_it_all_without_perturbation) {
   const Bindings run = run_of(RunMode::none);
-  for (const char* statement : {"satisfies_hypotheses(r)", "has_no_forbidden_configuration(r)",
-                                "has_protected_stars(r)", "is_manifold(r)", "has_stable_stars(r)", "is_delaunay(r)",
-                                "is_triangulation(r)", "is_self_delaunay(r)", "euler_characteristic(r) = 0"}) {
+  for (const char* statement :
+       {"satisfies_hypotheses(r)", "has_no_forbidden_configuration(r)", "has_protected_stars(r)", "is_manifold(r)",
+        "has_stable_stars(r)", "is_delaunay(r)", "is_triangulation(r)", "is_self_delaunay(r)"}) {
     EXPECT_EQ(verdict(run, statement), Verdict::refuted) << statement;
   }
   EXPECT_EQ(verdict(run, "least_protection(r) > 0"), Verdict::undecided);
+  // Defect: what is no manifold had the characteristic -1000000.
+  for (const char* statement : {"euler_characteristic(r) = 0", "euler_characteristic(r) = -1000000"})
+    EXPECT_EQ(verdict(run, statement), Verdict::undecided) << statement;
 }
 
 }  // namespace DELCERT_THIS_FILE

@@ -81,7 +81,7 @@ TEST(MetricFieldAtlas, transitions_are_exact_and_enclosed) {
   for (const auto& other : atlas.neighbours(Label(0))) {
     const Label i(0);
     const Label j = label_of<2>(other);
-    const auto exact = atlas.carry(i, other, home);
+    const auto exact = atlas.carry(i, other, home).value();
     // By way of the torus.
     auto x = atlas.position(j, home);
     for (std::size_t axis = 0; axis < 2; ++axis) x[axis] += Rational(other.shift[axis]) - atlas.centre(i)[axis];

@@ -62,16 +62,19 @@ void expect_consistent(const SpaceFormAtlas<m>& atlas, double most_width) {
     atlas.sightings(Label(i), 3 * radius, seen);
     EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
     for (std::size_t at = 0; at < seen.size(); at += 3) {
-      if (seen[at].shift[0] != 0) ++through_the_group;
+      if (seen[at].element != 0) ++through_the_group;
       for (const auto& home : {Vector<Rational, m>{}, step}) {
         const auto big = atlas.carry(Label(i), seen[at], on<BigInterval>(home));
         {
           const FilterGuard guard;
           expect_contained(big, atlas.carry(Label(i), seen[at], on<Filter>(home)), most_width);
         }
-        const auto middle = atlas.carry(Label(i), seen[at], home);
+        // Defect: where nothing is exact, a midpoint was called so.
+        const auto exact = atlas.carry(Label(i), seen[at], home);
+        ASSERT_EQ(exact.has_value(), atlas.curvature() == Curvature::zero);
+        if (!exact) continue;
         for (std::size_t axis = 0; axis < m; ++axis) {
-          EXPECT_LE(absolute(middle[axis] - big[axis].lower()), Rational::exactly(most_width));
+          EXPECT_LE(absolute((*exact)[axis] - big[axis].lower()), Rational::exactly(most_width));
         }
       }
       // The length of what the chart shows is the distance in the model space.
@@ -106,8 +109,8 @@ TEST(SpaceFormAtlas, flat_transitions_are_exact) {
   const auto metric = atlas.metric().on<Rational>();
   for (std::uint32_t i = 0; i < atlas.size(); i += static_cast<std::uint32_t>(atlas.size() / 6)) {
     for (const auto& seen : atlas.neighbours(Label(i))) {
-      const auto moved = atlas.carry(Label(i), seen, step);
-      const auto fixed = atlas.carry(Label(i), seen, Vector<Rational, 3>{});
+      const auto moved = atlas.carry(Label(i), seen, step).value();
+      const auto fixed = atlas.carry(Label(i), seen, Vector<Rational, 3>{}).value();
       EXPECT_EQ(metric.squared_norm(difference(moved, fixed)), metric.squared_norm(step));
       const auto big = atlas.carry(Label(i), seen, on<BigInterval>(step));
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -141,8 +144,7 @@ void expect_exhaustive(const SpaceFormAtlas<m>& atlas, const Rational& longer) {
         const double distance =
             distance_of_chord(curvature, squared_chord<Interval, m>(curvature, metric, p, x)).lower();
         if (distance > radius * 1.001) continue;
-        Sighting<m> expected{j, {}};
-        expected.shift[0] = static_cast<std::int32_t>(atlas.number_of(all.elements()[number]));
+        const Sighting<m> expected{j, {}, static_cast<std::uint32_t>(atlas.number_of(all.elements()[number]))};
         ++compared;
         const auto is_in = [&](const auto& list) { return std::binary_search(list.begin(), list.end(), expected); };
         EXPECT_EQ(is_in(neighbours), distance <= radius);
@@ -172,16 +174,14 @@ void expect_compositions(const SpaceFormAtlas<m>& atlas) {
     std::vector<Sighting<m>> from_j;
     atlas.sightings(Label(i), 2 * radius, from_i);
     for (const auto& j : from_i) {
-      const auto first = static_cast<std::uint32_t>(j.shift[0]);
+      const std::uint32_t first = j.element;
       atlas.sightings(label_of<m>(j), 2 * radius, from_j);
       // j sees i through the inverse.
-      Sighting<m> back{i, {}};
-      back.shift[0] = static_cast<std::int32_t>(atlas.inverse(first));
+      const Sighting<m> back{i, {}, static_cast<std::uint32_t>(atlas.inverse(first))};
       EXPECT_TRUE(std::binary_search(from_j.begin(), from_j.end(), back));
       const auto k = from_j[from_j.size() / 2];
-      Sighting<m> direct{k.index, {}};
-      direct.shift[0] = static_cast<std::int32_t>(atlas.product(first, static_cast<std::uint32_t>(k.shift[0])));
-      if (first != 0 && k.shift[0] != 0) ++nontrivial;
+      const Sighting<m> direct{k.index, {}, static_cast<std::uint32_t>(atlas.product(first, k.element))};
+      if (first != 0 && k.element != 0) ++nontrivial;
       const auto once = atlas.carry(Label(i), direct, step);
       const auto twice = atlas.carry(Label(i), j, atlas.carry(label_of<m>(j), k, step));
       for (std::size_t axis = 0; axis < m; ++axis) {

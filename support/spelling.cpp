@@ -1,4 +1,4 @@
-#include "proofs/formula/formula_error.hpp"
+#include "support/spelling.hpp"
 
 #include <algorithm>
 #include <numeric>

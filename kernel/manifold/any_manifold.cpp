@@ -1,0 +1,118 @@
+#include "kernel/manifold/any_manifold.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <system_error>
+#include <vector>
+
+#include "kernel/manifold/builtin_manifolds.hpp"
+#include "kernel/manifold/metric_field_file.hpp"
+#include "kernel/manifold/space_form_file.hpp"
+#include "support/error.hpp"
+#include "support/spelling.hpp"
+#include "support/toml_reader.hpp"
+
+namespace delcert {
+
+namespace {
+
+using Parse = AnyManifold (*)(std::string_view text, const std::string& source);
+
+AnyManifold parsed_as_flat(std::string_view text, const std::string& source) { return parse_manifold(text, source); }
+AnyManifold parsed_as_space_form(std::string_view text, const std::string& source) {
+  return parse_space_form(text, source);
+}
+AnyManifold parsed_as_metric_field(std::string_view text, const std::string& source) {
+  return parse_metric_field(text, source);
+}
+
+struct Family {
+  std::string_view name;
+  Parse parse;
+};
+
+constexpr std::array<Family, 8> families{{{"flat-torus", parsed_as_flat},
+                                          {"euclidean-ball", parsed_as_flat},
+                                          {"space-form", parsed_as_space_form},
+                                          {"sphere", parsed_as_space_form},
+                                          {"projective-space", parsed_as_space_form},
+                                          {"lens-space", parsed_as_space_form},
+                                          {"regular-polygon-surface", parsed_as_space_form},
+                                          {"metric-field", parsed_as_metric_field}}};
+
+std::string listed(const std::vector<std::string_view>& names) {
+  std::string result;
+  for (const std::string_view name : names) result += (result.empty() ? "" : ", ") + std::string(name);
+  return result;
+}
+
+/// The reader of the family that the text names.
+Parse reader_for(std::string_view text, const std::string& source) {
+  const TomlReader reader(text, source);
+  const toml::table table = reader.parse();
+  std::vector<std::string_view> names;
+  for (const Family& family : families) names.push_back(family.name);
+  const std::string expected = "one of " + listed(names);
+  const toml::node& node = reader.required(table, "family", expected);
+  const auto value = node.value_exact<std::string>();
+  if (!value) reader.fail(node, key_in_words("family"), expected);
+  for (const Family& family : families)
+    if (*value == family.name) return family.parse;
+  reader.fail(node, key_in_words("family"), expected + suggestion(*value, names));
+}
+
+std::string content_of(const std::filesystem::path& path) {
+  std::error_code reason;
+  if (std::filesystem::is_directory(path, reason)) {
+    reason = std::make_error_code(std::errc::is_a_directory);
+  } else {
+    errno = 0;
+    std::ifstream stream(path, std::ios::binary);
+    if (stream) return {std::istreambuf_iterator<char>(stream), {}};
+    reason = std::error_code(errno, std::generic_category());
+  }
+  throw InputError("cannot read " + path.string() + ": " + reason.message());
+}
+
+}  // namespace
+
+AnyManifold parse_any_manifold(std::string_view text, const std::string& source) {
+  return reader_for(text, source)(text, source);
+}
+
+AnyManifold read_any_manifold(const std::filesystem::path& path) {
+  return parse_any_manifold(content_of(path), path.string());
+}
+
+AnyManifold find_any_manifold(const std::string& name_or_path) {
+  std::vector<std::string_view> all;
+  std::array<std::string, 3> names;
+  std::size_t kind = 0;
+  for (const auto* list : {&builtin_manifolds(), &builtin_space_forms(), &builtin_metric_fields()}) {
+    std::vector<std::string_view> known;
+    for (const BuiltinManifold& builtin : *list) {
+      if (builtin.name == name_or_path) return parse_any_manifold(builtin.text, builtin.name);
+      known.emplace_back(builtin.name);
+    }
+    names[kind++] = listed(known);
+    all.insert(all.end(), known.begin(), known.end());
+  }
+  if (!std::filesystem::exists(name_or_path)) {
+    throw InputError("no manifold \"" + name_or_path + "\": neither a file nor one of " + names[0] +
+                     ", or of the space forms " + names[1] + ", or of the metric fields " + names[2] +
+                     suggestion(name_or_path, all));
+  }
+  return read_any_manifold(name_or_path);
+}
+
+ManifoldDescription find_manifold(const std::string& name_or_path) {
+  AnyManifold found = find_any_manifold(name_or_path);
+  if (auto* flat = std::get_if<ManifoldDescription>(&found)) return std::move(*flat);
+  throw InputError(name_or_path + ": a space form or a metric field, expected a flat torus or a Euclidean ball");
+}
+
+}  // namespace delcert
