@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "proofs/checker/expectation.hpp"
 #include "proofs/checker/metric_field_levels.hpp"
 #include "proofs/checker/space_form_levels.hpp"
 
@@ -144,7 +145,7 @@ Rational spread(const Certificate& c) {
 
 }  // namespace
 
-Outcome check(std::string_view text, const std::vector<std::string>& selected) {
+Outcome check(std::string_view text, const std::vector<std::string>& selected, std::string_view expected) {
   Outcome outcome;
   decisions = {};
   Budget::open(0);
@@ -152,9 +153,18 @@ Outcome check(std::string_view text, const std::vector<std::string>& selected) {
     const Certificate certificate(text);
     const Levels chosen = selection(certificate, selected);
     outcome.identity = identify(certificate, nullptr);
+    bool is_expected = true;
+    if (!expected.empty()) {
+      outcome.levels.push_back(run_check("manifold", [&](Report& report) -> std::string {
+        const std::string key = difference_from_expected(expected, certificate.manifold_text);
+        if (!key.empty()) report.reject("manifold.expected", [&] { return "the manifold has another " + key; });
+        return "the one that is expected";
+      }));
+      is_expected = outcome.levels.back().status == 0;
+    }
     Group group;
     std::optional<Lifts> lifts;
-    if (certificate.space_form) {
+    if (certificate.space_form && is_expected) {
       outcome.levels.push_back(run_check("group", [&](Report& report) {
         const Rational far = spread(certificate), reach = certificate.reach();
         group = check_group(*certificate.space_form, reach, far, report);
@@ -164,8 +174,8 @@ Outcome check(std::string_view text, const std::vector<std::string>& selected) {
     }
     std::optional<AffineCharts> charts;
     outcome.identity = identify(certificate, lifts ? &group : nullptr);
-    bool ready = !certificate.space_form || lifts;
-    if (certificate.metric_field) {
+    bool ready = is_expected && (!certificate.space_form || lifts);
+    if (certificate.metric_field && is_expected) {
       outcome.levels.push_back(run_check("field", [&](Report& report) {
         charts.emplace(certificate);
         return check_metric_field(*charts, report);

@@ -47,8 +47,9 @@ struct Outcome {
 
 /// Checks the selected levels (all that are claimed if none is selected) and those on which they rest; a level whose
 /// base does not hold is not looked at. The text is a decompressed certificate. Throws std::invalid_argument if a
-/// selected level is not claimed. Precondition: self_test() found nothing in this thread.
-Outcome check(std::string_view text, const std::vector<std::string>& selected);
+/// selected level is not claimed. If a manifold is expected, as a certificate or a manifold block, another one is
+/// rejected (manifold.expected) and no level is looked at. Precondition: self_test() found nothing in this thread.
+Outcome check(std::string_view text, const std::vector<std::string>& selected, std::string_view expected = {});
 
 /// A line for each level and one for the whole; or one JSON object. Only an outcome of status 0 has the word
 /// "verified".

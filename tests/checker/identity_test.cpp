@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <functional>
+
 #include "tests/checker/support/run_checker.hpp"
 #include "tests/checker/support/samples.hpp"
 #include "tests/checker/support/space_form_samples.hpp"
@@ -67,6 +71,41 @@ TEST(Identity, the_name_is_said_only_where_all_is_verified_and_as_it_is_written)
   EXPECT_EQ(json.output.find("verified"), std::string::npos) << json.output;
   for (const CheckerRun& run : {run_checker(right), run_checker_with(temporary_file(right))})
     EXPECT_EQ(run.output.find('\x9b'), std::string::npos) << run.output;
+}
+
+TEST(Identity, is_compared_with_the_manifold_that_is_expected) {
+  const auto expecting = [](const std::string& bytes, const std::string& expected) {
+    const std::string path = temporary_file("") + "-expected";
+    std::ofstream(path, std::ios::binary) << expected;
+    const CheckerRun run = run_checker_with(temporary_file(bytes) + " --expect-manifold " + path);
+    std::filesystem::remove(path);
+    return run;
+  };
+  const Json bolza = bolza_surface().document();
+  Json other = bolza;
+  other["manifold"]["name"] = "klein-quartic";
+  other["manifold"]["injectivity_radius"] = "1";
+  other["manifold"]["root"] = Json::array({"4/3", "3/2"});
+  other["manifold"]["generators"][0][0][0] = Json::array({"10/2", "0x4", "0"});
+  for (const std::string& expected : {sealed(other), zstd_compressed(sealed(bolza)), other["manifold"].dump()})
+    EXPECT_EQ(expecting(sealed(bolza), expected).status, 0);
+  // The other root of t^2 = 2; another generator; another manifold.
+  for (const auto& change : std::vector<std::function<void(Json&)>>{
+           [](Json& j) {
+             j["manifold"]["root"] = Json::array({"-2", "-1"});
+           },
+           [](Json& j) { j["manifold"]["generators"][1][0][0][0] = "6"; },
+           [](Json& j) { j["manifold"]["generators"].erase(3); },
+           [](Json& j) { j["manifold"] = klein_bottle().document()["manifold"]; }}) {
+    Json changed = bolza;
+    change(changed);
+    const CheckerRun run = expecting(sealed(bolza), sealed(changed));
+    EXPECT_EQ(run.status, 1) << run.output;
+    EXPECT_NE(run.output.find("manifold.expected"), std::string::npos) << run.output;
+    EXPECT_EQ(run.output.find("verified"), std::string::npos) << run.output;
+  }
+  for (const std::string text : {"", "[]", "{}", "family = \"flat-torus\""})
+    EXPECT_EQ(expecting(sealed(bolza), text).status, 64) << text;
 }
 
 }  // namespace
