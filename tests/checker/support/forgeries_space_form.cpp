@@ -184,6 +184,7 @@ std::vector<Forgery> space_form_forgeries() {
     // 9 epsilon is more than pi/2, and 12 epsilon less than the injectivity radius.
     j["parameters"]["sampling_radius"] = "7/40";
     j["parameters"]["separation"] = "2/5";
+    j["levels"]["0"]["density"] = "1";
     j["levels"]["0"]["distortion"] = "2";
     j["levels"]["0"]["metric_distortion"] = "1";
   });
