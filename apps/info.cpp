@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.hpp"
+#include "apps/printable.hpp"
 #include "proofs/certificate/picture.hpp"
 #include "proofs/certificate/reader.hpp"
 #include "support/atomic_file.hpp"
@@ -38,23 +39,27 @@ std::string json_of(const CertificateSummary& certificate) {
   for (const auto& [level, margins] : certificate.levels) json["levels_claimed"][level] = object_of(margins);
   json["software"] = object_of(certificate.software);
   json["sha256"] = certificate.seal;
-  return json.dump(2) + "\n";
+  // Escape sequences for all but ASCII: what a name holds may not reach a terminal.
+  return json.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 std::string text_of(const CertificateSummary& certificate) {
-  std::string out = fmt::format("{} ({}, dimension {}), {} points\n", certificate.manifold.name, certificate.family,
-                                certificate.manifold.dimension.value, certificate.points.size());
+  std::string out =
+      fmt::format("{} ({}, dimension {}), {} points\n", printable(certificate.manifold.name),
+                  printable(certificate.family), certificate.manifold.dimension.value, certificate.points.size());
   out += "parameters\n";
-  for (const auto& [key, value] : certificate.parameters) out += fmt::format("  {:<24} {}\n", key, value);
+  for (const auto& [key, value] : certificate.parameters)
+    out += fmt::format("  {:<24} {}\n", printable(key), printable(value));
   out += "levels claimed (delcert check verifies them)\n";
   for (const auto& [level, margins] : certificate.levels) {
-    out += fmt::format("  {:<3}", level);
-    for (const auto& [key, value] : margins) out += fmt::format(" {} {}", key, value);
+    out += fmt::format("  {:<3}", printable(level));
+    for (const auto& [key, value] : margins) out += fmt::format(" {} {}", printable(key), printable(value));
     out += "\n";
   }
   out += "made with\n ";
-  for (const auto& [name, version] : certificate.software) out += fmt::format(" {} {}", name, version);
-  return out + fmt::format("\nsha256 {}\n", certificate.seal);
+  for (const auto& [name, version] : certificate.software)
+    out += fmt::format(" {} {}", printable(name), printable(version));
+  return out + fmt::format("\nsha256 {}\n", printable(certificate.seal));
 }
 
 ExitStatus print_info(const InfoOptions& options) {

@@ -72,7 +72,8 @@ class Ball {
   arb_t value_;
 };
 
-/// Rounds to nearest while it lives, as libraries expect, and upwards after it; the precision of balls is restored.
+/// Rounds to nearest while it lives, as libraries expect, and as before after it; the precision of balls is restored.
+/// Only in_balls makes one.
 class BallScope {
  public:
   explicit BallScope(slong precision) : before_(Ball::precision), rounding_(std::fegetround()) {
@@ -91,19 +92,42 @@ class BallScope {
   int rounding_;
 };
 
+// The compiler knows nothing of the mode of rounding: it may move arithmetic of doubles across a change of it, within a
+// function (HACKING.md, "Flags matter"). So the function that changes it has none, and neither it nor what it calls is
+// merged with, or specialised for, its callers.
+#if defined(__clang__)
+#define DELCERT_CHECK_OPAQUE [[gnu::noinline]]
+#else
+#define DELCERT_CHECK_OPAQUE [[gnu::noipa]]
+#endif
+
+template <class F>
+DELCERT_CHECK_OPAQUE auto call_opaquely(const F& f) {
+  return f();
+}
+
+/// f(), with rounding to nearest and balls of this precision. Around the call, and in the function that switches, there
+/// is no arithmetic of doubles that the switch concerns.
+template <class F>
+DELCERT_CHECK_OPAQUE auto in_balls(slong precision, const F& f) {
+  const BallScope scope(precision);
+  return call_opaquely(f);
+}
+
 /// Whether the predicate holds: by the filter, or by balls of more and more bits. Throws Undecided if 1024 are too few,
 /// as in a tie of numbers that are not rational. The predicate takes In<N> and returns a Verdict computed in N alone.
 template <class Predicate>
 bool decide_enclosed(const Predicate& predicate) {
+  Budget::spend(1);
   const Verdict filtered = predicate(In<Interval>{});
   if (filtered != Verdict::undecided) {
     ++decisions.filtered;
     return filtered == Verdict::proved;
   }
   ++decisions.enclosed;
+  Budget::spend(1000);
   for (slong precision = 128; precision <= 1024; precision *= 2) {
-    const BallScope scope(precision);
-    const Verdict refined = predicate(In<Ball>{});
+    const Verdict refined = in_balls(precision, [&] { return predicate(In<Ball>{}); });
     if (refined != Verdict::undecided) return refined == Verdict::proved;
   }
   throw Undecided("a comparison is left open by enclosures of 1024 bits");

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "proofs/checker/budget.hpp"
+#include "proofs/checker/exact_number.hpp"
 #include "proofs/checker/input.hpp"
 #include "proofs/checker/report.hpp"
 
@@ -19,11 +21,13 @@ Certificate::Certificate(std::string_view text) {
 
   n = static_cast<Label>(points_text.size() / static_cast<std::size_t>(m));
   require_lengths();
+  Budget::open(n);
   metric = Metric(m, gram);
   net = PointSet(metric, torus, net_text);
   points = PointSet(metric, torus, points_text);
   for (Label i = 0; i < n; ++i) interior.push_back(is_interior(i));
   require_parameters();
+  require_mode();
   require_levels();
   if (space_form) require_space_form();
   if (metric_field) require_metric_field();
@@ -81,6 +85,18 @@ void Certificate::require_parameters() const {
   require(!claimed[level_1] || positive(circumradius), "circumradius is not positive");
 }
 
+/// On a space form and a metric field `points` are what the net points are moved by.
+void Certificate::require_mode() const {
+  if (!unperturbed) return;
+  Report::require("form.mode", rho.exact.sign() == 0, "the mode is none, but perturbation is not 0");
+  if (kind() == Kind::flat && net_text.empty()) return;
+  for (std::size_t k = 0; k < points_text.size(); ++k) {
+    const Rational original = kind() == Kind::flat ? exact_value(net_text[k]) : Rational(0);
+    if (exact_value(points_text[k]) == original) continue;
+    Report::require("form.mode", false, "the mode is none, but label " + std::to_string(k / m_size()) + " is moved");
+  }
+}
+
 void Certificate::require_levels() const {
   bool any = false;
   for (std::size_t level = 0; level < claimed.size(); ++level) {
@@ -94,8 +110,8 @@ void Certificate::require_levels() const {
   Report::require("form.levels", any, "no level is claimed");
   Report::require("form.family", !has_boundary() || !(claimed[level_5] || claimed[level_6]),
                   "levels 5 and 6 are for closed manifolds");
-  Report::require("form.net-simplices", net_simplices.empty() || claimed[level_0],
-                  "net_simplices is not empty although level 0 is not claimed");
+  Report::require("form.net-simplices", net_simplices.empty() || (claimed[level_0] && kind() == Kind::flat),
+                  "net_simplices is not empty although no level 0 looks at it");
   const auto size = static_cast<std::size_t>(m) + 1;
   for (std::size_t s = 0; s < net_simplices.size(); s += size) {
     const Label* labels = &net_simplices[s];

@@ -32,6 +32,7 @@ struct Certificate {
   Certificate(const Certificate&) = delete;
   Certificate& operator=(const Certificate&) = delete;
 
+  std::string_view name, manifold_text;  // the name as it is written; the block with its braces
   bool torus = false;
   std::unique_ptr<SpaceForm> space_form;      // of its families; otherwise none
   std::unique_ptr<MetricField> metric_field;  // of its family; otherwise none
@@ -39,6 +40,7 @@ struct Certificate {
   Label n = 0;
   std::vector<Rational> gram;  // m rows of m; empty on a Euclidean ball
   bool theory = false;         // the mode
+  bool unperturbed = false;    // the mode none
   Quantity radius, epsilon, mu, radius_variation, distortion, rho, flake_squared, tolerance;
   std::array<bool, level_names.size()> claimed{};
   bool hypotheses_2 = false;                                   // level 0
@@ -119,6 +121,7 @@ struct Certificate {
   void require_parameters() const;
   void parse_space_form_level(Cursor& cursor, std::size_t level);
   void parse_metric_field_level(Cursor& cursor, std::size_t level);
+  void require_mode() const;
   void require_levels() const;
   void require_space_form() const;
   void require_metric_field() const;

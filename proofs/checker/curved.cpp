@@ -28,8 +28,9 @@ Interval logarithm_factor(int K, const Interval& q) {
   if (!(q.upper() <= 0x1p-4)) {
     if (!(q.lower() >= 0 && q.upper() < (K > 0 ? 0x1p60 : 1)))
       return Interval::between(-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity());
-    const BallScope scope(80);  // monotone
-    return joined(logarithm_factor(K, exactly(q.lower())), logarithm_factor(K, exactly(q.upper()))).enclosure();
+    return in_balls(80, [&] {  // monotone
+      return joined(logarithm_factor(K, exactly(q.lower())), logarithm_factor(K, exactly(q.upper()))).enclosure();
+    });
   }
   // The sum of (-K q)^k / (2k + 1). What is left out is at most q^13 / (27 (1 - q)) < 2^-56.
   const Interval argument = K > 0 ? -q : q;

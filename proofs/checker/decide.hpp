@@ -6,7 +6,8 @@
 #include <string>
 #include <type_traits>
 
-#include "proofs/checker/rational.hpp"
+#include "proofs/checker/budget.hpp"
+#include "proofs/checker/decimal.hpp"
 
 namespace delcert::checker {
 
@@ -47,18 +48,21 @@ inline Decisions decisions;
 /// Verdict computed in N alone.
 template <class Predicate>
 bool decide(const Predicate& predicate) {
+  Budget::spend(1);
   const Verdict filtered = predicate(In<Interval>{});
   if (filtered != Verdict::undecided) {
     ++decisions.filtered;
     return filtered == Verdict::proved;
   }
   ++decisions.exact;
+  Budget::spend(1000);
   const Verdict exact = predicate(In<Rational>{});
   if (exact == Verdict::undecided) throw std::logic_error("rational arithmetic left a question open");
   return exact == Verdict::proved;
 }
 
-/// The number in decimal, approximately, for messages.
+/// The number in decimal, approximately: for messages about what no one states. Bounds that are stated are printed by
+/// rounded_down and rounded_up.
 inline std::string about(const Interval& x) {
   char text[64];
   std::snprintf(text, sizeof text, "%.6g", x.lower() / 2 + x.upper() / 2);

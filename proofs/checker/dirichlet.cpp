@@ -43,7 +43,7 @@ Dirichlet::Dirichlet(const SpaceForm& form) : form_(form), J_(form.form()) {
   }
   fault = find_vertices();
   if (fault.empty()) fault = find_sides();
-  if (fault.empty()) fault = check_cycles();
+  if (fault.empty()) fault = in_balls(128, [&] { return check_cycles(); });
 }
 
 FieldElement Dirichlet::product(const FieldVector& x, const FieldVector& y) const { return pairing(x, J_ * y); }
@@ -60,6 +60,7 @@ std::string Dirichlet::find_vertices() {
   std::vector<std::size_t> chosen(form_.m);
   for (std::size_t k = 0; k < form_.m; ++k) chosen[k] = k;
   while (chosen.back() < sides.size()) {
+    Budget::spend(1000 * covectors.size());
     std::vector<FieldVector> rows;
     for (const std::size_t s : chosen) rows.push_back(covectors[s]);
     FieldVector ray = common_kernel(rows);
@@ -124,9 +125,9 @@ Ball Dirichlet::angle(const Side& s, const Side& t) const {
 }
 
 /// Around every ridge the tiles that one meets by crossing sides close up after one turn: the product of the elements
-/// becomes 1 for the first time when the sum of the angles, then a multiple of 2 pi, is 2 pi.
-std::string Dirichlet::check_cycles() const {
-  const BallScope scope(128);
+/// becomes 1 for the first time when the sum of the angles, then a multiple of 2 pi, is 2 pi. With the precision of
+/// balls.
+std::string Dirichlet::check_cycles() {
   std::map<std::vector<std::size_t>, std::vector<std::size_t>> ridges;  // by vertices: their sides
   for (std::size_t s = 0; s < sides.size(); ++s) {
     for (std::size_t t = 0; t < s; ++t) {
@@ -148,7 +149,9 @@ std::string Dirichlet::check_cycles() const {
     FieldMatrix crossed = identity;
     Ball sum(0);
     std::size_t next = between[0];
+    std::vector<std::size_t>& cycle = cycles.emplace_back();
     do {
+      cycle.push_back(next);
       sum = sum + angle(sides[between[0]], sides[between[1]]);
       if (less(sum, Ball(3) * pi) != Verdict::proved) return "the angles in a cycle of ridges are more than 2 pi";
       const Side& side = sides[next];

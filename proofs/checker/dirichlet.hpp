@@ -24,7 +24,8 @@ struct Dirichlet {
 
   std::string fault;
   std::vector<Side> sides;
-  std::vector<FieldVector> vertices;  // with x_0 = 1
+  std::vector<FieldVector> vertices;             // with x_0 = 1
+  std::vector<std::vector<std::size_t>> cycles;  // the sides that one crosses on the way around each ridge
 
   /// cosh of the greatest distance of a vertex from o.
   Ball farthest_vertex() const;
@@ -32,7 +33,7 @@ struct Dirichlet {
  private:
   std::string find_vertices();
   std::string find_sides();
-  std::string check_cycles() const;
+  std::string check_cycles();
   FieldElement product(const FieldVector& x, const FieldVector& y) const;
   /// The vertex at the image, or the number of vertices if there is none.
   std::size_t image(const FieldMatrix& a, std::size_t vertex) const;

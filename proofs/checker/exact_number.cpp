@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "proofs/checker/budget.hpp"
+
 namespace delcert::checker {
 namespace {
 
@@ -56,6 +58,7 @@ bool is_exact_number(std::string_view text) { return split(text).valid; }
 
 Rational exact_value(std::string_view text) {
   const Parts parts = split(text);
+  Budget::spend(text.size() + text.size() * text.size() / 4096);  // of long division
   Rational value;
   fmpz* numerator = fmpq_numref(value.raw());
   fmpz* denominator = fmpq_denref(value.raw());

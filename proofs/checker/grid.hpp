@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "proofs/checker/budget.hpp"
 #include "proofs/checker/point_set.hpp"
 #include "proofs/checker/report.hpp"
 
@@ -62,6 +63,7 @@ void Grid::visit(const Vector<Interval>& centre, double radius, const F& f) cons
       for (const Step& s1 : steps[1]) {
         for (const Step& s0 : steps[0]) {
           const std::size_t cell = ((s3.cell * size(2) + s2.cell) * size(1) + s1.cell) * size(0) + s0.cell;
+          Budget::spend(1 + (begin_[cell + 1] - begin_[cell]));
           for (std::size_t v = begin_[cell]; v < begin_[cell + 1]; ++v) {
             const Lift& at = vertices_[v].lift;
             f(Vertex{vertices_[v].label, {at[0] + s0.lift, at[1] + s1.lift, at[2] + s2.lift, at[3] + s3.lift}});

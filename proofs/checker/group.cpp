@@ -1,5 +1,8 @@
 #include "proofs/checker/group.hpp"
 
+#include "proofs/checker/abelian_group.hpp"
+#include "proofs/checker/smith_form.hpp"
+
 namespace delcert::checker {
 namespace {
 
@@ -35,8 +38,26 @@ Group check_group(const SpaceForm& form, const Rational& reach, const Rational& 
       report.reject("group.generator", [&] { return "generator " + std::to_string(g) + " " + fault; });
   }
   if (!report.findings.empty()) return {};
-  if (form.K > 0) return spherical_group(form, report);
-  return form.K == 0 ? flat_group(form, reach, spread, report) : hyperbolic_group(form, reach, spread, report);
+  Group group = form.K > 0    ? spherical_group(form, report)
+                : form.K == 0 ? flat_group(form, reach, spread, report)
+                              : hyperbolic_group(form, reach, spread, report);
+  for (const FieldMatrix& generator : form.generators)
+    group.orientable = group.orientable && generator.leading_minor(generator.order()).sign() > 0;
+  return group;
+}
+
+std::string first_homology(const Group& group) {
+  std::vector<Column> columns;
+  for (const std::vector<std::int64_t>& relation : group.relations) {
+    Column column;
+    for (std::size_t k = group.letters; k-- > 0;) {
+      if (relation[k] != 0) column.push_back({static_cast<std::uint32_t>(k), relation[k]});
+    }
+    columns.push_back(std::move(column));
+  }
+  std::vector<bool> used_rows(group.letters), used_columns(columns.size());
+  const SmithForm form = reduce(std::move(columns), group.letters, used_rows, used_columns);
+  return group_text(group.letters - form.rank, form.torsion);
 }
 
 }  // namespace delcert::checker

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,15 @@ namespace delcert::checker {
 struct Group {
   std::vector<FieldMatrix> elements;  // the identity first
   std::string summary;
+  std::string size;        // "order 120", "14 sides", "6 cosets of its lattice"
+  bool orientable = true;  // whether all of them keep the orientation
+  /// Of a presentation: how many generators, and the exponents of each in the relations.
+  std::size_t letters = 0;
+  std::vector<std::vector<std::int64_t>> relations{};
 };
+
+/// The presented group made commutative, H_1 of the quotient.
+std::string first_homology(const Group& group);
 
 /// Checks the rules group.* and finds all elements with d(x, gamma y) <= reach for some x, y at most `spread` from o,
 /// and perhaps others. The elements are complete only if nothing is reported. Throws Undecided.

@@ -43,6 +43,13 @@ FieldElement least_displacement_squared(const SpaceForm& form, const FieldMatrix
   return result / FieldElement(order * order);
 }
 
+/// The value of an integer. Throws Undecided for one that is large.
+std::int64_t small_integer(const FieldElement& x) {
+  const Rational value = x.constant_term();
+  if (fmpz_bits(fmpq_numref(value.raw())) > 40) throw Undecided("an integer of the group is too large");
+  return fmpz_get_si(fmpq_numref(value.raw()));
+}
+
 /// Calls f(shift) for all integer vectors between the bounds.
 template <class F>
 void for_each_shift(std::size_t m, const std::vector<long>& first, const std::vector<long>& last, const F& f) {
@@ -61,12 +68,16 @@ void for_each_shift(std::size_t m, const std::vector<long>& first, const std::ve
 
 /// Whether the translation is certainly longer than this.
 bool is_longer(const SpaceForm& form, const FieldMatrix& a, double length) {
-  const BallScope scope(64);
-  Ball sum(0);
-  for (std::size_t i = 0; i < form.m; ++i) {
-    for (std::size_t k = 0; k < form.m; ++k) sum = sum + (a(i + 1, 0) * form.gram(i, k) * a(k + 1, 0)).enclosure();
-  }
-  return square_root(sum).enclosure().lower() > length;
+  return length < in_balls(
+                      64,
+                      [&] {
+                        Ball sum(0);
+                        for (std::size_t i = 0; i < form.m; ++i) {
+                          for (std::size_t k = 0; k < form.m; ++k)
+                            sum = sum + (a(i + 1, 0) * form.gram(i, k) * a(k + 1, 0)).enclosure();
+                        }
+                        return square_root(sum).enclosure().lower();
+                      });
 }
 
 }  // namespace
@@ -76,11 +87,35 @@ bool is_longer(const SpaceForm& form, const FieldMatrix& a, double length) {
 Group flat_group(const SpaceForm& form, const Rational& reach, const Rational& spread, Report& report) {
   const FieldMatrix identity = FieldMatrix::identity(form.m + 1);
   std::vector<FieldMatrix> cosets{identity};
-  std::map<FieldMatrix, bool> known{{identity, true}};
+  // The letters are the generators and then the translations. A coset is known by a word, as exponents.
+  Group group;
+  group.letters = form.generators.size() + form.m;
+  using Word = std::vector<std::int64_t>;
+  std::map<FieldMatrix, Word> known{{identity, Word(group.letters)}};
   for (std::size_t at = 0; at < cosets.size() && known.size() <= most; ++at) {
-    for (const FieldMatrix& generator : form.generators) {
-      const FieldMatrix product = reduced(*form.field, cosets[at] * generator);
-      if (known.emplace(product, true).second) cosets.push_back(product);
+    for (std::size_t letter = 0; letter < form.generators.size(); ++letter) {
+      const FieldMatrix product = cosets[at] * form.generators[letter], coset = reduced(*form.field, product);
+      // coset = (the translation back) product
+      Word word = known.at(cosets[at]);
+      ++word[letter];
+      for (std::size_t k = 0; k < form.m; ++k)
+        word[form.generators.size() + k] += small_integer(coset(k + 1, 0) - product(k + 1, 0));
+      const auto [place, is_new] = known.emplace(coset, word);
+      if (is_new) {
+        cosets.push_back(coset);
+      } else {
+        for (std::size_t k = 0; k < group.letters; ++k) word[k] -= place->second[k];
+        group.relations.push_back(std::move(word));
+      }
+    }
+  }
+  // g e g^-1 is the translation by (linear part) e.
+  for (const FieldMatrix& generator : form.generators) {
+    for (std::size_t column = 1; column <= form.m; ++column) {
+      Word word(group.letters);
+      for (std::size_t row = 1; row <= form.m; ++row)
+        word[form.generators.size() + row - 1] = small_integer(generator(row, column)) - (row == column ? 1 : 0);
+      group.relations.push_back(std::move(word));
     }
   }
   if (known.size() > most) throw Undecided("the group has too many elements modulo its lattice to look at");
@@ -88,8 +123,7 @@ Group flat_group(const SpaceForm& form, const Rational& reach, const Rational& s
   // `cell` from o: all such elements are looked at, too.
   std::vector<double> stretch(form.m);
   double cell = 0, room = 0, twice_injectivity = 0;
-  {
-    const BallScope scope(128);
+  in_balls(128, [&] {
     const SquareMatrix<Ball> T = form.basis(), inverse = form.inverse_basis();
     Ball sum(0);
     for (std::size_t k = 0; k < form.m; ++k) {
@@ -109,10 +143,12 @@ Group flat_group(const SpaceForm& form, const Rational& reach, const Rational& s
     cell = sum.enclosure().upper();
     room = (Ball(reach) + Ball(2) * Ball(spread)).enclosure().upper();
     twice_injectivity = (Ball(2) * form.injectivity_radius.as<Ball>()).enclosure().upper();
-  }
+  });
   const double most_translation = std::max(room, twice_injectivity + 2 * cell);
   const FieldElement least(*form.field, {square(Rational(2) * form.injectivity_radius.exact)});
-  Group group{{identity}, "a crystallographic group, " + std::to_string(cosets.size()) + " cosets of its lattice"};
+  group.elements = {identity};
+  group.size = std::to_string(cosets.size()) + (cosets.size() == 1 ? " coset" : " cosets") + " of its lattice";
+  group.summary = "a crystallographic group, " + group.size;
   std::vector<long> first(form.m), last(form.m);
   double number = static_cast<double>(cosets.size());
   for (std::size_t k = 0; k < form.m; ++k) {
@@ -120,7 +156,7 @@ Group flat_group(const SpaceForm& form, const Rational& reach, const Rational& s
     first[k] = -last[k];
     number *= 2.0 * static_cast<double>(last[k]) + 1;
   }
-  if (!(number < 1e6)) throw Undecided("too many elements of the group to look at");
+  if (!(number < 2e5)) throw Undecided("too many elements of the group to look at");
   for (const FieldMatrix& coset : cosets) {
     for_each_shift(form.m, first, last, [&](const std::vector<long>& z) {
       FieldMatrix element = coset;
@@ -131,7 +167,7 @@ Group flat_group(const SpaceForm& form, const Rational& reach, const Rational& s
       if (less(least_displacement_squared(form, element), least) != Verdict::proved) return;
       report.reject("group.injectivity", [&] {
         return "an element moves a point by less than twice the injectivity radius " +
-               about(form.injectivity_radius.filter);
+               rounded_up(form.injectivity_radius.exact);
       });
     });
   }

@@ -39,13 +39,12 @@ Group hyperbolic_group(const SpaceForm& form, const Rational& reach, const Ratio
   if (!polyhedron.fault.empty()) report.reject("group.polyhedron", [&] { return polyhedron.fault; });
   if (!report.findings.empty()) return {};
   double needed = 0, walked = 0;  // upper bounds of cosh d(o, gamma o)
-  {
-    const BallScope scope(128);
+  in_balls(128, [&] {
     const Ball D = Ball::apply(arb_acosh, polyhedron.farthest_vertex());
     const Ball R = Ball(reach) + Ball(2) * Ball(spread), r = Ball(2) * form.injectivity_radius.as<Ball>();
     needed = Ball::apply(arb_cosh, R).enclosure().upper();
     walked = Ball::apply(arb_cosh, maximum(R + D, r + D + D)).enclosure().upper();
-  }
+  });
   const FieldMatrix identity = FieldMatrix::identity(form.m + 1);
   std::vector<FieldMatrix> tiles{identity};
   // o is inside of P alone: a tile is known by its centre, the first column of its element.
@@ -55,15 +54,25 @@ Group hyperbolic_group(const SpaceForm& form, const Rational& reach, const Ratio
     return column;
   };
   std::set<FieldVector> known{first_column(identity)};
-  Group group{{identity}, ""};
+  Group group;
+  group.elements = {identity};
+  group.size = std::to_string(polyhedron.sides.size()) + " sides";
+  // By Poincare's theorem: a letter for each side, which is the inverse of that of the other of its pair, and a
+  // relation for each cycle of ridges.
+  group.letters = polyhedron.sides.size();
+  const auto relate = [&](const std::vector<std::size_t>& word) {
+    std::vector<std::int64_t> exponents(group.letters);
+    for (const std::size_t letter : word) ++exponents[letter];
+    group.relations.push_back(std::move(exponents));
+  };
+  for (std::size_t s = 0; s < polyhedron.sides.size(); ++s) relate({s, polyhedron.sides[s].inverse});
+  for (const std::vector<std::size_t>& cycle : polyhedron.cycles) relate(cycle);
   for (std::size_t at = 0; at < tiles.size(); ++at) {
+    Budget::spend(5000 * polyhedron.sides.size());
     if (tiles.size() > most_tiles) throw Undecided("too many tiles of the polyhedron about o to look at");
     for (const Side& side : polyhedron.sides) {
       const FieldVector centre = tiles[at] * first_column(side.element);
-      const double moved = [&] {
-        const BallScope scope(96);
-        return centre[0].enclosure().enclosure().lower();
-      }();
+      const double moved = in_balls(96, [&] { return centre[0].enclosure().enclosure().lower(); });
       if (moved > walked || !known.insert(centre).second) continue;
       const FieldMatrix next = tiles[at] * side.element;
       tiles.push_back(next);
@@ -71,12 +80,11 @@ Group hyperbolic_group(const SpaceForm& form, const Rational& reach, const Ratio
       if (moves_far(form, next)) continue;
       report.reject("group.injectivity", [&] {
         return "an element moves a point by at most twice the injectivity radius " +
-               about(form.injectivity_radius.filter);
+               rounded_up(form.injectivity_radius.exact);
       });
     }
   }
-  group.summary = "a polyhedron with " + std::to_string(polyhedron.sides.size()) + " sides, " +
-                  std::to_string(tiles.size()) + " tiles around it";
+  group.summary = "a polyhedron with " + group.size + ", " + std::to_string(tiles.size()) + " tiles around it";
   return group;
 }
 

@@ -1,4 +1,4 @@
-#include <set>
+#include <map>
 
 #include "proofs/checker/group.hpp"
 
@@ -33,12 +33,25 @@ bool moves_all_far(const SpaceForm& form, const FieldMatrix& a) {
 
 Group spherical_group(const SpaceForm& form, Report& report) {
   const FieldMatrix identity = FieldMatrix::identity(form.m + 1);
-  Group group{{identity}, ""};
-  std::set<FieldMatrix> known{identity};
+  Group group;
+  group.elements = {identity};
+  group.letters = form.generators.size();
+  // Words by which the elements were reached, as exponents. All loops of the Cayley graph are products of those that
+  // an edge closes: they are the relations.
+  std::map<FieldMatrix, std::vector<std::int64_t>> known{{identity, std::vector<std::int64_t>(group.letters)}};
   for (std::size_t at = 0; at < group.elements.size() && known.size() <= most_elements; ++at) {
-    for (const FieldMatrix& generator : form.generators) {
-      const FieldMatrix product = group.elements[at] * generator;
-      if (known.insert(product).second) group.elements.push_back(product);
+    for (std::size_t letter = 0; letter < group.letters; ++letter) {
+      Budget::spend(1000);
+      const FieldMatrix product = group.elements[at] * form.generators[letter];
+      std::vector<std::int64_t> word = known.at(group.elements[at]);
+      ++word[letter];
+      const auto [place, is_new] = known.emplace(product, word);
+      if (is_new) {
+        group.elements.push_back(product);
+      } else {
+        for (std::size_t k = 0; k < group.letters; ++k) word[k] -= place->second[k];
+        group.relations.push_back(std::move(word));
+      }
     }
   }
   if (!decide_with_balls([&] { return less(form.injectivity_radius.as<Ball>(), pi()); }))
@@ -47,13 +60,14 @@ Group spherical_group(const SpaceForm& form, Report& report) {
     if (moves_all_far(form, group.elements[at])) continue;
     report.reject("group.injectivity", [&] {
       return "element " + std::to_string(at) + " moves a point by at most twice the injectivity radius " +
-             about(form.injectivity_radius.filter);
+             rounded_up(form.injectivity_radius.exact);
     });
   }
   // Of infinitely many some move points very little: that is found first.
   if (known.size() > most_elements && report.findings.empty())
     throw Undecided("the group has too many elements to look at");
-  group.summary = "a finite group of order " + std::to_string(known.size());
+  group.size = "order " + std::to_string(known.size());
+  group.summary = "a finite group of " + group.size;
   return group;
 }
 

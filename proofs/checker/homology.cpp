@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "proofs/checker/abelian_group.hpp"
 #include "proofs/checker/smith_form.hpp"
 
 namespace delcert::checker {
@@ -12,18 +13,6 @@ LabelSet without(LabelSet face, std::size_t omitted) {
   std::copy(place + 1, face.end(), place);
   face.back() = 0;
   return face;
-}
-
-std::string group(std::size_t free_rank, const std::vector<std::string>& torsion) {
-  std::string text;
-  const auto add = [&text](const std::string& summand) { text += (text.empty() ? "" : " + ") + summand; };
-  if (free_rank > 0) add(free_rank == 1 ? "Z" : "Z^" + std::to_string(free_rank));
-  for (auto first = torsion.begin(); first != torsion.end();) {
-    const auto last = std::find_if(first, torsion.end(), [&](const std::string& order) { return order != *first; });
-    add(last - first == 1 ? "Z/" + *first : "(Z/" + *first + ")^" + std::to_string(last - first));
-    first = last;
-  }
-  return text.empty() ? "0" : text;
 }
 
 }  // namespace
@@ -80,7 +69,7 @@ std::vector<std::string> FaceComplex::homology() const {
   for (std::size_t k = 1; k < m; ++k) find(k);
   std::vector<std::string> result;
   for (std::size_t k = 0; k <= m; ++k)
-    result.push_back(group(faces_[k].size() - forms[k].rank - forms[k + 1].rank, forms[k + 1].torsion));
+    result.push_back(group_text(faces_[k].size() - forms[k].rank - forms[k + 1].rank, forms[k + 1].torsion));
   return result;
 }
 

@@ -28,8 +28,8 @@ void check_separation(const Certificate& c, Report& report) {
       if (q.label < i || q == base) return;
       if (decide([&]<class N>(In<N>) { return less_equal(square(least.as<N>()), c.net.between<N>(base, q)); })) return;
       report.reject("0.separation", [&] {
-        return "net points " + std::to_string(i) + " and " + to_string(q, c.m) + " have squared distance " +
-               about(c.net.between<Interval>(base, q)) + ", less than the square of " + about(least.filter);
+        return "net points " + std::to_string(i) + " and " + to_string(q, c.m) + " have a squared distance of about " +
+               about(c.net.between<Interval>(base, q)) + ", less than the square of " + rounded_up(least.exact);
       });
     });
   }
@@ -45,7 +45,7 @@ void check_perturbation(const Certificate& c, Report& report) {
     };
     if (decide(near)) continue;
     report.reject("0.perturbation", [&] {
-      return "point " + std::to_string(i) + " is farther than " + about(largest.filter) + " from its net point";
+      return "point " + std::to_string(i) + " is farther than " + rounded_up(largest.exact) + " from its net point";
     });
   }
 }
@@ -67,13 +67,14 @@ void check_hypotheses_2(const Certificate& c, Report& report) {
 
 std::string check_level_0(const Certificate& c, Report& report) {
   check_patch_size(c, report);
+  if (!report.findings.empty()) return "";  // of lifts there may be any number
   check_separation(c, report);
   check_perturbation(c, report);
   if (c.hypotheses_2) check_hypotheses_2(c, report);
   check_cycle(c, report);
   check_density(c, report);
-  return std::to_string(c.n) + " points, sampling radius " + about(c.epsilon.filter) + ", separation " +
-         about(c.mu.filter) + ", perturbation <= " + about(c.rho.filter) +
+  return std::to_string(c.n) + " points, sampling radius " + rounded_up(c.epsilon.exact) +
+         ", separation >= " + rounded_down(c.mu.exact) + ", perturbation <= " + rounded_up(c.rho.exact) +
          (c.hypotheses_2 ? ", Hypotheses 1 and 2" : ", Hypotheses 1");
 }
 

@@ -58,11 +58,12 @@ class StarChecker {
     const auto small = [&]<class N>(In<N>) {
       return less_equal(choose<N>(filter, exact).radius_squared, square(c_.circumradius.as<N>()));
     };
-    if (!decide(small)) reject("1.radius", [&] { return "has squared circumradius " + about(filter.radius_squared); });
+    if (!decide(small))
+      reject("1.radius", [&] { return "has a squared circumradius of about " + about(filter.radius_squared); });
     const auto thick = [&]<class N>(In<N>) {
       return is_thick(c_.metric, c_.points.positions<N>(vertices), square(c_.thickness.as<N>()));
     };
-    if (!decide(thick)) reject("1.thickness", [&] { return "is thinner than " + about(c_.thickness.filter); });
+    if (!decide(thick)) reject("1.thickness", [&] { return "is thinner than " + rounded_up(c_.thickness.exact); });
 
     const Vector<Interval> origin = c_.points.position<Interval>(vertices[0]);
     const double reach = (Interval::between(0, upper_root(filter.radius_squared)) + c_.protection.filter).upper();
@@ -74,7 +75,7 @@ class StarChecker {
       };
       if (decide(clear)) return;
       reject("1.protection", [&] {
-        return "has " + to_string(q, c_.m) + " within circumradius + " + about(c_.protection.filter) +
+        return "has " + to_string(q, c_.m) + " within circumradius + " + rounded_up(c_.protection.exact) +
                " of its circumcentre";
       });
     });
@@ -135,13 +136,14 @@ void check_facets(const Certificate& c, Label i, Report& report) {
 
 std::string check_level_1(const Certificate& c, Report& report) {
   check_patch(c, report);
+  if (!report.findings.empty()) return "";  // of lifts there may be any number
   StarChecker checker(c, report);
   for (Label i = 0; i < c.n; ++i) {
     if (c.interior[i]) checker.check(i);
   }
   return std::to_string(checker.simplices) + " simplices of " + std::to_string(checker.stars) +
-         " stars, protection >= " + about(c.protection.filter) + ", thickness >= " + about(c.thickness.filter) +
-         ", circumradius <= " + about(c.circumradius.filter);
+         " stars, protection >= " + rounded_down(c.protection.exact) +
+         ", thickness >= " + rounded_down(c.thickness.exact) + ", circumradius <= " + rounded_up(c.circumradius.exact);
 }
 
 }  // namespace delcert::checker

@@ -86,6 +86,7 @@ class Search {
         chosen_.push_back(q.vertex);
         if (simplex.dimension() > 0) {
           ++sets;
+          Budget::spend(10);
           if (power.lower() <= narrow && -power.upper() <= narrow) decide_configuration();
         }
         if (simplex.dimension() < m_) extend_by(simplex, q, power, intersection(allowed, later_[index]));

@@ -28,8 +28,7 @@ Lifts::Lifts(const Certificate& c, const Group& group, const Rational& reach, co
     : c_(c), group_(group), width_(0), frame_(c.m_size()) {
   const std::size_t m = c.m_size();
   double farthest = 0;  // x_0 or the squared length of lifts within spread + reach of o
-  {
-    const BallScope scope(160);
+  in_balls(160, [&] {
     const SquareMatrix<Ball> T = c.space_form->basis();
     for (std::size_t i = 0; i < m; ++i) {
       for (std::size_t k = 0; k < m; ++k) frame_(i, k) = T(i + 1, k + 1).enclosure();
@@ -38,14 +37,11 @@ Lifts::Lifts(const Certificate& c, const Group& group, const Rational& reach, co
       elements_.push_back(enclosures(c.space_form->in_standard_basis(element)));
     const Ball far = Ball(spread) + Ball(reach);
     farthest = (K() < 0 ? Ball::apply(arb_cosh, far) : square(far)).enclosure().upper();
-  }
+  });
   // Pictures are known to 2^-24, so that lifts within reach are in neighbouring cells.
   width_ = enclosure(reach).upper() + 0x1p-20;
   for (Label j = 0; j < c.n; ++j) {
-    const Vector<Interval> x = [&] {
-      const BallScope scope(128);
-      return enclosures(position(j));
-    }();
+    const Vector<Interval> x = in_balls(128, [&] { return enclosures(position(j)); });
     for (std::uint32_t element = 0; element < elements_.size(); ++element) {
       const Vector<Interval> y = elements_[element] * x;
       const bool far = K() < 0    ? y[0].lower() > farthest
@@ -94,11 +90,8 @@ Lifts::Cell Lifts::cell_of(const Vector<Interval>& x) const {
 
 std::vector<Seen> Lifts::around(Label i, const Rational& radius) const {
   const std::size_t m = c_.m_size();
-  double bound = 0;
-  {
-    const BallScope scope(64);
-    bound = square(Ball(2) * tangent(K(), Ball(radius) / Ball(2))).enclosure().upper();
-  }
+  const double bound =
+      in_balls(64, [&] { return square(Ball(2) * tangent(K(), Ball(radius) / Ball(2))).enclosure().upper(); });
   const Cell at = cell_of(linear(K(), m, centres_[i]));
   std::vector<Seen> result;
   const std::size_t axes = m + (K() > 0 ? 1 : 0);

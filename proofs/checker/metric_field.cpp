@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "proofs/checker/budget.hpp"
 #include "proofs/checker/exact_number.hpp"
 
 namespace delcert::checker {
@@ -86,6 +87,7 @@ MetricField::MetricField(int dimension, Cursor& cursor)
 }
 
 SquareMatrix<Ball> MetricField::at(const std::vector<Rational>& point) const {
+  Budget::spend(1 + 500 * waves.size());
   SquareMatrix<Ball> result(m);
   add_multiple(result, constant, Ball(1));
   for (const Wave& wave : waves) {
@@ -99,6 +101,7 @@ SquareMatrix<Ball> MetricField::at(const std::vector<Rational>& point) const {
 }
 
 SquareMatrix<Interval> MetricField::within(const Box& box) const {
+  Budget::spend(1 + 200 * waves.size());
   SquareMatrix<Interval> result = constant_filter;
   for (const Wave& wave : waves) {
     double half_width = 0;
@@ -109,8 +112,7 @@ SquareMatrix<Interval> MetricField::within(const Box& box) const {
       half_width += std::abs(wave.frequency[k]) * half;
     }
     Interval cosine, sine;
-    {
-      const BallScope scope(64);
+    in_balls(64, [&] {
       Ball phase(0), x;
       for (std::size_t k = 0; k < m; ++k) {
         arb_set_d(x.raw(), middle[k]);
@@ -119,7 +121,7 @@ SquareMatrix<Interval> MetricField::within(const Box& box) const {
       const Turn turned = turn(phase);
       cosine = turned.cosine.enclosure();
       sine = turned.sine.enclosure();
-    }
+    });
     // cos(a + b) = cos b cos a - sin b sin a, sin(a + b) = cos b sin a + sin b cos a; |b| <= h: cos b >= 1 - h^2/2,
     // |sin b| <= h.
     const double h = above_two_pi * half_width, slope = std::min(h, 1.0);

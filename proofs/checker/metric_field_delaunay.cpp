@@ -43,11 +43,11 @@ std::string check_delaunay_of_metric_field(const AffineCharts& charts, Report& r
       if (long_enough) continue;
       report.reject("4.edge", [&] {
         return "all edges of simplex " + label_set(others, others + c.m) + " in the star of " + std::to_string(i) +
-               " are shorter than " + about(c.edge.filter);
+               " are shorter than " + rounded_up(c.edge.exact);
       });
     }
   }
-  return "the Delaunay complex for the distance of the metric, stable by >= " + about(c.stability_margin.filter);
+  return "the Delaunay complex for the distance of the metric, stable by >= " + rounded_down(c.stability_margin.exact);
 }
 
 }  // namespace delcert::checker

@@ -68,7 +68,7 @@ void check_protection(const AffineChart& chart, const AffineSimplex& simplex, co
     if (clear) continue;
     report.reject(rule, [&] {
       return which + " has label " + std::to_string(chart.vertex(q).label) + " within circumradius + " +
-             about(margin.filter) + " of its circumcentre";
+             rounded_up(margin.exact) + " of its circumcentre";
     });
   }
 }
@@ -98,13 +98,15 @@ void check_star(const Certificate& c, const AffineChart& chart, Label i, Report&
     const bool small = simplex.holds(
         [&]<class N>(const Simplex<N>& t) { return less_equal(t.radius_squared, square(c.circumradius.as<N>())); });
     if (!small) {
-      report.reject("1.radius",
-                    [&] { return which + " has squared circumradius " + about(simplex.filter().radius_squared); });
+      report.reject("1.radius", [&] {
+        return which + " has a squared circumradius of about " + about(simplex.filter().radius_squared);
+      });
     }
     const bool thick = decide([&]<class N>(In<N>) {
       return is_thick(c.metric, chart.positions<N>(simplex.vertices()), square(c.thickness.as<N>()));
     });
-    if (!thick) report.reject("1.thickness", [&] { return which + " is thinner than " + about(c.thickness.filter); });
+    if (!thick)
+      report.reject("1.thickness", [&] { return which + " is thinner than " + rounded_up(c.thickness.exact); });
     check_protection(chart, simplex, c.protection, report, "1.protection", which);
   }
 }
@@ -137,8 +139,8 @@ std::string check_stars_of_metric_field(const AffineCharts& charts, Report& repo
     simplices += c.star_size(i);
   }
   return std::to_string(simplices) +
-         " simplices in the charts of their vertices, protection >= " + about(c.protection.filter) +
-         ", thickness >= " + about(c.thickness.filter) + ", circumradius <= " + about(c.circumradius.filter);
+         " simplices in the charts of their vertices, protection >= " + rounded_down(c.protection.exact) +
+         ", thickness >= " + rounded_down(c.thickness.exact) + ", circumradius <= " + rounded_up(c.circumradius.exact);
 }
 
 /// In the chart of j, the stars of j and of all labels of star(j). j is in the stars of just these.

@@ -114,8 +114,8 @@ std::string check_metric_field(const AffineCharts& charts, Report& report) {
   ChartChecker checker(c, report);
   for (Label i = 0; i < c.n; ++i) checker.check(charts, i);
   return std::to_string(c.metric_field->waves.size()) + " waves; " + std::to_string(c.n) +
-         " charts, distorted by <= " + about(c.distortion.filter) +
-         ", and by <= " + about(c.metric_field->metric_distortion.filter) + " from the metric";
+         " charts, distorted by <= " + rounded_up(c.distortion.exact) +
+         ", and by <= " + rounded_up(c.metric_field->metric_distortion.exact) + " from the metric";
 }
 
 }  // namespace delcert::checker

@@ -40,7 +40,6 @@ Ball value_at(const fmpq_poly_struct* f, const Ball& x) {
 
 NumberField::NumberField(const std::vector<Rational>& coefficients, Rational lower, Rational upper)
     : lower_(std::move(lower)), upper_(std::move(upper)) {
-  const BallScope scope(256);
   fmpq_poly_init(modulus_);
   for (std::size_t k = 0; k < coefficients.size(); ++k)
     fmpq_poly_set_coeff_fmpq(modulus_, static_cast<slong>(k), coefficients[k].raw());
@@ -49,13 +48,15 @@ NumberField::NumberField(const std::vector<Rational>& coefficients, Rational low
     fmpq_poly_clear(modulus_);
     throw Malformed("form.field", what);
   };
-  require(degree() >= 1 && is_irreducible(modulus_), "the polynomial of the field is not irreducible");
+  require(degree() >= 1 && in_balls(256, [&] { return is_irreducible(modulus_); }),
+          "the polynomial of the field is not irreducible");
   require(less(lower_, upper_) == Verdict::proved && sign_at(modulus_, lower_) * sign_at(modulus_, upper_) < 0,
           "the polynomial of the field does not change its sign between the ends of root");
   fmpq_poly_t derivative;
   fmpq_poly_init(derivative);
   fmpq_poly_derivative(derivative, modulus_);
-  const bool monotone = arb_contains_zero(value_at(derivative, joined(Ball(lower_), Ball(upper_))).raw()) == 0;
+  const bool monotone = in_balls(
+      256, [&] { return arb_contains_zero(value_at(derivative, joined(Ball(lower_), Ball(upper_))).raw()) == 0; });
   fmpq_poly_clear(derivative);
   require(monotone, "the ends of root are too far apart: there might be another root between them");
 }
@@ -116,10 +117,11 @@ int FieldElement::sign() const {
   if (is_rational()) return constant_term().sign();
   // Not 0, as the polynomial of the field is irreducible: some precision decides.
   for (slong precision = 128; precision <= 1 << 20; precision *= 2) {
-    const BallScope scope(precision);
-    const Ball value = enclosure();
-    if (arb_is_positive(value.raw()) != 0) return 1;
-    if (arb_is_negative(value.raw()) != 0) return -1;
+    const int found = in_balls(precision, [&] {
+      const Ball value = enclosure();
+      return arb_is_positive(value.raw()) != 0 ? 1 : arb_is_negative(value.raw()) != 0 ? -1 : 0;
+    });
+    if (found != 0) return found;
   }
   throw Undecided("the sign of an element of the field");
 }

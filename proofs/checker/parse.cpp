@@ -1,5 +1,6 @@
 #include <set>
 
+#include "proofs/checker/abelian_group.hpp"
 #include "proofs/checker/certificate.hpp"
 #include "proofs/checker/report.hpp"
 
@@ -32,11 +33,18 @@ std::size_t parse_word(Cursor& cursor, const std::vector<std::string>& words) {
   cursor.fail("form.types", "one of the words " + words.front() + " … " + words.back());
 }
 
+/// A finitely generated abelian group in its one spelling.
+std::string parse_group(Cursor& cursor) {
+  const std::string_view text = cursor.string();
+  if (!is_group(text)) cursor.fail("form.types", "a group such as Z^2 + Z/3 before this");
+  return std::string(text);
+}
+
 }  // namespace
 
 void Certificate::parse_manifold(Cursor& cursor) {
   cursor.expect("{\"name\":");
-  cursor.string();
+  name = cursor.string();
   cursor.expect(",\"family\":");
   const std::size_t family =
       parse_word(cursor, {"flat-torus", "euclidean-ball", "spherical", "flat", "hyperbolic", "metric-field"});
@@ -61,7 +69,9 @@ void Certificate::parse_manifold(Cursor& cursor) {
 
 void Certificate::parse_parameters(Cursor& cursor) {
   cursor.expect("{\"mode\":");
-  theory = parse_word(cursor, {"theory", "measured", "none"}) == 0;
+  const std::size_t mode = parse_word(cursor, {"theory", "measured", "none"});
+  theory = mode == 0;
+  unperturbed = mode == 2;
   cursor.expect(",\"candidates\":");
   parse_word(cursor, {"pruned", "whole", "printed"});
   cursor.expect(",\"seed\":");
@@ -109,7 +119,7 @@ void Certificate::parse_levels(Cursor& cursor) {
       euler_characteristic = cursor.integer();
       cursor.expect(",\"closed\":");
       closed = cursor.boolean();
-      if (cursor.accept(",\"homology\":")) cursor.row(m + 1, [&] { homology.emplace_back(cursor.string()); });
+      if (cursor.accept(",\"homology\":")) cursor.row(m + 1, [&] { homology.push_back(parse_group(cursor)); });
     } else if (level == level_3) {
       cursor.expect("{\"tested\":");
       cursor.string();
@@ -183,7 +193,9 @@ void Certificate::parse(Cursor& cursor) {
   cursor.expect("2,\"software\":");
   parse_software(cursor);
   cursor.expect(",\"manifold\":");
+  const std::size_t before = cursor.passed().size();
   parse_manifold(cursor);
+  manifold_text = cursor.passed().substr(before);
   cursor.expect(",\"parameters\":");
   parse_parameters(cursor);
   cursor.expect(",\"levels\":");

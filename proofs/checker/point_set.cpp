@@ -31,6 +31,7 @@ std::vector<Lift> PointSet::lifts_within(const Vertex& v, Label label, const Qua
     if (first > last) return {};
     number *= last - first + 1;
     if (!(number <= 1e7 && first > -0x1p30 && last < 0x1p30)) throw Undecided("too many lifts to look at");
+    Budget::spend(static_cast<std::uint64_t>(number));
     range[0][k] = static_cast<std::int32_t>(first);
     range[1][k] = static_cast<std::int32_t>(last);
   }

@@ -19,11 +19,27 @@ const char* level_state(const Outcome& outcome, const LevelResult& result) {
 
 nlohmann::ordered_json as_object(const Finding& finding) { return {{"rule", finding.rule}, {"what", finding.what}}; }
 
+nlohmann::ordered_json as_object(const Identity& identity, bool with_name) {
+  const auto known = [](const std::string& text) -> nlohmann::ordered_json {
+    if (text.empty()) return nullptr;
+    return text;
+  };
+  return {{"family", identity.family},
+          {"dimension", identity.dimension},
+          {"size", known(identity.size)},
+          {"orientability", known(identity.orientability)},
+          {"first_homology", known(identity.first_homology)},
+          {"name_as_stated", with_name ? nlohmann::ordered_json(identity.name) : nullptr},
+          {"manifold_sha256", identity.manifold_digest},
+          {"file_sha256", known(identity.file_digest)}};
+}
+
 }  // namespace
 
 std::string as_text(const Outcome& outcome) {
   if (outcome.malformed) return "malformed: " + outcome.malformed->rule + ": " + outcome.malformed->what + "\n";
   std::string text, checked, unchecked;
+  if (outcome.identity) text = "manifold   " + to_string(*outcome.identity, outcome.status == 0) + "\n";
   for (const LevelResult& result : outcome.levels) {
     std::array<char, 64> head{}, tail{};
     std::snprintf(head.data(), head.size(), "level %-4s %-10s ", result.level.c_str(), level_state(outcome, result));
@@ -54,12 +70,13 @@ std::string as_json(const std::string& file, const Outcome& outcome) {
   }
   nlohmann::ordered_json object = {{"file", file}, {"status", status_name(outcome.status)}, {"exit", outcome.status}};
   object["malformed"] = outcome.malformed ? as_object(*outcome.malformed) : nullptr;
+  object["manifold"] = outcome.identity ? as_object(*outcome.identity, outcome.status == 0) : nullptr;
   object["levels"] = levels;
   object["unchecked"] = outcome.unchecked;
   object["decisions"] = {{"intervals", outcome.decisions.filtered},
                          {"rationals", outcome.decisions.exact},
                          {"balls", outcome.decisions.enclosed}};
-  return object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return object.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace delcert::checker

@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "proofs/checker/expectation.hpp"
 #include "proofs/checker/metric_field_levels.hpp"
 #include "proofs/checker/space_form_levels.hpp"
 
@@ -56,7 +57,6 @@ LevelResult run_check(const std::string_view name, const Check& check) {
 Check check_of_level(const AffineCharts& charts, std::size_t level) {
   return [&charts, level](Report& report) -> std::string {
     if (level == level_1) return check_stars_of_metric_field(charts, report);
-    if (level == level_2) return check_level_2(charts.certificate(), report);
     if (level == level_2s) return check_stable_stars_of_metric_field(charts, report);
     if (level == level_4) return check_delaunay_of_metric_field(charts, report);
     if (level == level_5) return "follows from levels 1 and 2 in small patches of affine charts";
@@ -68,8 +68,8 @@ Check check_of_level(const Certificate& c, std::size_t level, const Lifts* lifts
   using Flat = std::string (*)(const Certificate&, Report&);
   using Curved = std::string (*)(const Certificate&, const Lifts&, Report&);
   const Flat follows = [](const Certificate&, Report&) -> std::string { return "follows from levels 1 and 2"; };
-  const std::array<Flat, level_names.size()> flat = {check_level_0, check_level_1, check_level_2, check_level_2s,
-                                                     check_level_3, follows,       follows,       follows};
+  const std::array<Flat, level_names.size()> flat = {check_level_0, check_level_1, nullptr, check_level_2s,
+                                                     check_level_3, follows,       follows, follows};
   const std::array<Curved, level_names.size()> curved = {check_input_on_space_form,
                                                          check_stars_in_charts,
                                                          nullptr,
@@ -83,11 +83,40 @@ Check check_of_level(const Certificate& c, std::size_t level, const Lifts* lifts
   return [&c, check = flat[level]](Report& report) { return check(c, report); };
 }
 
-/// An upper bound of the distances from o of all points.
-Rational spread(const Certificate& c) {
+using CheckOfLevel = std::function<Check(std::size_t)>;
+
+/// Each level after those on which it rests: level 0 of a space form is the last, and elsewhere the first. Levels 1 and
+/// 2 are claimed together, and looked at together. Without `check_of` no level is looked at.
+void check_levels(const Certificate& c, const Levels& chosen, const CheckOfLevel* check_of, Outcome& outcome) {
+  std::vector<std::size_t> order = {level_0, level_1, level_2, level_2s, level_3, level_4, level_5, level_6};
+  if (c.kind() == Kind::space_form) std::rotate(order.begin(), order.begin() + 1, order.end());
+  Levels holds{};
+  std::array<std::optional<LevelResult>, level_names.size()> results;
+  for (const std::size_t level : order) {
+    if (!chosen[level] || check_of == nullptr) continue;
+    const std::vector<Level> bases = rests_on(level, c.kind());
+    const auto stands = [&](Level base) {
+      const bool both = holds[level_1] && holds[level_2];
+      return level == level_1 || level == level_2 || (base == level_1 || base == level_2 ? both : holds[base]);
+    };
+    if (!std::all_of(bases.begin(), bases.end(), stands)) continue;
+    const Check check = level == level_2 ? [&](Report& report) { return check_level_2(c, holds[level_1], report); }
+                                         : (*check_of)(level);
+    results[level] = run_check(level_names[level], check);
+    holds[level] = results[level]->status == 0;
+  }
+  for (std::size_t level = 0; level < level_names.size(); ++level) {
+    if (results[level]) {
+      outcome.levels.push_back(std::move(*results[level]));
+    } else if (c.claimed[level]) {
+      outcome.unchecked.emplace_back(level_names[level]);
+    }
+  }
+}
+
+/// Around the greatest distance of a point from o, halved: with the precision of balls.
+Interval greatest_distance(const Certificate& c) {
   const SpaceForm& form = *c.space_form;
-  if (form.K > 0) return Rational(4);
-  const BallScope scope(128);
   Ball most(0);
   for (Label i = 0; i < c.n; ++i) {
     Vector<Ball> a = c.net.position<Ball>({i, {}});
@@ -101,22 +130,41 @@ Rational spread(const Certificate& c) {
     most = maximum(most, squared(a, form.m));
   }
   const Ball half = square_root(most) / Ball(2), distance = half * logarithm_factor(form.K, square(half));
-  const double sixteenths = 32 * distance.enclosure().upper();
+  return distance.enclosure();
+}
+
+/// An upper bound of the distances from o of all points.
+Rational spread(const Certificate& c) {
+  const SpaceForm& form = *c.space_form;
+  if (form.K > 0) return Rational(4);
+  const Interval distance = in_balls(128, [&] { return greatest_distance(c); });
+  const double sixteenths = 32 * distance.upper();
   if (!(sixteenths < 1e6)) throw Undecided("a point of the net is too far from the origin");
   return Rational(static_cast<int>(std::ceil(sixteenths)) + 1) / Rational(16) + c.rho.exact * c.epsilon.exact;
 }
 
 }  // namespace
 
-Outcome check(std::string_view text, const std::vector<std::string>& selected) {
+Outcome check(std::string_view text, const std::vector<std::string>& selected, std::string_view expected) {
   Outcome outcome;
   decisions = {};
+  Budget::open(0);
   try {
     const Certificate certificate(text);
     const Levels chosen = selection(certificate, selected);
+    outcome.identity = identify(certificate, nullptr);
+    bool is_expected = true;
+    if (!expected.empty()) {
+      outcome.levels.push_back(run_check("manifold", [&](Report& report) -> std::string {
+        const std::string key = difference_from_expected(expected, certificate.manifold_text);
+        if (!key.empty()) report.reject("manifold.expected", [&] { return "the manifold has another " + key; });
+        return "the one that is expected";
+      }));
+      is_expected = outcome.levels.back().status == 0;
+    }
     Group group;
     std::optional<Lifts> lifts;
-    if (certificate.space_form) {
+    if (certificate.space_form && is_expected) {
       outcome.levels.push_back(run_check("group", [&](Report& report) {
         const Rational far = spread(certificate), reach = certificate.reach();
         group = check_group(*certificate.space_form, reach, far, report);
@@ -125,23 +173,19 @@ Outcome check(std::string_view text, const std::vector<std::string>& selected) {
       }));
     }
     std::optional<AffineCharts> charts;
-    bool ready = !certificate.space_form || lifts;
-    if (certificate.metric_field) {
+    outcome.identity = identify(certificate, lifts ? &group : nullptr);
+    bool ready = is_expected && (!certificate.space_form || lifts);
+    if (certificate.metric_field && is_expected) {
       outcome.levels.push_back(run_check("field", [&](Report& report) {
         charts.emplace(certificate);
         return check_metric_field(*charts, report);
       }));
       ready = outcome.levels.back().status == 0;
     }
-    for (std::size_t level = 0; level < level_names.size(); ++level) {
-      if (chosen[level] && ready) {
-        const Check check =
-            charts ? check_of_level(*charts, level) : check_of_level(certificate, level, lifts ? &*lifts : nullptr);
-        outcome.levels.push_back(run_check(level_names[level], check));
-      } else if (certificate.claimed[level]) {
-        outcome.unchecked.emplace_back(level_names[level]);
-      }
-    }
+    const CheckOfLevel check_of = [&](std::size_t level) {
+      return charts ? check_of_level(*charts, level) : check_of_level(certificate, level, lifts ? &*lifts : nullptr);
+    };
+    check_levels(certificate, chosen, ready ? &check_of : nullptr, outcome);
   } catch (const Malformed& reason) {
     outcome.status = 3;
     outcome.malformed = Finding{reason.rule, reason.what()};

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "proofs/checker/certificate.hpp"
+#include "proofs/checker/identity.hpp"
 #include "proofs/checker/report.hpp"
 
 namespace delcert::checker {
@@ -14,7 +15,8 @@ namespace delcert::checker {
 // looked at. Throws Undecided. Levels 4, 5 and 6 have no rules of their own: they follow from levels 1 and 2.
 std::string check_level_0(const Certificate& c, Report& report);
 std::string check_level_1(const Certificate& c, Report& report);
-std::string check_level_2(const Certificate& c, Report& report);
+/// The rule 2.homology is looked at only if the others of levels 1 and 2 hold: whether those of 1 do is an argument.
+std::string check_level_2(const Certificate& c, bool stars_hold, Report& report);
 std::string check_level_2s(const Certificate& c, Report& report);
 std::string check_level_3(const Certificate& c, Report& report);
 /// The parts of level 0 that show that the net is dense: the rule 0.cycle, and the rules 0.ball and 0.degree.
@@ -37,15 +39,17 @@ struct LevelResult {
 struct Outcome {
   int status = 0;
   std::optional<Finding> malformed;
+  std::optional<Identity> identity;  // of every document that is not malformed
   std::vector<LevelResult> levels;
-  std::vector<std::string> unchecked;  // claimed, but not selected
+  std::vector<std::string> unchecked;  // claimed, but not selected, or resting on a level that does not hold
   Decisions decisions;
 };
 
-/// Checks the selected levels (all that are claimed if none is selected) and those on which they rest. The text is a
-/// decompressed certificate. Throws std::invalid_argument if a selected level is not claimed.
-/// Precondition: self_test() found nothing in this thread.
-Outcome check(std::string_view text, const std::vector<std::string>& selected);
+/// Checks the selected levels (all that are claimed if none is selected) and those on which they rest; a level whose
+/// base does not hold is not looked at. The text is a decompressed certificate. Throws std::invalid_argument if a
+/// selected level is not claimed. If a manifold is expected, as a certificate or a manifold block, another one is
+/// rejected (manifold.expected) and no level is looked at. Precondition: self_test() found nothing in this thread.
+Outcome check(std::string_view text, const std::vector<std::string>& selected, std::string_view expected = {});
 
 /// A line for each level and one for the whole; or one JSON object. Only an outcome of status 0 has the word
 /// "verified".

@@ -5,16 +5,21 @@
 #include <algorithm>
 #include <map>
 
+#include "proofs/checker/budget.hpp"
 #include "proofs/checker/report.hpp"
 
 namespace delcert::checker {
 namespace {
+
+/// Of the matrix that is left for FLINT, whose time and memory grow with a higher power of its size.
+constexpr std::size_t most_entries = std::size_t{1} << 12;
 
 /// Subtracts the multiple of b, which begins with 1 or -1, that rids a of its entry number `begin`.
 void subtract(Column& a, std::size_t begin, const Column& b) {
   constexpr const char* too_large = "a coefficient of the homology is beyond 64 bits";
   std::int64_t factor = 0;
   if (__builtin_mul_overflow(a[begin].coefficient, b[0].coefficient, &factor)) throw Undecided(too_large);
+  Budget::spend(10 + a.size() + b.size());
   Column result(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(begin));
   std::size_t i = begin, j = 0;
   while (i < a.size() || j < b.size()) {
@@ -40,7 +45,7 @@ SmithForm smith_form(const std::vector<Column>& columns) {
   }
   SmithForm form;
   if (rows.empty()) return form;
-  if (rows.size() > (std::size_t{1} << 26) / columns.size()) throw Undecided("the homology has too much torsion");
+  if (rows.size() > most_entries / columns.size()) throw Undecided("the homology has too much torsion");
   fmpz_mat_t matrix, diagonal;
   for (fmpz_mat_struct* m : {matrix, diagonal})
     fmpz_mat_init(m, static_cast<slong>(rows.size()), static_cast<slong>(columns.size()));

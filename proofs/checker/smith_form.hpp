@@ -20,7 +20,7 @@ struct SmithForm {
 };
 
 /// The form of the matrix with these columns and so many rows, and rows and columns whose submatrix is invertible over
-/// the integers: they are marked as used. Throws Undecided for a coefficient beyond 64 bits, and where more than 2^26
+/// the integers: they are marked as used. Throws Undecided for a coefficient beyond 64 bits, and where more than 2^12
 /// entries are left for FLINT.
 SmithForm reduce(std::vector<Column> columns, std::size_t rows, std::vector<bool>& used_rows,
                  std::vector<bool>& used_columns);

@@ -38,6 +38,9 @@ SpaceForm::SpaceForm(int curvature, int dimension, Cursor& cursor)
   cursor.expect(",\"root\":");
   std::vector<Rational> ends;
   cursor.row(2, [&] { ends.push_back(exact_value(cursor.number())); });
+  std::size_t bits = 0;
+  for (const Rational& c : polynomial) bits += fmpz_bits(fmpq_numref(c.raw())) + fmpz_bits(fmpq_denref(c.raw()));
+  if (polynomial.size() > 65 || bits > 65536) throw Undecided("the polynomial of the field is too large to factor");
   field = std::make_unique<NumberField>(polynomial, ends[0], ends[1]);
   cursor.expect(",\"time\":");
   time = parse_element(cursor, *field);

@@ -11,8 +11,7 @@ class OfLength {
  public:
   OfLength(Ball (*function)(int, const Ball&), int K, const Quantity& length)
       : function_(function), K_(K), length_(length) {
-    const BallScope scope(128);
-    filter_ = as<Ball>().enclosure();
+    filter_ = in_balls(128, [&] { return as<Ball>().enclosure(); });
   }
   template <class N>
   N as() const {
@@ -111,8 +110,8 @@ std::string check_delaunay_on_space_form(const Certificate& c, const Lifts& lift
   };
   const std::string left_out = for_each_simplex(c, lifts, check);
   if (!left_out.empty()) report.reject("4.lifts", [&] { return left_out; });
-  return std::to_string(checker.simplices) + " empty circumballs, radius <= " + about(c.ball_radius.filter) +
-         ", all other points farther than " + about(c.empty_margin.filter);
+  return std::to_string(checker.simplices) + " empty circumballs, radius <= " + rounded_up(c.ball_radius.exact) +
+         ", all other points farther than " + rounded_down(c.empty_margin.exact);
 }
 
 /// Separation of the original points; density by that of the perturbed ones.
@@ -146,9 +145,11 @@ std::string check_input_on_space_form(const Certificate& c, const Lifts& lifts, 
       });
     }
   }
-  return std::to_string(c.n) + " points, separation >= " + about(c.mu.filter * c.epsilon.filter) + ", density < " +
-         about(c.density.filter) + ", distortion <= " + about(c.transition_distortion.filter) +
-         ", against M <= " + about(c.metric_distortion.filter);
+  return std::to_string(c.n) + " points, separation >= " + rounded_down(c.mu.exact * c.epsilon.exact) +
+         ", density <= " + rounded_up(c.density.exact) +
+         (less(c.density.exact, c.epsilon.exact) == Verdict::proved ? ", below" : ", not below") +
+         " the sampling radius, distortion <= " + rounded_up(c.transition_distortion.exact) +
+         ", against M <= " + rounded_up(c.metric_distortion.exact);
 }
 
 }  // namespace delcert::checker

@@ -40,7 +40,7 @@ void check_riemannian_simplices(const Certificate& c, const Lifts& lifts, Report
           [&]<class N>(In<N> in) { return is_thick(c.metric, positions(in), square(c.riemannian_thickness.as<N>())); });
       if (!thick) {
         report.reject("5.thickness", [&] {
-          return simplex_of_star(c, i, others) + " is thinner than " + about(c.riemannian_thickness.filter);
+          return simplex_of_star(c, i, others) + " is thinner than " + rounded_up(c.riemannian_thickness.exact);
         });
       }
       const bool near = decide_enclosed([&]<class N>(In<N> in) {
@@ -137,8 +137,8 @@ Verdict is_stretched_within(const Certificate& c, const Chart& chart, const Char
 std::string check_triangulation_of_space_form(const Certificate& c, const Lifts& lifts, Report& report) {
   if (!c.riemannian_simplices) return "follows from level 4";
   check_riemannian_simplices(c, lifts, report);
-  return "follows from level 4; and from Riemannian simplices of thickness >= " + about(c.riemannian_thickness.filter) +
-         " within " + about(c.riemannian_radius.filter);
+  return "follows from level 4; and from Riemannian simplices of thickness >= " +
+         rounded_down(c.riemannian_thickness.exact) + " within " + rounded_up(c.riemannian_radius.exact);
 }
 
 std::string check_metric_of_space_form(const Certificate& c, const Lifts& lifts, Report& report) {
@@ -150,7 +150,7 @@ std::string check_metric_of_space_form(const Certificate& c, const Lifts& lifts,
                   [&] { return simplex_of_star(c, i, others) + " is stretched beyond the bounds of bilipschitz"; });
   });
   return std::string(c.self_delaunay ? "self-Delaunay, " : "") + "distances stretched by " +
-         about(c.least_stretch.filter) + " to " + about(c.greatest_stretch.filter);
+         rounded_down(c.least_stretch.exact) + " to " + rounded_up(c.greatest_stretch.exact);
 }
 
 }  // namespace delcert::checker

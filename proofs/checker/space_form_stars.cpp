@@ -37,8 +37,8 @@ void check_protection(const Chart& chart, const ChartSimplex& simplex, const Qua
     });
     if (clear) continue;
     report.reject(rule, [&] {
-      return which + " has label " + std::to_string(chart.label(q)) + " within circumradius + " + about(margin.filter) +
-             " of its circumcentre";
+      return which + " has label " + std::to_string(chart.label(q)) + " within circumradius + " +
+             rounded_up(margin.exact) + " of its circumcentre";
     });
   }
 }
@@ -64,13 +64,15 @@ void check_star(const Certificate& c, const Chart& chart, Label i, Report& repor
     const bool small = simplex.decide(
         [&]<class N>(const Simplex<N>& t) { return less_equal(t.radius_squared, square(c.circumradius.as<N>())); });
     if (!small) {
-      report.reject("1.radius",
-                    [&] { return which + " has squared circumradius " + about(simplex.filter().radius_squared); });
+      report.reject("1.radius", [&] {
+        return which + " has a squared circumradius of about " + about(simplex.filter().radius_squared);
+      });
     }
     const bool thick = simplex.decide([&]<class N>(const Simplex<N>&) {
       return is_thick(c.metric, chart.positions<N>(simplex.vertices()), square(c.thickness.as<N>()));
     });
-    if (!thick) report.reject("1.thickness", [&] { return which + " is thinner than " + about(c.thickness.filter); });
+    if (!thick)
+      report.reject("1.thickness", [&] { return which + " is thinner than " + rounded_up(c.thickness.exact); });
     check_protection(chart, simplex, c.protection, report, "1.protection", which);
   }
 }
@@ -97,8 +99,8 @@ std::string check_stars_in_charts(const Certificate& c, const Lifts& lifts, Repo
     simplices += c.star_size(i);
   }
   return std::to_string(simplices) +
-         " simplices in the charts of their vertices, protection >= " + about(c.protection.filter) +
-         ", thickness >= " + about(c.thickness.filter) + ", circumradius <= " + about(c.circumradius.filter);
+         " simplices in the charts of their vertices, protection >= " + rounded_down(c.protection.exact) +
+         ", thickness >= " + rounded_down(c.thickness.exact) + ", circumradius <= " + rounded_up(c.circumradius.exact);
 }
 
 /// In the chart of j, the stars of j and of all labels of star(j). j is in the stars of just these.

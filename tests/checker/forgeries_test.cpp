@@ -60,6 +60,8 @@ TEST(Forgeries, are_rejected_each_by_its_rule_and_accepted_without_it) {
     expected.insert(forgery.rule);
     EXPECT_EQ(run.rules, expected) << run.output;
     EXPECT_EQ(run.output.find("verified"), std::string::npos) << run.output;
+    EXPECT_LT(run.seconds, 10);
+    EXPECT_LT(run.peak_kib, 1 << 20);
     const CheckerRun crippled = run_checker(forgery.bytes, forgery.rule);
     std::cout << forgery.rule << std::string(19 - forgery.rule.size(), ' ') << run.status << "     " << crippled.status
               << "        " << forgery.name << ": " << run.message << "\n";

@@ -29,8 +29,7 @@ class Form {
         } else if constexpr (std::is_same_v<N, Ball>) {
           result(i, k) = a(i, k).enclosure();
         } else {
-          const BallScope scope(128);
-          result(i, k) = a(i, k).enclosure().enclosure();
+          result(i, k) = in_balls(128, [&] { return a(i, k).enclosure().enclosure(); });
         }
       }
     }

@@ -81,17 +81,18 @@ template Motion<Rational> Elements::motion<Rational>(Id) const;
 
 const Motion<Interval>& Elements::filter(Id g) {
   if (!filter_[g]) {
-    const BallScope scope(128);
-    const Motion<Ball> enclosed = motion<Ball>(g);
     auto result = std::make_unique<Motion<Interval>>();
-    const std::size_t order = enclosed.linear.order();
-    result->linear = SquareMatrix<Interval>(order);
-    for (std::size_t i = 0; i < order; ++i) {
-      result->shift[i] = enclosed.shift[i].enclosure();
-      for (std::size_t k = 0; k < order; ++k) result->linear(i, k) = enclosed.linear(i, k).enclosure();
-    }
-    result->turns = enclosed.turns;
-    result->shifts = enclosed.shifts;
+    in_balls(128, [&] {
+      const Motion<Ball> enclosed = motion<Ball>(g);
+      const std::size_t order = enclosed.linear.order();
+      result->linear = SquareMatrix<Interval>(order);
+      for (std::size_t i = 0; i < order; ++i) {
+        result->shift[i] = enclosed.shift[i].enclosure();
+        for (std::size_t k = 0; k < order; ++k) result->linear(i, k) = enclosed.linear(i, k).enclosure();
+      }
+      result->turns = enclosed.turns;
+      result->shifts = enclosed.shifts;
+    });
     filter_[g] = std::move(result);
   }
   return *filter_[g];

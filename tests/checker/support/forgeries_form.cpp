@@ -53,6 +53,14 @@ std::vector<Forgery> form_forgeries() {
   });
   forge("protection is 0", "form.ranges", torus, [](Json& d) { d["levels"]["1"]["protection"] = "0"; });
   forge("thickness is 0", "form.ranges", torus, [](Json& d) { d["levels"]["1"]["thickness"] = "0x0"; });
+  forge("a perturbation in the mode none", "form.mode", torus, [](Json& d) {
+    d["parameters"]["mode"] = "none";
+    d["points"] = d["net"];
+  });
+  forge("points moved in the mode none", "form.mode", wide_torus().claiming({"1", "2", "4"}).document(), [](Json& d) {
+    d["parameters"]["mode"] = "none";
+    d["parameters"]["perturbation"] = "0";
+  });
   forge("separation is 0", "form.ranges", input, [](Json& d) { d["parameters"]["separation"] = "0"; });
   forge("level 5 without level 4", "form.levels", torus, [](Json& d) { d["levels"].erase("4"); });
   forge("level 2s without level 0", "form.levels", wide_torus().claiming({"1", "2", "2s"}).document(), [](Json&) {});

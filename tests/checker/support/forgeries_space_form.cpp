@@ -180,6 +180,14 @@ std::vector<Forgery> space_form_forgeries() {
     j["parameters"]["separation"] = "8/9";
     j["levels"]["0"]["density"] = "1";
   });
+  forge("charts too large for the sphere", "0.patch", icosphere(), [](Json& j) {
+    // 9 epsilon is more than pi/2, and 12 epsilon less than the injectivity radius.
+    j["parameters"]["sampling_radius"] = "7/40";
+    j["parameters"]["separation"] = "2/5";
+    j["levels"]["0"]["density"] = "1";
+    j["levels"]["0"]["distortion"] = "2";
+    j["levels"]["0"]["metric_distortion"] = "1";
+  });
   forge("points moved farther than stated", "1.perturbation", klein_bottle(), parameter("perturbation", 0.19));
   forge("points moved although none should be", "1.perturbation", projective_space(), parameter("perturbation", 0));
   forge("protection too large in a chart", "1.protection", icosphere(),
@@ -223,6 +231,16 @@ std::vector<Forgery> space_form_forgeries() {
   forge("an isometry that shrinks", "6.bilipschitz", klein_bottle(),
         [](Json& j) { j["levels"]["6"]["bilipschitz"][1] = "0x1.fffp-1"; });
 
+  forge(
+      "points of a sphere moved in the mode none", "form.mode", icosphere(),
+      [](Json& j) {
+        j["parameters"]["mode"] = "none";
+        j["parameters"]["perturbation"] = "0";
+      },
+      3);
+  forge(
+      "net simplices on a sphere", "form.net-simplices", icosphere(),
+      [](Json& j) { j["net_simplices"] = Json::parse("[[0,1,2]]"); }, 3);
   forge(
       "the mode theory on a sphere", "form.family", icosphere(), [](Json& j) { j["parameters"]["mode"] = "theory"; },
       3);

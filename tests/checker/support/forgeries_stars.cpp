@@ -110,7 +110,6 @@ std::vector<Forgery> star_forgeries() {
   forge("two circles", "2.homology", with_homology(circle(), {"Z^2", "Z^2"}));
   forge("torsion in a torus", "2.homology", with_homology(cubic_torus(), {"Z", "Z^3 + Z/2", "Z^3", "Z"}));
   forge("a disc with a hole", "2.homology", with_homology(disc(), {"Z", "Z", "0"}));
-  forge("homology in another spelling", "2.homology", with_homology(wide, {"Z", "Z + Z", "Z"}));
 
   forge("stars that other charts do not see", "2s.patch", with_margin("circumradius", 2.4 * epsilon));
 

@@ -1,5 +1,6 @@
 #include "tests/checker/support/run_checker.hpp"
 
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -20,8 +21,21 @@ struct TemporaryFile {
   ~TemporaryFile() { std::filesystem::remove(path); }
 };
 
+rusage usage_of_children() {
+  rusage usage{};
+  getrusage(RUSAGE_CHILDREN, &usage);
+  return usage;
+}
+
+double seconds_of_children() {
+  const rusage usage = usage_of_children();
+  return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+         1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+}
+
 CheckerRun run(const std::string& command) {
   CheckerRun result;
+  const double before = seconds_of_children();
   std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
   if (pipe == nullptr) throw std::runtime_error("cannot run " + command);
   std::array<char, 4096> block{};
@@ -29,6 +43,8 @@ CheckerRun run(const std::string& command) {
     result.output.append(block.data(), got);
   const int status = pclose(pipe);
   if (WIFEXITED(status)) result.status = WEXITSTATUS(status);
+  result.seconds = seconds_of_children() - before;
+  result.peak_kib = usage_of_children().ru_maxrss;
   return result;
 }
 

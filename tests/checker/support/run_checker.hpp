@@ -11,6 +11,8 @@ struct CheckerRun {
   std::string output;           // what it printed
   std::set<std::string> rules;  // the rules that it says are broken
   std::string message;          // the first of them with its text
+  double seconds = 0;           // of processor time
+  long peak_kib = 0;            // the most memory that any run so far has used
 };
 
 /// Writes the bytes to a file and runs the checker on it with --json; with the crippled checker, without the rule.

@@ -1,0 +1,134 @@
+#include "tests/checker/support/circle_oracle.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <vector>
+
+#include "kernel/number/exact_text.hpp"
+#include "tests/checker/support/certificate_text.hpp"
+
+namespace delcert::checker_tests {
+namespace {
+
+Rational number(const Json& value) { return parse_exact(value.get<std::string>()); }
+
+/// The points of a circle of circumference 1, in their order around it.
+struct Around {
+  explicit Around(const Json& points) : order(points.size()) {
+    for (const Json& point : points) {
+      Rational x = number(point.at(0));
+      if (x < Rational(-1000) || Rational(1000) < x) throw std::runtime_error("a coordinate far away");
+      while (x < Rational(0)) x += Rational(1);
+      while (!(x < Rational(1))) x -= Rational(1);
+      place.push_back(x);
+    }
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return place[a] < place[b]; });
+  }
+  std::size_t size() const { return order.size(); }
+  /// From the point at this place of the order to the one so many steps on, on the line.
+  Rational step(std::size_t at, std::size_t steps) const {
+    const std::size_t end = at + steps;
+    return place[order[end % size()]] + Rational(static_cast<int>(end / size())) - place[order[at]];
+  }
+  std::vector<Rational> place;
+  std::vector<std::size_t> order;
+};
+
+std::string fault_of_input(const Json& j, const Rational& g, const Rational& epsilon) {
+  const Json& parameters = j.at("parameters");
+  const Rational mu = number(parameters.at("separation")), rho = number(parameters.at("perturbation"));
+  if (j.at("levels").at("0").at("hypotheses_2").get<bool>()) return "Hypotheses 2 hold for no such circle";
+  const Around net(j.at("net"));
+  if (g < Rational(576) * square(epsilon)) return "the circle is too short";
+  for (std::size_t at = 0; at < net.size(); ++at) {
+    const Rational gap = square(net.step(at, 1)) * g;
+    if (gap < square(mu * epsilon)) return "points closer than the separation";
+    if (!(gap < Rational(4) * square(epsilon))) return "a gap as wide as twice the sampling radius";
+  }
+  for (std::size_t i = 0; i < net.size(); ++i) {
+    const Rational moved = number(j.at("points").at(i).at(0)) - number(j.at("net").at(i).at(0));
+    if (square(rho * epsilon) < square(moved) * g) return "a point moved too far";
+  }
+  return rho * Rational(4) > mu ? "a perturbation greater than a quarter of the separation" : "";
+}
+
+std::string fault_of_stars(const Json& j, const Rational& g) {
+  const Json& margins = j.at("levels").at("1");
+  const Rational protection = number(margins.at("protection")), radius = number(margins.at("circumradius"));
+  const Around points(j.at("points"));
+  const std::size_t n = points.size();
+  if (n < 3 || Rational(1) < number(margins.at("thickness"))) return "thicker than an edge";
+  std::vector<std::set<std::size_t>> neighbours(n);
+  for (std::size_t at = 0; at < n; ++at) {
+    const std::size_t a = points.order[at], b = points.order[(at + 1) % n];
+    neighbours[a].insert(b);
+    neighbours[b].insert(a);
+    const Rational edge = points.step(at, 1);
+    if (!(Rational(0) < edge) || Rational(4) * square(radius) < square(edge) * g) return "an edge too long";
+    // The points beside the edge are farther from its middle than half of it and the protection.
+    for (const Rational& beside : {points.step((at + 1) % n, 1), points.step((at + n - 1) % n, 1)}) {
+      if (!(square(protection) < square(beside) * g)) return "an edge less protected";
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    std::set<std::size_t> listed;
+    for (const Json& simplex : j.at("stars").at(i)) listed.insert(simplex.at(0).get<std::size_t>());
+    if (listed != neighbours[i] || j.at("stars").at(i).size() != 2) return "another star";
+  }
+  const Json& counted = j.at("levels").at("2");
+  if (counted.at("simplices") != n || counted.at("euler_characteristic") != 0 || counted.at("closed") != true)
+    return "another count";
+  return counted.contains("homology") && counted.at("homology") != Json::array({"Z", "Z"}) ? "another homology" : "";
+}
+
+/// Three points of which every two have R < 2 epsilon and are near to the third's: P1 to P3; edges are good always.
+std::string fault_of_configurations(const Json& j, const Rational& g, const Rational& epsilon) {
+  const Json& parameters = j.at("parameters");
+  const Rational mu = number(parameters.at("separation")), squared = number(parameters.at("flake_parameter_squared"));
+  if (Rational(4) * square(square(mu)) < Rational(5625) * squared) return "a flake parameter too large";
+  const Rational longest = Rational(5) / Rational(2) * (Rational(1) + squared * mu / Rational(2)) * epsilon;
+  const Rational alpha_squared = Rational(1 << 26) * squared / square(mu * mu * mu);
+  const Around points(j.at("points"));
+  for (std::size_t at = 0; at < points.size(); ++at) {
+    for (std::size_t b = 1; b < points.size() && square(points.step(at, b)) * g < square(longest); ++b) {
+      for (std::size_t a = 1; a < b; ++a) {
+        const Rational x = points.step(at, a), y = points.step(at, b) - x, whole = x + y;
+        const auto near = [&](const Rational& distance, const Rational& edge) {
+          return !(alpha_squared * square(edge) < Rational(4) * square(distance));
+        };
+        const auto is_small = [&](const Rational& edge) { return square(edge) * g < Rational(16) * square(epsilon); };
+        const Rational& least = x < y ? x : y;
+        if (near(x, y) && near(y, x) && near(least, whole) && is_small(x) && is_small(y) && is_small(whole))
+          return "a forbidden configuration";
+      }
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string fault_of_circle(const std::string& text) {
+  const Json j = Json::parse(text);
+  if (j.at("manifold").at("family") != "flat-torus" || j.at("manifold").at("dimension") != 1) return "no circle";
+  const Rational g = number(j.at("manifold").at("gram").at(0).at(0));
+  const Rational epsilon = number(j.at("parameters").at("sampling_radius"));
+  if (!(Rational(0) < g) || !(Rational(0) < epsilon)) return "no length";
+  const Json& levels = j.at("levels");
+  std::string fault;
+  if (levels.contains("0")) fault = fault_of_input(j, g, epsilon);
+  if (fault.empty() && (levels.contains("1") || levels.contains("2"))) fault = fault_of_stars(j, g);
+  if (fault.empty() && levels.contains("2s") &&
+      !(Rational(4) * number(levels.at("1").at("circumradius")) +
+            Rational(2) * number(j.at("parameters").at("perturbation")) * epsilon <
+        Rational(9) * epsilon))
+    fault = "balls too large for other charts";
+  if (fault.empty() && levels.contains("3")) fault = fault_of_configurations(j, g, epsilon);
+  if (fault.empty() && j.at("parameters").at("mode") == "none" && j.at("points") != j.at("net"))
+    fault = "points moved in the mode none";
+  return fault;
+}
+
+}  // namespace delcert::checker_tests
