@@ -23,6 +23,7 @@ namespace {
 struct AttackOptions {
   ClaimOptions claims;
   std::uint64_t samples = 1000;
+  std::uint64_t least = usual_least_instances;
   std::uint64_t seed = 0;
   unsigned threads = 0;
   std::string log;
@@ -79,6 +80,7 @@ std::vector<Refutation> refutations_of(const std::vector<Target>& targets, const
 }
 
 ExitStatus replay(const AttackOptions& options) {
+  const InterruptionDeadline deadline;
   if (options.claims.all || options.claims.names.size() > 1 || options.twins) {
     throw InputError("--replay is about one witness, and at most one claim to take instead of the one it names");
   }
@@ -148,6 +150,7 @@ ExitStatus attack_twins(const AttackOptions& options) {
   if (!options.log.empty()) throw InputError("--log is about campaigns, not about --twins");
   std::vector<TwinRow> rows;
   {
+    const InterruptionDeadline deadline;
     ProgressLine line;
     for (const Claim& claim : claims_about_instances(options.claims)) {
       for (const Claim& twin : twins_of(claim)) rows.push_back(attack_twin(twin, options, line.callback()));
@@ -174,8 +177,11 @@ std::vector<std::string> never_met(const std::vector<Target>& targets, const std
 }
 
 void print_json(const std::vector<Target>& targets, const std::vector<Tally>& tallies,
-                const std::vector<Refutation>& refutations, std::uint64_t seed) {
-  nlohmann::ordered_json json{{"seed", seed}, {"targets", attack_json(targets, tallies)}};
+                const std::vector<Refutation>& refutations, const AttackOptions& options) {
+  nlohmann::ordered_json json{{"seed", options.seed},
+                              {"least_instances", options.least},
+                              {"targets", attack_json(targets, tallies, options.least)},
+                              {"totals", totals_json(attack_totals(targets, tallies), options.least)}};
   json["refutations"] = nlohmann::ordered_json::array();
   for (const Refutation& one : refutations) {
     json["refutations"].push_back({{"sample", one.sample}, {"witness", nlohmann::ordered_json::parse(one.witness)}});
@@ -184,8 +190,10 @@ void print_json(const std::vector<Target>& targets, const std::vector<Tally>& ta
 }
 
 void print_text(const std::vector<Target>& targets, const std::vector<Tally>& tallies,
-                const std::vector<Refutation>& refutations, bool is_short) {
-  std::cout << attack_table(targets, tallies, is_short);
+                const std::vector<Refutation>& refutations, const AttackOptions& options) {
+  std::cout << attack_table(targets, tallies, options.least, options.is_short);
+  const std::string totals = totals_text(attack_totals(targets, tallies), options.least);
+  if (!totals.empty()) std::cout << "\n" << totals;
   for (const Refutation& one : refutations) {
     std::cout << "\nrefuted: " << one.claim << " / " << one.conclusion << " in " << text_of(one.shape) << ", sample "
               << one.sample << (one.file.empty() ? "" : ", " + one.file) << "\n"
@@ -200,14 +208,18 @@ ExitStatus report(const std::vector<Target>& targets, const std::vector<Tally>& 
                   const Progress& progress) {
   const auto refutations = refutations_of(targets, tallies, options, progress);
   if (options.json) {
-    print_json(targets, tallies, refutations, options.seed);
+    print_json(targets, tallies, refutations, options);
   } else {
-    print_text(targets, tallies, refutations, options.is_short);
+    print_text(targets, tallies, refutations, options);
   }
   if (!refutations.empty()) return ExitStatus::rejected;
   const bool undecided =
       std::any_of(tallies.begin(), tallies.end(), [](const Tally& tally) { return tally.undecided() > 0; });
-  return undecided || !never_met(targets, tallies).empty() ? ExitStatus::undecided : ExitStatus::verified;
+  const auto totals = attack_totals(targets, tallies);
+  const bool hardly_attacked = std::any_of(totals.begin(), totals.end(), [&](const AttackTotal& total) {
+    return total.tally.held == 0 || total.tally.held < options.least;
+  });
+  return undecided || hardly_attacked ? ExitStatus::undecided : ExitStatus::verified;
 }
 
 ExitStatus run_attack(const AttackOptions& options) {
@@ -222,6 +234,8 @@ ExitStatus run_attack(const AttackOptions& options) {
   plan.threads = options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
   plan.log = options.log;
   ProgressLine line;
+  const InterruptionDeadline deadline(options.log.empty() ? Interrupted().what()
+                                                          : InterruptedWithLog(options.log).what());
   std::vector<Tally> tallies;
   try {
     tallies = run_campaign(plan, line.callback());
@@ -241,6 +255,8 @@ void add_attack(CLI::App& program, Action& chosen) {
   add_claim_options(*command, options->claims);
   command->add_option("--samples", options->samples,
                       "Samples for each claim and shape (default 1000; less where an instance is costly)");
+  command->add_option("--least", options->least,
+                      "What fewer instances have not refuted counts as hardly attacked (default 100)");
   command->add_option("--seed", options->seed, "Seed of the random choices (default 0)");
   command->add_option("--threads", options->threads, "Threads (default: all; the result does not depend on it)");
   command->add_option("--log", options->log, "JSON lines, one for each finished block; a campaign goes on from there");
@@ -255,7 +271,8 @@ void add_attack(CLI::App& program, Action& chosen) {
   command->add_flag("--short", options->is_short, "A row of the table for all shapes of the same k");
   command->add_flag("--json", options->json, "Print JSON");
   command->footer(
-      "Exit status: 0 everything held, 1 something is refuted, 2 something is undecided or was never met.\n"
+      "Exit status: 0 nothing is refuted, by at least 100 instances for each conclusion (or --least), 1 something is\n"
+      "refuted, 2 something is undecided or hardly attacked.\n"
       "With --twins: 0 all are refuted, 1 some are not.\n\n"
       "Examples:\n"
       "  delcert attack thickness-and-singular-value --samples 10000 --seed 1\n"

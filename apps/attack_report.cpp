@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -20,10 +21,14 @@ std::string share(std::uint64_t part, std::uint64_t whole) {
   return fmt::format("{:.1f} %", percent);
 }
 
-std::string verdict_text(const ConclusionTally& conclusion) {
+std::string instances_text(std::uint64_t count) { return fmt::format("{} instance{}", count, count == 1 ? "" : "s"); }
+
+std::string verdict_of_attack(const ConclusionTally& conclusion, std::uint64_t least_instances) {
   if (conclusion.violated > 0) return fmt::format("REFUTED ({})", conclusion.violated);
   if (conclusion.undecided > 0) return "undecided";
-  return conclusion.held > 0 ? "held" : "not attacked";
+  if (conclusion.held == 0) return "not attacked";
+  if (conclusion.held < least_instances) return "hardly attacked: " + instances_text(conclusion.held);
+  return "not refuted by " + instances_text(conclusion.held);
 }
 
 std::string rungs_text(const LadderStatistics& rungs) {
@@ -57,7 +62,8 @@ std::string ratio_text(const std::optional<DoubleBounds>& ratio) {
   return fmt::format("[{:.3g}, {:.3g}]", ratio->lower, ratio->upper);
 }
 
-std::string attack_table(const std::vector<Target>& targets, const std::vector<Tally>& tallies, bool is_short) {
+std::string attack_table(const std::vector<Target>& targets, const std::vector<Tally>& tallies,
+                         std::uint64_t least_instances, bool is_short) {
   std::string result =
       "| claim / conclusion | shape | samples | discarded | boundary | thin | cospherical | worst ratio | "
       "interval / big / rational / algebraic | undecided | verdict |\n"
@@ -75,13 +81,14 @@ std::string attack_table(const std::vector<Target>& targets, const std::vector<T
                             share(tally.samples - tally.met(), tally.samples), share(tally.traits[0], tally.met()),
                             share(tally.traits[1], tally.met()), share(tally.traits[2], tally.met()),
                             ratio_text(conclusion.worst), rungs_text(tally.rungs),
-                            conclusion.undecided + tally.hypotheses_undecided, verdict_text(conclusion));
+                            conclusion.undecided + tally.hypotheses_undecided,
+                            verdict_of_attack(conclusion, least_instances));
     }
   }
   return result;
 }
 
-Json attack_json(const std::vector<Target>& targets, const std::vector<Tally>& tallies) {
+Json attack_json(const std::vector<Target>& targets, const std::vector<Tally>& tallies, std::uint64_t least_instances) {
   Json result = Json::array();
   for (std::size_t at = 0; at < targets.size(); ++at) {
     Json one;
@@ -94,9 +101,74 @@ Json attack_json(const std::vector<Target>& targets, const std::vector<Tally>& t
     for (std::size_t conclusion = 0; conclusion < targets[at].claim.conclusions.size(); ++conclusion) {
       Json& entry = one["tally"]["conclusions"][conclusion];
       entry["name"] = targets[at].claim.conclusions[conclusion].name;
-      entry["verdict"] = verdict_text(tallies[at].conclusions[conclusion]);
+      entry["verdict"] = verdict_of_attack(tallies[at].conclusions[conclusion], least_instances);
     }
     result.push_back(std::move(one));
+  }
+  return result;
+}
+
+std::vector<AttackTotal> attack_totals(const std::vector<Target>& targets, const std::vector<Tally>& tallies) {
+  std::vector<AttackTotal> result;
+  for (std::size_t at = 0; at < targets.size(); ++at) {
+    const Claim& claim = targets[at].claim;
+    for (std::size_t one = 0; one < claim.conclusions.size(); ++one) {
+      const std::string& name = claim.conclusions[one].name;
+      auto total = std::find_if(result.begin(), result.end(), [&](const AttackTotal& other) {
+        return other.claim == claim.name && other.conclusion == name;
+      });
+      if (total == result.end()) total = result.insert(total, AttackTotal{claim.name, name, 0, {}, {}});
+      const ConclusionTally& conclusion = tallies[at].conclusions[one];
+      if (tallies[at].met() > 0) ++total->shapes;
+      total->tally.held += conclusion.held;
+      total->tally.violated += conclusion.violated;
+      total->tally.undecided += conclusion.undecided;
+      for (std::size_t trait = 0; trait < total->traits.size(); ++trait) {
+        total->traits[trait] += tallies[at].traits[trait];
+      }
+    }
+  }
+  return result;
+}
+
+std::uint64_t noticeable_share(std::uint64_t instances) {
+  // All N instances hold with the probability (1 − p)^N if a share p violates, which is at most 1/20 from
+  // p = 1 − 20^(−1/N) on.
+  if (instances < 5) return 0;
+  const double share = -std::expm1(-std::log(20.0) / static_cast<double>(instances));
+  return static_cast<std::uint64_t>(1 / share * (1 - 0x1p-40));
+}
+
+std::string totals_text(const std::vector<AttackTotal>& totals, std::uint64_t least_instances) {
+  std::string result;
+  for (const AttackTotal& total : totals) {
+    if (total.tally.violated > 0 || total.tally.held == 0) continue;
+    result += fmt::format("{} / {}: {} in {} shape{}, of them boundary {}, thin {}, cospherical {}", total.claim,
+                          total.conclusion, verdict_of_attack(total.tally, least_instances), total.shapes,
+                          total.shapes == 1 ? "" : "s", total.traits[0], total.traits[1], total.traits[2]);
+    const std::uint64_t one_in = noticeable_share(total.tally.held);
+    if (one_in > 0 && total.tally.undecided == 0) {
+      result += fmt::format("; violations by 1 in {} such instances would have shown, with probability 95 %", one_in);
+    }
+    result += "\n";
+  }
+  return result;
+}
+
+Json totals_json(const std::vector<AttackTotal>& totals, std::uint64_t least_instances) {
+  Json result = Json::array();
+  for (const AttackTotal& total : totals) {
+    result.push_back({{"claim", total.claim},
+                      {"conclusion", total.conclusion},
+                      {"verdict", verdict_of_attack(total.tally, least_instances)},
+                      {"shapes", total.shapes},
+                      {"held", total.tally.held},
+                      {"violated", total.tally.violated},
+                      {"undecided", total.tally.undecided},
+                      {"boundary", total.traits[0]},
+                      {"thin", total.traits[1]},
+                      {"cospherical", total.traits[2]},
+                      {"noticeable_share_one_in", noticeable_share(total.tally.held)}});
   }
   return result;
 }

@@ -11,6 +11,7 @@ enum class ExitStatus : int {
   rejected = 1,
   undecided = 2,
   malformed = 3,
+  vacuous = 4,
   usage = 64,
   internal = 70,
   interrupted = 130

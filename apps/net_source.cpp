@@ -1,6 +1,7 @@
 #include "apps/net_source.hpp"
 
 #include "apps/exact_option.hpp"
+#include "kernel/manifold/quotient/patch_size.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "kernel/sample/icosphere.hpp"
 #include "kernel/sample/point_file.hpp"
@@ -87,6 +88,8 @@ std::pair<std::vector<Vector<Rational, m>>, Rational> NetSource::net_of(const Sp
     if (!radius) throw InputError("no net: give --radius, or with it --points");
     if (*radius <= Rational(0)) throw InputError("--radius " + exact_text(*radius) + " is not above 0");
     if (points_file.empty()) {
+      // A radius that is refused later is refused before there is a net, with the radius to take.
+      (void)fitting_patch_factor(form, m, *radius);
       net = space_form_net<m>(form, *radius, seed, progress);
     } else {
       net.centres = points_of_file<m>(points_file);

@@ -26,11 +26,15 @@ Json point_json(const Point& point) {
 }
 
 /// What is said of a step beside its verdict.
-std::string detail_of(const StepOutcome& outcome) {
+std::string detail_of(const StepOutcome& outcome, const Vacuity& vacuity) {
   if (is_refuted(outcome.verdict)) {
     return outcome.counterexample.empty() ? "false" : "false at " + point_text(outcome.counterexample);
   }
-  if (is_proved(outcome.verdict) || outcome.left.empty()) return "";
+  if (is_proved(outcome.verdict)) {
+    if (is_proved(vacuity.verdict)) return "never: " + vacuity.premises;
+    return is_undecided(vacuity.verdict) ? "undecided whether ever: " + vacuity.premises : "";
+  }
+  if (outcome.left.empty()) return "";
   return (outcome.left.size() > 1 ? "left among others: " : "left: ") + outcome.left.front();
 }
 
@@ -47,10 +51,15 @@ std::string slack_table_head() {
   return "| step | constant | stated | proved with | refuted with | attempts |\n|---|---|---|---|---|--:|\n";
 }
 
-std::string step_row(const Claim& claim, const Step& step, const StepOutcome& outcome, double seconds) {
+std::string_view verdict_text(const StepOutcome& outcome, const Vacuity& vacuity) {
+  return is_proved(outcome.verdict) && is_proved(vacuity.verdict) ? "vacuous" : name_of(outcome.verdict);
+}
+
+std::string step_row(const Claim& claim, const Step& step, const StepOutcome& outcome, const Vacuity& vacuity,
+                     double seconds) {
   return fmt::format("| {} / {} | {} | {} | {} | {} | {} | {:.2f} | {} |\n", claim.name, step.name, step.lines,
-                     name_of(step.status), outcome.method, name_of(outcome.verdict), outcome.boxes, seconds,
-                     detail_of(outcome));
+                     name_of(step.status), outcome.method, verdict_text(outcome, vacuity), outcome.boxes, seconds,
+                     detail_of(outcome, vacuity));
 }
 
 std::string slack_row(const Claim& claim, const Step& step, const Slack& slack) {
@@ -58,13 +67,19 @@ std::string slack_row(const Claim& claim, const Step& step, const Slack& slack) 
                      exact_text(slack.stated), text_or_dash(slack.proved), text_or_dash(slack.refuted), slack.attempts);
 }
 
-Json step_json(const Claim& claim, const Step& step, const StepOutcome& outcome) {
+Json step_json(const Claim& claim, const Step& step, const StepOutcome& outcome, const Vacuity& vacuity) {
   Json result{{"claim", claim.name},      {"step", step.name},
               {"lines", step.lines},      {"status", name_of(step.status)},
-              {"method", outcome.method}, {"verdict", name_of(outcome.verdict)},
+              {"method", outcome.method}, {"verdict", verdict_text(outcome, vacuity)},
               {"boxes", outcome.boxes}};
   if (is_refuted(outcome.verdict)) result["counterexample"] = point_json(outcome.counterexample);
   if (is_undecided(outcome.verdict)) result["left"] = outcome.left;
+  if (!is_proved(outcome.verdict)) return result;
+  if (is_refuted(vacuity.verdict)) {
+    result["point"] = point_json(vacuity.point);
+  } else {
+    result[is_proved(vacuity.verdict) ? "never" : "undecided_whether_ever"] = vacuity.premises;
+  }
   return result;
 }
 

@@ -9,6 +9,7 @@
 
 #include "apps/claim_options.hpp"
 #include "apps/commands.hpp"
+#include "apps/interruption.hpp"
 #include "apps/proof_report.hpp"
 #include "proofs/prover/proof_log.hpp"
 #include "support/atomic_file.hpp"
@@ -34,6 +35,7 @@ class Report {
   void run() {
     const auto begin = std::chrono::steady_clock::now();
     const std::vector<Claim> claims = claims_of(options_.claims);
+    if (!options_.claims.all) require_steps(claims);
     if (!options_.json) std::cout << step_table_head();
     for (const Claim& claim : claims) {
       std::string log;
@@ -59,10 +61,18 @@ class Report {
 
   [[nodiscard]] ExitStatus status() const {
     if (refuted_ > 0) return ExitStatus::rejected;
-    return undecided_ > 0 ? ExitStatus::undecided : ExitStatus::verified;
+    if (vacuous_ > 0) return ExitStatus::vacuous;
+    return undecided_ + perhaps_vacuous_ > 0 ? ExitStatus::undecided : ExitStatus::verified;
   }
 
  private:
+  /// A file that was named and says nothing that can be proved is a mistake.
+  static void require_steps(const std::vector<Claim>& claims) {
+    for (const Claim& claim : claims) {
+      if (claim.steps.empty()) throw InputError(claim.file + ": no [[step]], so there is nothing to prove");
+    }
+  }
+
   bool is_asked_for(const Step& step) {
     if (options_.steps.empty()) return true;
     if (std::find(options_.steps.begin(), options_.steps.end(), step.name) == options_.steps.end()) return false;
@@ -73,20 +83,30 @@ class Report {
   void prove_one(const Claim& claim, const Step& step, std::string& log) {
     const auto begin = std::chrono::steady_clock::now();
     const StepOutcome outcome = prove(step);
+    const Vacuity vacuity = is_proved(outcome.verdict) ? vacuity_of(step) : Vacuity();
+    const bool is_vacuous = is_proved(outcome.verdict) && is_proved(vacuity.verdict);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    ++(is_proved(outcome.verdict) ? proved_ : is_refuted(outcome.verdict) ? refuted_ : undecided_);
-    if (!is_proved(outcome.verdict)) {
+    ++(is_vacuous                    ? vacuous_
+       : is_proved(outcome.verdict)  ? proved_
+       : is_refuted(outcome.verdict) ? refuted_
+                                     : undecided_);
+    if (is_proved(outcome.verdict) && is_undecided(vacuity.verdict)) {
+      ++perhaps_vacuous_;
       not_proved_ +=
-          fmt::format("  {}: {} / {} ({})\n", name_of(outcome.verdict), claim.name, step.name, name_of(step.status));
+          fmt::format("  undecided whether vacuous: {} / {} ({})\n", claim.name, step.name, name_of(step.status));
     }
-    if (is_proved(outcome.verdict) && !options_.log.empty())
+    if (is_vacuous || !is_proved(outcome.verdict)) {
+      not_proved_ += fmt::format("  {}: {} / {} ({})\n", verdict_text(outcome, vacuity), claim.name, step.name,
+                                 name_of(step.status));
+    }
+    if (is_proved(outcome.verdict) && !is_vacuous && !options_.log.empty())
       log += proof_log_line(claim.name, step, step.constants, outcome);
-    nlohmann::ordered_json json = step_json(claim, step, outcome);
+    nlohmann::ordered_json json = step_json(claim, step, outcome, vacuity);
     if (options_.slack || options_.mutate) json["slack"] = slack_of_all(claim, step);
     if (options_.json) {
       all_.push_back(std::move(json));
     } else {
-      std::cout << step_row(claim, step, outcome, seconds.count()) << std::flush;
+      std::cout << step_row(claim, step, outcome, vacuity, seconds.count()) << std::flush;
     }
   }
 
@@ -106,8 +126,9 @@ class Report {
 
   void print_totals(double seconds) const {
     if (options_.slack) std::cout << "\n" << slack_table_head() << slack_rows_;
-    std::cout << fmt::format("\n{} steps: {} proved, {} refuted, {} undecided, {:.1f} s\n",
-                             proved_ + refuted_ + undecided_, proved_, refuted_, undecided_, seconds);
+    std::cout << fmt::format("\n{} steps: {} proved, {} refuted, {} undecided, {} vacuous, {:.1f} s\n",
+                             proved_ + refuted_ + undecided_ + vacuous_, proved_, refuted_, undecided_, vacuous_,
+                             seconds);
     std::cout << not_proved_;
     if (!options_.mutate) return;
     const double share =
@@ -128,11 +149,17 @@ class Report {
   std::size_t proved_ = 0;
   std::size_t refuted_ = 0;
   std::size_t undecided_ = 0;
+  std::size_t vacuous_ = 0;
+  std::size_t perhaps_vacuous_ = 0;  ///< of those that are proved
   std::size_t constants_ = 0;
   std::size_t moved_refuted_ = 0;
 };
 
 ExitStatus run_prove(const ProveOptions& options) {
+  if (!options.log.empty() && !std::filesystem::is_directory(options.log)) {
+    throw InputError("--log " + options.log + ": no such folder");
+  }
+  const InterruptionDeadline deadline;
   Report report(options);
   report.run();
   return report.status();
@@ -149,11 +176,11 @@ void add_prove(CLI::App& program, Action& chosen) {
   command->add_option("--step", options->steps, "Only the step of this name; may be repeated");
   command->add_flag("--slack", options->slack, "Also the best value of each constant with which a step goes through");
   command->add_flag("--mutate", options->mutate, "Count the constants that are refuted once moved past their slack");
-  command->add_option("--log", options->log, "Write a log of the proofs, for delcert-replay, into this folder")
-      ->check(CLI::ExistingDirectory);
+  command->add_option("--log", options->log, "Write a log of the proofs, for delcert-replay, into this folder");
   command->add_flag("--json", options->json, "Print JSON");
   command->footer(
-      "Exit status: 0 all proved, 1 one refuted, 2 one undecided and none refuted.\n\n"
+      "Exit status: 0 all proved, 1 one refuted, else 4 one vacuous (its hypotheses contradict each other), else\n"
+      "2 one undecided, or undecided whether it is vacuous; 3 a file without steps.\n\n"
       "Examples:\n"
       "  delcert prove --all\n"
       "  delcert prove my-steps.toml --step ratio --slack\n"

@@ -4,7 +4,10 @@
 #include <sys/resource.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
+
+#include "kernel/number/decimal_bounds.hpp"
 
 namespace delcert {
 
@@ -12,17 +15,19 @@ namespace {
 
 constexpr std::array<const char*, rung_count> rung_names{"interval", "big interval", "rational", "algebraic"};
 
-/// Four significant digits of x moved by half a unit of the last of them, times this sign: rounding moves back by no
-/// more.
-std::string moved_decimal(const Rational& x, int sign) {
-  const double value = approximate_double(x);
-  return fmt::format("{:.3e}", value + sign * std::abs(value) * 0.0005);
+constexpr int digits_of_bounds = 4;
+
+/// A decimal of four digits at most in the layout of the reports. It is what the nearest double prints as again.
+std::string in_scientific_notation(const std::string& decimal) {
+  const double value = std::strtod(decimal.c_str(), nullptr);
+  const bool is_in_range = std::isnormal(value) || decimal == "0";
+  return is_in_range ? fmt::format("{:.{}e}", value, digits_of_bounds - 1) : decimal;
 }
 
 }  // namespace
 
-std::string decimal_lower(const Rational& x) { return moved_decimal(x, -1); }
-std::string decimal_upper(const Rational& x) { return moved_decimal(x, 1); }
+std::string decimal_lower(const Rational& x) { return in_scientific_notation(decimal_lower(x, digits_of_bounds)); }
+std::string decimal_upper(const Rational& x) { return in_scientific_notation(decimal_upper(x, digits_of_bounds)); }
 
 std::vector<std::string> homology_texts(const ManifoldClaim& manifold) {
   std::vector<std::string> result;

@@ -12,7 +12,7 @@ namespace delcert {
 
 // What the reports of all runs have in common.
 
-/// Four significant digits, rounded down or up.
+/// Four significant digits, rounded down or up, exactly: "-1.235e+00" is the greatest such number below −1.2341.
 [[nodiscard]] std::string decimal_lower(const Rational& x);
 [[nodiscard]] std::string decimal_upper(const Rational& x);
 

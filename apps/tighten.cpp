@@ -101,6 +101,8 @@ ExitStatus run_tighten(const TightenOptions& options) {
   plan.threads = options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
   plan.log = options.log;
   std::vector<std::optional<Tightest>> results;
+  const InterruptionDeadline deadline(options.log.empty() ? Interrupted().what()
+                                                          : InterruptedWithLog(options.log).what());
   try {
     ProgressLine line;
     results = run_searches(plan, line.callback());

@@ -1,10 +1,12 @@
-// What it costs to decide lemmas on fixed generic instances: by the ladder (whose filter decides nearly all), by
-// 256-bit intervals only, and in plain rationals only, for each class of instances.
+// What it costs to decide lemmas on instances as attacks draw them, thin and special ones among them: by the ladder, by
+// 256-bit intervals only, and, of the conclusions that a program of rationals can decide, in plain rationals only; and
+// what a whole sample of an attack costs, with drawing the instance and enclosing the ratios.
 
 #include <benchmark/benchmark.h>
 
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -13,41 +15,20 @@
 #include "kernel/simplex/singular_values.hpp"
 #include "kernel/simplex/thickness.hpp"
 #include "proofs/formula/simplex_object.hpp"
-#include "properties/attack/attempt.hpp"
+#include "properties/attack/tally.hpp"
 
 namespace delcert {
 namespace {
 
-constexpr std::size_t instance_count = 64;
-constexpr unsigned coordinate_bits = 50;
+constexpr std::uint64_t instance_count = 256;
+constexpr std::uint64_t seed = 1;
 
-using Points = SimplexObject::Points;
-
-/// Simplices with coordinates of 50 binary digits, as nobody chose them.
-std::vector<Bindings> generic_simplices(const Shape& shape) {
+/// The instances that an attack on a claim in this shape begins with.
+std::vector<Bindings> drawn_instances(const Claim& claim, const Shape& shape) {
   std::vector<Bindings> result;
-  for (std::uint32_t number = 0; result.size() < instance_count; ++number) {
-    RandomChoices choices(1, stream_of("bench"), number);
-    Points points(static_cast<std::size_t>(shape.k) + 1);
-    for (auto& point : points) {
-      for (int axis = 0; axis < shape.m; ++axis) point.push_back(choices.symmetric(coordinate_bits));
-    }
-    const auto simplex = std::make_shared<SimplexObject>(std::move(points));
-    result.push_back(
-        {{"s", ObjectPointer(simplex)}, {"k", static_cast<long>(shape.k)}, {"m", static_cast<long>(shape.m)}});
-  }
-  return result;
-}
-
-/// Instances of a claim's class of this shape as an attack draws them, without its nearly degenerate ones.
-std::vector<Bindings> generic_instances(const Claim& claim, const Shape& shape) {
-  if (claim.instance == "simplex") return generic_simplices(shape);
-  std::vector<Bindings> result;
-  const HypothesisLimits limits(claim);
-  for (std::uint32_t number = 0; result.size() < instance_count; ++number) {
-    RandomChoices choices(1, stream_of("bench"), number);
-    auto instance = draw_instance(claim, limits, shape, choices);
-    if (instance && instance->traits.empty()) result.push_back(std::move(instance->bindings));
+  for (std::uint64_t number = 0; result.size() < instance_count; ++number) {
+    auto instance = sample_instance(claim, shape, seed, number);
+    if (instance) result.push_back(std::move(instance->bindings));
   }
   return result;
 }
@@ -149,10 +130,10 @@ void in_rationals(benchmark::State& state, const std::vector<Bindings>& instance
   finish(state);
 }
 
-/// Equations are ties, which are no matter for a filter: only the conclusions without one.
-Claim without_equations(Claim claim) {
-  std::erase_if(claim.conclusions,
-                [](const Conclusion& conclusion) { return conclusion.text.find(" = ") != std::string::npos; });
+/// The claim with this conclusion only.
+Claim with_conclusion(Claim claim, const std::string& name) {
+  std::erase_if(claim.conclusions, [&](const Conclusion& conclusion) { return conclusion.name != name; });
+  if (claim.conclusions.empty()) throw std::invalid_argument(claim.name + " has no conclusion " + name);
   return claim;
 }
 
@@ -161,31 +142,52 @@ struct Subject {
   std::vector<Bindings> instances;
 };
 
-const Subject& subject(const std::string& name, const Shape& shape) {
+/// All conclusions of a claim, or one of them.
+const Subject& subject(const std::string& name, const Shape& shape, const std::string& conclusion = {}) {
   static std::map<std::string, std::unique_ptr<Subject>> subjects;
-  auto& result = subjects[name + std::to_string(shape.k) + "," + std::to_string(shape.m)];
+  auto& result = subjects[name + "/" + conclusion + std::to_string(shape.k) + "," + std::to_string(shape.m)];
   if (!result) {
-    const Claim claim = without_equations(find_claim(name));
-    result = std::make_unique<Subject>(Subject{claim, generic_instances(claim, shape)});
+    const Claim claim = find_claim(name);
+    result = std::make_unique<Subject>(
+        Subject{conclusion.empty() ? claim : with_conclusion(claim, conclusion), drawn_instances(claim, shape)});
   }
   return *result;
 }
 
+std::string prefix_of(const std::string& name, const Shape& shape) {
+  return name + "/k=" + std::to_string(shape.k) + ",m=" + std::to_string(shape.m) + "/";
+}
+
+void whole_samples(benchmark::State& state, const Claim& claim, const Shape& shape) {
+  for (auto _ : state) benchmark::DoNotOptimize(attack_block(claim, shape, seed, 0, instance_count));
+  finish(state);
+}
+
+/// What an attack does.
 void add(const std::string& name, const Shape& shape) {
-  const std::string prefix = name + "/k=" + std::to_string(shape.k) + ",m=" + std::to_string(shape.m) + "/";
+  const std::string prefix = prefix_of(name, shape);
+  benchmark::RegisterBenchmark((prefix + "sample").c_str(), [=](benchmark::State& state) {
+    whole_samples(state, subject(name, shape).claim, shape);
+  });
   benchmark::RegisterBenchmark((prefix + "ladder").c_str(), [=](benchmark::State& state) {
     by_ladder(state, subject(name, shape).claim, subject(name, shape).instances);
   });
-  benchmark::RegisterBenchmark((prefix + "256_bits").c_str(), [=](benchmark::State& state) {
-    on_one_rung<BigInterval>(state, subject(name, shape).claim, subject(name, shape).instances);
-  });
 }
 
+/// One conclusion on each of three ways.
 template <class Decide>
-void add_rational(const std::string& name, const Shape& shape, const Decide& decide) {
-  const std::string prefix = name + "/k=" + std::to_string(shape.k) + ",m=" + std::to_string(shape.m) + "/";
+void add_rational(const std::string& name, const std::string& conclusion, const Shape& shape, const Decide& decide) {
+  const std::string prefix = prefix_of(name + ":" + conclusion, shape);
+  benchmark::RegisterBenchmark((prefix + "ladder").c_str(), [=](benchmark::State& state) {
+    const Subject& one = subject(name, shape, conclusion);
+    by_ladder(state, one.claim, one.instances);
+  });
+  benchmark::RegisterBenchmark((prefix + "256_bits").c_str(), [=](benchmark::State& state) {
+    const Subject& one = subject(name, shape, conclusion);
+    on_one_rung<BigInterval>(state, one.claim, one.instances);
+  });
   benchmark::RegisterBenchmark((prefix + "rationals").c_str(), [=](benchmark::State& state) {
-    in_rationals(state, subject(name, shape).instances, decide);
+    in_rationals(state, subject(name, shape, conclusion).instances, decide);
   });
 }
 
@@ -196,9 +198,9 @@ int main(int argc, char** argv) {
   using namespace delcert;
   for (const Shape& shape : {Shape{2, 2}, Shape{3, 3}, Shape{6, 6}}) {
     add("thickness-and-singular-value", shape);
-    add_rational("thickness-and-singular-value", shape, singular_value_in_rationals);
+    add_rational("thickness-and-singular-value", "smallest-singular-value", shape, singular_value_in_rationals);
     add("crude-circumradius-bound", shape);
-    add_rational("crude-circumradius-bound", shape, crude_radius_in_rationals);
+    add_rational("crude-circumradius-bound", "circumradius", shape, crude_radius_in_rationals);
   }
   for (const Claim& claim : builtin_claim_list()) {
     const bool is_simplex = claim.instance == "simplex";

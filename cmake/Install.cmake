@@ -1,4 +1,4 @@
-# cmake --install: the two programs, the libraries with their headers, the manifolds and claims of the examples, the
+# cmake --install: the programs, the libraries with their headers, the manifolds and claims of the examples, the
 # docs, and what find_package(delcert) reads.
 include(CMakePackageConfigHelpers)
 set(DELCERT_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/delcert)
@@ -10,7 +10,9 @@ set_target_properties(delcert_proofs PROPERTIES EXPORT_NAME proofs)
 set_target_properties(delcert_properties PROPERTIES EXPORT_NAME properties)
 install(TARGETS delcert_rigour delcert_support delcert_kernel delcert_proofs delcert_properties EXPORT delcert
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(TARGETS delcert delcert-check delcert-replay RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS delcert delcert-check RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+# ./run does not build it: a folder where it has not been built is installed without it.
+install(TARGETS delcert-replay RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} OPTIONAL)
 
 # Below include/delcert/, so that consumers write the same includes as we do.
 foreach(folder support kernel proofs/constants proofs/certificate proofs/formula proofs/prover properties/instances properties/attack)

@@ -10,6 +10,7 @@ set(DELCERT_TWIN_EXEMPTIONS
   "kernel/chart/atlas" "an interface, tested through flat_atlas"
   "proofs/formula/builtin_claims" "a declaration of what is generated, read in tests/proofs/formula/claim_test.cpp"
   "proofs/errata/builtin_errata" "a declaration of what is generated, read in tests/proofs/errata/erratum_test.cpp"
+  "proofs/replay/builtin_steps" "a declaration of what is generated, read in tests/proofs/replay/stated_step_test.cpp"
   "proofs/replay/main" "the program itself, run in tests/cli/prove.cmake"
   "properties/instances/instance_classes" "the list of all classes, gone through in properties/instances/instance_class_test"
   "kernel/perturb/parameters" "plain data, derived and tested in proofs/certificate/run_parameters")

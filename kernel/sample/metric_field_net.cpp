@@ -5,6 +5,7 @@
 #include <string>
 
 #include "kernel/chart/net_grid.hpp"
+#include "kernel/number/exact_text.hpp"
 #include "kernel/sample/spatial_order.hpp"
 #include "kernel/sample/voronoi_cells.hpp"
 #include "support/error.hpp"
@@ -214,9 +215,11 @@ MetricFieldNet<m> metric_field_net(const MetricField<m>& field, const Rational& 
   if (radius <= Rational(0)) throw InputError("the radius of a net is above 0");
   // A vector of the length of the radius is a 1/8 long at most, in coordinates.
   if (Rational(64) * square(radius) >= field.eigenvalue_bounds().lower)
-    throw Rejection(field.description().name + ": the radius of a net is below an eighth of the square root of " +
-                    std::to_string(approximate_double(field.eigenvalue_bounds().lower)) +
-                    ", which bounds the metric from below");
+    throw Rejection(
+        field.description().name +
+        ": the radius of a net is below an eighth of the square root of the least eigenvalue of the metric: "
+        "take at most " +
+        exact_text(fitting_sampling_radius(field.eigenvalue_bounds())));
   MetricFieldSampling<m> sampling(field, approximate_double(radius));
   sampling.throw_darts(seed, progress);
   sampling.fill_gaps(seed, progress);

@@ -4,6 +4,8 @@
 #include <limits>
 #include <string>
 
+#include "kernel/number/exact_text.hpp"
+#include "kernel/number/simple_fraction.hpp"
 #include "kernel/sample/voronoi_cells.hpp"
 #include "support/error.hpp"
 
@@ -21,8 +23,9 @@ constexpr double reach = 2.25;
 void require_radius(const SpaceForm& form, const Rational& radius) {
   if (radius <= Rational(0)) throw InputError("the radius of a net is above 0");
   if (Rational(3) * radius > form.injectivity_radius.lower)
-    throw Rejection(form.description.name + ": the radius of a net is at most a third of the injectivity radius, " +
-                    std::to_string(approximate_double(form.injectivity_radius.lower / Rational(3))));
+    throw Rejection(form.description.name +
+                    ": the radius of a net is at most a third of the injectivity radius: take at most " +
+                    exact_text(simple_fraction_at_most(form.injectivity_radius.lower / Rational(3))));
 }
 
 /// A net in the making.

@@ -46,7 +46,7 @@ std::string decompressed(std::string bytes) {
 
 std::string read_bytes(const std::string& path) {
   const std::unique_ptr<std::FILE, decltype(&std::fclose)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  if (!file) throw std::invalid_argument(path + ": cannot be opened");
+  if (!file) throw Unreadable(path + ": cannot be read");
   std::string bytes;
   std::array<char, 1 << 16> block;
   while (const std::size_t got = std::fread(block.data(), 1, block.size(), file.get())) {
@@ -54,7 +54,7 @@ std::string read_bytes(const std::string& path) {
     if (bytes.size() > largest_document)
       malformed("the file has more than " + std::to_string(largest_document) + " bytes");
   }
-  if (std::ferror(file.get()) != 0) throw std::invalid_argument(path + ": cannot be read");
+  if (std::ferror(file.get()) != 0) throw Unreadable(path + ": cannot be read");
   return bytes;
 }
 

@@ -1,11 +1,18 @@
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
 namespace delcert::checker {
 
-/// The bytes of the file. Throws std::invalid_argument if it cannot be read, or Malformed if it is larger than a
+/// A file that cannot be opened or read.
+class Unreadable : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The bytes of the file. Throws Unreadable if it cannot be read, or Malformed if it is larger than a
 /// certificate can be.
 std::string read_bytes(const std::string& path);
 

@@ -13,7 +13,7 @@
 
 namespace {
 
-constexpr int usage_error = 64, internal_error = 70;
+constexpr int unreadable_file = 3, usage_error = 64, internal_error = 70;
 
 constexpr const char* description =
     "Re-verifies a delcert certificate, independently of the program that made it.\n"
@@ -26,8 +26,8 @@ constexpr const char* examples =
     "  delcert-check torus.json --expect-manifold other.json   verified only if both speak of the same manifold\n"
     "  delcert-check unknown.json --time-limit 60 --memory-limit 1024\n"
     "  delcert-check torus.json --json | jq .status the outcome for a program\n\n"
-    "Exit status: 0 verified, 1 a check failed, 2 a check could not be decided, 3 malformed certificate,\n"
-    "64 wrong usage or unreadable file, 70 internal error (among them: the self-test of the arithmetic fails).";
+    "Exit status: 0 verified, 1 a check failed, 2 a check could not be decided, 3 malformed certificate or\n"
+    "unreadable file, 64 wrong usage, 70 internal error (among them: the self-test of the arithmetic fails).";
 
 /// What is wrong with this file is no fault of the certificate.
 std::string read_expected(const std::string& file) {
@@ -103,6 +103,9 @@ int run(int argc, char** argv) {
     lift_time_limit();
     std::cout << print(outcome);
     return outcome.status;
+  } catch (const Unreadable& reason) {
+    std::cerr << "delcert-check: error: " << reason.what() << "\n";
+    return unreadable_file;
   } catch (const std::invalid_argument& reason) {
     std::cerr << "delcert-check: " << reason.what() << "\n";
     return usage_error;

@@ -1,7 +1,11 @@
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "proofs/replay/number.hpp"
 #include "proofs/replay/replay.hpp"
@@ -15,11 +19,41 @@ constexpr int usage = 64;
 constexpr int internal = 70;
 
 constexpr const char* help =
-    "Usage: delcert-replay LOG...\n\n"
-    "Checks logs that delcert prove --log has written, with arithmetic of its own.\n"
-    "Exit status: 0 accepted, 1 rejected, 3 no log, 64 usage, 70 internal.\n";
+    "Usage: delcert-replay [--claims FILE|FOLDER]... LOG...\n\n"
+    "Checks logs that delcert prove --log has written, with arithmetic of its own, against the steps that the claims'\n"
+    "files state, which it reads itself. It has the files of the library; --claims adds others, TOML files or all of "
+    "a\n"
+    "folder, which go before those of the same name.\n"
+    "Exit status: 0 accepted, 1 rejected, 3 no log or no claim, 64 usage, 70 internal.\n";
 
-int replay_file(const std::string& path) {
+std::string content_of(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file || text.empty()) throw delcert::replay::Malformed(path.string() + ": cannot be read");
+  return text;
+}
+
+void add_claims_of(delcert::replay::StatedClaims& claims, const std::filesystem::path& path) {
+  if (!std::filesystem::is_directory(path)) return add_claim(claims, content_of(path), path.string());
+  std::set<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(path)) {
+    if (entry.path().extension() == ".toml") files.insert(entry.path());
+  }
+  for (const auto& file : files) add_claim(claims, content_of(file), file.string());
+}
+
+/// "3 of 7 steps of proofs/claims/x.toml" for each claim of a log.
+std::string shares_text(const delcert::replay::Totals& totals, const delcert::replay::StatedClaims& claims) {
+  std::string result;
+  for (const auto& [name, steps] : totals.proved) {
+    const auto& claim = claims.at(name);
+    result += (result.empty() ? "" : ", ") + std::to_string(steps.size()) + " of " +
+              std::to_string(claim.steps.size()) + " steps of " + claim.source;
+  }
+  return result.empty() ? "no step" : result;
+}
+
+int replay_file(const std::string& path, const delcert::replay::StatedClaims& claims) {
   using namespace delcert::replay;
   std::ifstream file(path);
   if (!file) {
@@ -27,8 +61,8 @@ int replay_file(const std::string& path) {
     return malformed;
   }
   try {
-    const Totals totals = replay(file);
-    std::cout << "accepted " << path << ": " << totals.steps << " steps, " << totals.goals << " goals, "
+    const Totals totals = replay(file, claims);
+    std::cout << "accepted " << path << ": " << shares_text(totals, claims) << ", " << totals.goals << " goals, "
               << totals.leaves << " leaves\n";
     return accepted;
   } catch (const Rejected& error) {
@@ -43,21 +77,45 @@ int replay_file(const std::string& path) {
   }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  if (argc < 2) {
-    std::cerr << help;
-    return usage;
-  }
-  int worst = accepted;
-  for (int at = 1; at < argc; ++at) {
-    const std::string argument = argv[at];
+int run(const std::vector<std::string>& arguments) {
+  std::vector<std::string> logs;
+  std::vector<std::string> files;
+  for (std::size_t at = 0; at < arguments.size(); ++at) {
+    const std::string& argument = arguments[at];
     if (argument == "--help" || argument == "-h") {
       std::cout << help;
       return accepted;
     }
-    worst = std::max(worst, replay_file(argument));
+    if (argument == "--claims") {
+      if (++at == arguments.size()) break;
+      files.push_back(arguments[at]);
+    } else {
+      logs.push_back(argument);
+    }
   }
+  if (logs.empty()) {
+    std::cerr << help;
+    return usage;
+  }
+  delcert::replay::StatedClaims claims = delcert::replay::builtin_claims_as_stated();
+  try {
+    for (const std::string& file : files) add_claims_of(claims, file);
+  } catch (const delcert::replay::Malformed& error) {
+    std::cerr << "delcert-replay: error: " << error.what() << "\n";
+    return malformed;
+  }
+  int worst = accepted;
+  for (const std::string& log : logs) worst = std::max(worst, replay_file(log, claims));
   return worst;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run({argv + 1, argv + argc});
+  } catch (const std::exception& error) {
+    std::cerr << "delcert-replay: error: internal: " << error.what() << "\n";
+    return internal;
+  }
 }

@@ -270,6 +270,60 @@ void require_exponents(const Node& term, const std::vector<std::string>& names, 
   }
 }
 
+StatedRange range_of(const Json& parameter) {
+  StatedRange range;
+  range.is_integer = parameter.at("integer").get<bool>();
+  range.lower = read_end(parameter.at("lower"));
+  range.upper = read_end(parameter.at("upper"));
+  range.has_lower = parameter.at("has_lower").get<bool>();
+  range.has_upper = parameter.at("has_upper").get<bool>();
+  return range;
+}
+
+void require_stated_ranges(const Json& step, const StatedStep& stated) {
+  std::set<std::string> seen;
+  for (const Json& parameter : step.at("parameters")) {
+    const std::string name = parameter.at("name").get<std::string>();
+    const auto found = stated.parameters.find(name);
+    if (found == stated.parameters.end() || !seen.insert(name).second) {
+      throw Rejected("rule ranges: a parameter " + name + " that is not stated");
+    }
+    const StatedRange range = range_of(parameter);
+    if (!(range == found->second)) {
+      throw Rejected("rule ranges: " + name + " in " + text_of(range) + ", stated is " + text_of(found->second));
+    }
+  }
+  if (seen.size() != stated.parameters.size()) throw Rejected("rule ranges: a parameter that is stated is missing");
+}
+
+void require_stated_hypotheses(const Json& step, const StatedStep& stated) {
+  const Json& hypotheses = step.at("hypotheses");
+  if (hypotheses.size() != stated.hypotheses.size()) {
+    throw Rejected("rule hypotheses: " + std::to_string(hypotheses.size()) + ", stated are " +
+                   std::to_string(stated.hypotheses.size()));
+  }
+  for (std::size_t i = 0; i < hypotheses.size(); ++i) {
+    const std::string logged = text_of(*read_statement(hypotheses[i].get<std::string>()));
+    if (logged != stated.hypotheses[i]) {
+      throw Rejected("rule hypotheses: " + logged + ", stated is " + stated.hypotheses[i]);
+    }
+  }
+}
+
+/// A log proves what its steps say; that this is what the file says is another question.
+void require_stated(const Json& step, const StatedClaims& claims) {
+  const auto claim = claims.find(step.at("claim").get<std::string>());
+  if (claim == claims.end()) throw Rejected("rule claim: no claim of this name is known; --claims names its file");
+  const auto found = claim->second.steps.find(step.at("step").get<std::string>());
+  if (found == claim->second.steps.end())
+    throw Rejected("rule step: " + claim->second.source + " has none of this name");
+  const StatedStep& stated = found->second;
+  require_stated_ranges(step, stated);
+  require_stated_hypotheses(step, stated);
+  const std::string logged = text_of(*read_statement(step.at("statement").get<std::string>()));
+  if (logged != stated.statement) throw Rejected("rule statement: " + logged + ", stated is " + stated.statement);
+}
+
 Totals replay_step(const Json& step) {
   std::vector<std::string> names;
   Box ranges;
@@ -309,7 +363,10 @@ Totals replay_step(const Json& step) {
 
 }  // namespace
 
-Totals replay(std::istream& log) {
+namespace {
+
+/// Without claims nothing is said of where the statements come from.
+Totals replay_log(std::istream& log, const StatedClaims* claims) {
   Totals totals;
   std::string line;
   try {
@@ -320,10 +377,12 @@ Totals replay(std::istream& log) {
       const Json step = Json::parse(line);
       const std::string name = step.at("claim").get<std::string>() + " / " + step.at("step").get<std::string>();
       try {
+        if (claims != nullptr) require_stated(step, *claims);
         const Totals one = replay_step(step);
         totals.steps += one.steps;
         totals.goals += one.goals;
         totals.leaves += one.leaves;
+        totals.proved[step.at("claim").get<std::string>()].insert(step.at("step").get<std::string>());
       } catch (const Rejected& rejected) {
         throw Rejected(name + ": " + rejected.what());
       } catch (const Malformed& malformed) {
@@ -337,5 +396,11 @@ Totals replay(std::istream& log) {
   }
   return totals;
 }
+
+}  // namespace
+
+Totals replay(std::istream& log, const StatedClaims& claims) { return replay_log(log, &claims); }
+
+Totals replay_as_logged(std::istream& log) { return replay_log(log, nullptr); }
 
 }  // namespace delcert::replay

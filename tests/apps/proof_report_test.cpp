@@ -21,28 +21,50 @@ class ProofReport : public testing::Test {
   Claim claim_;
   Step step_;
   StepOutcome outcome_;
+  Vacuity vacuity_;
 };
 
 TEST_F(ProofReport, of_what_is_proved) {
   outcome_.verdict = Verdict::proved;
-  EXPECT_EQ(step_row(claim_, step_, outcome_, 0.25), "| c / s | 6-7 | paper | polynomial | proved | 3 | 0.25 |  |\n");
-  EXPECT_FALSE(step_json(claim_, step_, outcome_).contains("counterexample"));
+  vacuity_.verdict = Verdict::refuted;
+  vacuity_.point = {{"x", Rational(1)}};
+  EXPECT_EQ(step_row(claim_, step_, outcome_, vacuity_, 0.25),
+            "| c / s | 6-7 | paper | polynomial | proved | 3 | 0.25 |  |\n");
+  EXPECT_FALSE(step_json(claim_, step_, outcome_, vacuity_).contains("counterexample"));
+}
+
+TEST_F(ProofReport, of_what_is_proved_says_whether_it_is_about_anything) {
+  outcome_.verdict = Verdict::proved;
+  vacuity_.premises = "x > 2";
+  EXPECT_NE(
+      step_row(claim_, step_, outcome_, vacuity_, 0).find("| proved | 3 | 0.00 | undecided whether ever: x > 2 |"),
+      std::string::npos);
+  EXPECT_EQ(step_json(claim_, step_, outcome_, vacuity_)["undecided_whether_ever"], "x > 2");
+  vacuity_.verdict = Verdict::proved;
+  EXPECT_NE(step_row(claim_, step_, outcome_, vacuity_, 0).find("| vacuous | 3 | 0.00 | never: x > 2 |"),
+            std::string::npos);
+  EXPECT_EQ(step_json(claim_, step_, outcome_, vacuity_)["verdict"], "vacuous");
+  vacuity_.verdict = Verdict::refuted;
+  vacuity_.point = {{"x", Rational(1)}};
+  EXPECT_EQ(step_json(claim_, step_, outcome_, vacuity_)["verdict"], "proved");
+  EXPECT_EQ(step_json(claim_, step_, outcome_, vacuity_)["point"]["x"], "1");
 }
 
 TEST_F(ProofReport, of_what_is_refuted_shows_where) {
   outcome_.verdict = Verdict::refuted;
-  EXPECT_NE(step_row(claim_, step_, outcome_, 0).find("| refuted | 3 | 0.00 | false |"), std::string::npos);
+  EXPECT_NE(step_row(claim_, step_, outcome_, vacuity_, 0).find("| refuted | 3 | 0.00 | false |"), std::string::npos);
   outcome_.counterexample = {{"x", Rational(1) / Rational(3)}, {"y", Rational(2)}};
-  EXPECT_NE(step_row(claim_, step_, outcome_, 0).find("| false at x = 1/3, y = 2 |"), std::string::npos);
-  EXPECT_EQ(step_json(claim_, step_, outcome_)["counterexample"].dump(), R"({"x":"1/3","y":"2"})");
+  EXPECT_NE(step_row(claim_, step_, outcome_, vacuity_, 0).find("| false at x = 1/3, y = 2 |"), std::string::npos);
+  EXPECT_EQ(step_json(claim_, step_, outcome_, vacuity_)["counterexample"].dump(), R"({"x":"1/3","y":"2"})");
 }
 
 TEST_F(ProofReport, of_what_is_undecided_shows_what_is_left) {
   outcome_.left = {"x in [0, 1]"};
-  EXPECT_NE(step_row(claim_, step_, outcome_, 0).find("| left: x in [0, 1] |"), std::string::npos);
+  EXPECT_NE(step_row(claim_, step_, outcome_, vacuity_, 0).find("| left: x in [0, 1] |"), std::string::npos);
   outcome_.left.emplace_back("x in [1, 2]");
-  EXPECT_NE(step_row(claim_, step_, outcome_, 0).find("| left among others: x in [0, 1] |"), std::string::npos);
-  EXPECT_EQ(step_json(claim_, step_, outcome_)["left"].size(), 2U);
+  EXPECT_NE(step_row(claim_, step_, outcome_, vacuity_, 0).find("| left among others: x in [0, 1] |"),
+            std::string::npos);
+  EXPECT_EQ(step_json(claim_, step_, outcome_, vacuity_)["left"].size(), 2U);
 }
 
 TEST_F(ProofReport, of_slack) {
@@ -62,7 +84,7 @@ TEST_F(ProofReport, of_slack) {
 TEST_F(ProofReport, heads_fit_their_rows) {
   const auto columns = [](const std::string& row) { return std::count(row.begin(), row.end(), '|'); };
   const std::string head = step_table_head();
-  EXPECT_EQ(columns(head), 2 * columns(step_row(claim_, step_, outcome_, 0)));
+  EXPECT_EQ(columns(head), 2 * columns(step_row(claim_, step_, outcome_, vacuity_, 0)));
   Slack slack;
   EXPECT_EQ(columns(slack_table_head()), 2 * columns(slack_row(claim_, step_, slack)));
 }

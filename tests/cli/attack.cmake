@@ -8,8 +8,13 @@ file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/much.toml
 file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/broken-witness.json "{}\n")
 file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/diary.txt "my diary\n")
 
-delcert_cli_test(attack-true STATUS 0 ERROR "^$" OUTPUT "circumradius-from-below / radius . k=2 m=2 .* held .\n$"
+delcert_cli_test(attack-true STATUS 0 ERROR "^$" OUTPUT "circumradius-from-below / radius . k=2 m=2 .* not refuted by [0-9]+ instances .\n\n.*circumradius-from-below / radius: not refuted by 1[0-9][0-9] instances in 2 shapes, of them boundary "
   COMMAND ${delcert} attack ${claims}/circumradius-from-below.toml --samples 100 --shape 1,1 --shape 2,2)
+# Ten instances are not two thousand.
+delcert_cli_test(attack-hardly STATUS 2 ERROR "^$" OUTPUT "hardly attacked: 10 instances .\n\n.*: hardly attacked: 10 instances in 1 shape, .* 1 in 3 such"
+  COMMAND ${delcert} attack ${claims}/circumradius-from-below.toml --samples 10 --shape 2,2)
+delcert_cli_test(attack-enough STATUS 0 ERROR "^$" OUTPUT "not refuted by 10 instances .\n"
+  COMMAND ${delcert} attack ${claims}/circumradius-from-below.toml --samples 10 --shape 2,2 --least 10)
 delcert_cli_test(attack-false STATUS 1 ERROR "^$" FIXTURE_SETUP attack-found
   OUTPUT "REFUTED.*refuted: circumradius-below-edge / radius in k=2 m=2.*\"points\""
   COMMAND ${delcert} attack ${claims}/circumradius-below-edge.toml --samples 100 --shape 2,2 --seed 1 --witnesses attack-found)
@@ -18,7 +23,7 @@ delcert_cli_test(attack-replay STATUS 1 ERROR "^$" FIXTURES attack-found
   COMMAND ${delcert} attack --replay attack-found/circumradius-below-edge.radius.json)
 delcert_cli_test(attack-replay-of-another-claim STATUS 0 ERROR "^$" FIXTURES attack-found OUTPUT ": proved, ratio 0[.]"
   COMMAND ${delcert} attack ${claims}/circumradius-by-thickness.toml --replay attack-found/circumradius-below-edge.radius.json)
-delcert_cli_test(attack-json STATUS 1 ERROR "^$" OUTPUT "^{\n \"seed\": 7,.*\"refutations\": .*\"delcert_witness\": 1"
+delcert_cli_test(attack-json STATUS 1 ERROR "^$" OUTPUT "^{\n \"seed\": 7,\n \"least_instances\": 100,.*\"totals\": .*\"refutations\": .*\"delcert_witness\": 1"
   COMMAND ${delcert} attack ${claims}/circumradius-below-edge.toml --samples 50 --shape 2,2 --seed 7 --json)
 delcert_cli_test(attack-never-met STATUS 2 ERROR "^$" OUTPUT "not attacked: never, no sample met its hypotheses"
   COMMAND ${delcert} attack never.toml --samples 5 --shape 1,1)

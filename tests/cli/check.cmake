@@ -18,3 +18,8 @@ delcert_cli_test(check-not-installed STATUS 70 OUTPUT "^$" FIXTURES check-alone
   ERROR "delcert-check is not installed.*alone/here/delcert-check\n.*alone/proofs/checker/delcert-check\n.*/nowhere/delcert-check\n$")
 delcert_cli_test(check-found-in-path STATUS 42 OUTPUT "^<file>$" FIXTURES check-alone
   COMMAND ${CMAKE_COMMAND} -E env PATH=${CMAKE_CURRENT_BINARY_DIR}/beside alone/here/delcert check file)
+# A file that is not there is refused by the checker as by every other command.
+delcert_cli_test(check-no-file STATUS 3 OUTPUT "^$" ERROR "^delcert-check: error: no-such-file.json: cannot be read\n$"
+  COMMAND ${delcert} check no-such-file.json)
+delcert_cli_test(check-folder STATUS 3 OUTPUT "^$" ERROR "^delcert-check: error: alone: cannot be read\n$"
+  COMMAND ${delcert} check alone)

@@ -228,4 +228,32 @@ TEST_F(InterruptedRun, killed_while_it_writes_leaves_no_certificate_and_does_not
   EXPECT_TRUE(content_of(certificate()) == whole);
 }
 
+/// One instance of which one conclusion is a hundred thousand ties, each of them decided by algebraic numbers: nothing
+/// asks in between whether the program is to end.
+TEST(InterruptedAttack, ends_in_the_middle_of_a_decision_that_takes_long) {
+  const delcert::test::TemporaryFolder root;
+  const fs::path claim = root / "tie.toml";
+  std::ofstream(claim) << "name = 'tie'\ninstance = 'simplex'\n[[show]]\nclaim = 'forall i in 1..100000: "
+                          "sqrt(i + edge(s, 0, 1)^2) + sqrt(i + 1) + sqrt(i + 2) + sqrt(i + 3) = "
+                          "sqrt(i + 3) + sqrt(i + 2) + sqrt(i + 1) + sqrt(i + edge(s, 0, 1)^2)'\n";
+  for (const int signal : {SIGINT, SIGTERM}) {
+    for (const std::string& log : {std::string(), (root / "log.jsonl").string()}) {
+      std::vector<std::string> arguments{DELCERT_PROGRAM, "attack", claim.string(), "--shape", "2,2", "--threads", "1"};
+      if (!log.empty()) arguments.insert(arguments.end(), {"--log", log});
+      Process process(arguments, root / "streams");
+      process.wait_until_it_catches(signal);
+      std::this_thread::sleep_for(2s);
+      ASSERT_FALSE(process.has_ended()) << "the tie is no long one: " << process.output() << process.error();
+      const auto begin = std::chrono::steady_clock::now();
+      process.send(signal);
+      EXPECT_EQ(process.wait(), interrupted);
+      EXPECT_LT(std::chrono::steady_clock::now() - begin, 5s);
+      EXPECT_EQ(process.error(), log.empty() ? std::string(message)
+                                             : "delcert: error: interrupted; the same command goes on from what is "
+                                               "finished in " +
+                                                   log + "\n");
+    }
+  }
+}
+
 }  // namespace

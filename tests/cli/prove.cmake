@@ -11,6 +11,12 @@ endforeach()
 file(WRITE ${folder}/malformed.toml "name = 'a'\n[[step]]\nname = 'only'\nforall = { x = '[0, 1' }\nclaim = 'x > 0'\n")
 file(WRITE ${folder}/constant.toml
   "name = 'constant'\n[[step]]\nname = 'only'\nforall = { x = '[0, 1]' }\nconstants = { c = '3' }\nclaim = 'x + 1 <= c'\n")
+file(WRITE ${folder}/no-steps.toml "name = 'no-steps'\ninstance = 'simplex'\n[[show]]\nclaim = 'k >= 1'\n")
+foreach(step "vacuous;x > 1;x = 7" "perhaps;x^2 = 1/2;x <= 1")
+  list(POP_FRONT step name given claim)
+  file(WRITE ${folder}/${name}.toml
+    "name = '${name}'\n[[step]]\nname = 'only'\nforall = { x = '[0, 1]' }\ngiven = ['${given}']\nclaim = '${claim}'\n")
+endforeach()
 file(WRITE ${folder}/no-log.jsonl "{}\n")
 
 delcert_cli_test(prove-right STATUS 0 ERROR "^$" OUTPUT "right / only .* proved .*1 proved, 0 refuted, 0 undecided"
@@ -25,6 +31,24 @@ delcert_cli_test(prove-malformed STATUS 3 OUTPUT "^$" ERROR "malformed.toml:4:22
   COMMAND ${delcert} prove prove/malformed.toml)
 delcert_cli_test(prove-unknown-step STATUS 3 OUTPUT "^.*$" ERROR "no step of the claims named is called nothing"
   COMMAND ${delcert} prove prove/right.toml --step nothing)
+delcert_cli_test(prove-without-steps STATUS 3 OUTPUT "^$" ERROR "^delcert: error: prove/no-steps.toml: no ..step.., so there is nothing to prove\n$"
+  COMMAND ${delcert} prove prove/right.toml prove/no-steps.toml)
+delcert_cli_test(prove-claim-without-steps STATUS 3 OUTPUT "^$" ERROR "adaptive-density.toml: no ..step.."
+  COMMAND ${delcert} prove adaptive-density)
+delcert_cli_test(prove-vacuous STATUS 4 ERROR "^$"
+  OUTPUT "vacuous / only .* vacuous .* never: x > 1 .*0 proved, 0 refuted, 0 undecided, 1 vacuous, .*  vacuous: vacuous / only .user.\n$"
+  COMMAND ${delcert} prove prove/vacuous.toml)
+delcert_cli_test(prove-vacuous-and-wrong STATUS 1 ERROR "^$" OUTPUT "0 proved, 1 refuted, 0 undecided, 1 vacuous"
+  COMMAND ${delcert} prove prove/vacuous.toml prove/wrong.toml)
+delcert_cli_test(prove-vacuous-and-open STATUS 4 ERROR "^$" OUTPUT "0 proved, 0 refuted, 1 undecided, 1 vacuous"
+  COMMAND ${delcert} prove prove/vacuous.toml prove/open.toml)
+delcert_cli_test(prove-perhaps-vacuous STATUS 2 ERROR "^$"
+  OUTPUT "perhaps / only .* proved .* undecided whether ever: x.2 = 1/2 .*1 proved, .*  undecided whether vacuous: perhaps / only"
+  COMMAND ${delcert} prove prove/perhaps.toml)
+delcert_cli_test(prove-vacuous-json STATUS 4 ERROR "^$" OUTPUT "\"verdict\": \"vacuous\".*\"never\": \"x > 1\""
+  COMMAND ${delcert} prove prove/vacuous.toml --json)
+delcert_cli_test(prove-log-nowhere STATUS 3 OUTPUT "^$" ERROR "--log prove/nowhere: no such folder"
+  COMMAND ${delcert} prove prove/right.toml --log prove/nowhere)
 delcert_cli_test(prove-nothing STATUS 3 OUTPUT "^$" ERROR "no claim: name some, or say --all" COMMAND ${delcert} prove)
 delcert_cli_test(prove-json STATUS 1 ERROR "^$" OUTPUT "\"verdict\": \"refuted\".*\"counterexample\".*\"x\": \"1/2\""
   COMMAND ${delcert} prove prove/wrong.toml --json)
@@ -39,10 +63,29 @@ delcert_cli_test(claims-show-step STATUS 0 ERROR "^$" OUTPUT "step only .user.: 
 
 delcert_cli_test(prove-log STATUS 0 ERROR "^$" OUTPUT "1 proved" FIXTURE_SETUP proof-log
   COMMAND ${delcert} prove prove/right.toml --log prove/logs)
-delcert_cli_test(replay STATUS 0 ERROR "^$" OUTPUT "^accepted prove/logs/right.jsonl: 1 steps, 1 goals, [0-9]+ leaves\n$" FIXTURES proof-log
+delcert_cli_test(replay STATUS 0 ERROR "^$" FIXTURES proof-log
+  OUTPUT "^accepted prove/logs/right.jsonl: 1 of 1 steps of prove/right.toml, 1 goals, [0-9]+ leaves\n$"
+  COMMAND ${replay} --claims prove/right.toml prove/logs/right.jsonl)
+delcert_cli_test(replay-unknown-claim STATUS 1 ERROR "^$" OUTPUT "^rejected .*right / only: rule claim: .*--claims" FIXTURES proof-log
   COMMAND ${replay} prove/logs/right.jsonl)
-delcert_cli_test(replay-tampered STATUS 1 ERROR "^$" OUTPUT "^rejected .*right / only: goal 1: another statement\n$" FIXTURES proof-log
-  COMMAND sh -c "sed 's|(/ 1 4)|(/ 1 5)|' prove/logs/right.jsonl > prove/tampered.jsonl && $<TARGET_FILE:delcert-replay> prove/tampered.jsonl")
+delcert_cli_test(replay-tampered STATUS 1 ERROR "^$" OUTPUT "^rejected .*right / only: rule statement: .*1 5.*, stated is .*1 4" FIXTURES proof-log
+  COMMAND sh -c "sed 's|(/ 1 4)|(/ 1 5)|' prove/logs/right.jsonl > prove/tampered.jsonl && $<TARGET_FILE:delcert-replay> --claims prove/right.toml prove/tampered.jsonl")
+# Right proofs of something else under the claim's name: another claim, a narrower range, one more hypothesis.
+foreach(forgery "statement;[0, 1];0 <= 1;" "ranges;[0, 1/2];x*(1 - x) <= 1/4;" "hypotheses;[0, 1];x*(1 - x) <= 1/4;given = ['y < x']\n")
+  list(GET forgery 0 rule)
+  list(GET forgery 1 range)
+  list(GET forgery 2 claim)
+  list(GET forgery 3 more)
+  file(WRITE ${folder}/forged-${rule}/right.toml
+    "name = 'right'\n[[step]]\nname = 'only'\nforall = { x = '${range}', y = '[0, 1]' }\n${more}claim = '${claim}'\n")
+  delcert_cli_test(replay-forged-${rule} STATUS 1 ERROR "^$"
+    OUTPUT "^accepted prove/forged-${rule}/right.jsonl: .*rejected prove/forged-${rule}/right.jsonl: right / only: rule ${rule}: [^\n]*\n$"
+    COMMAND sh -c "$<TARGET_FILE:delcert> prove prove/forged-${rule}/right.toml --log prove/forged-${rule} > prove/forged-${rule}/table.txt && $<TARGET_FILE:delcert-replay> --claims prove/forged-${rule}/right.toml prove/forged-${rule}/right.jsonl && $<TARGET_FILE:delcert-replay> --claims prove/right.toml prove/forged-${rule}/right.jsonl")
+endforeach()
+delcert_cli_test(replay-claims-of-a-folder STATUS 3 OUTPUT "^$" ERROR "delcert-replay: error: prove/malformed.toml: step only: no range" FIXTURES proof-log
+  COMMAND ${replay} --claims prove prove/logs/right.jsonl)
+delcert_cli_test(replay-no-claims STATUS 3 OUTPUT "^$" ERROR "nowhere.toml: cannot be read" FIXTURES proof-log
+  COMMAND ${replay} --claims nowhere.toml prove/logs/right.jsonl)
 delcert_cli_test(replay-no-log STATUS 3 OUTPUT "^$" ERROR "delcert-replay: error: prove/no-log.jsonl: "
   COMMAND ${replay} prove/no-log.jsonl)
 delcert_cli_test(replay-no-file STATUS 3 OUTPUT "^$" ERROR "there-is-none.jsonl: cannot be read" COMMAND ${replay} there-is-none.jsonl)
@@ -51,9 +94,9 @@ delcert_cli_test(replay-help STATUS 0 OUTPUT "^Usage: " ERROR "^$" COMMAND ${rep
 
 # The steps of the library: what is refuted is the paper's or in the list of our readings of it, every constant has its limit, the other program agrees.
 file(MAKE_DIRECTORY ${folder}/all)
-delcert_cli_test(prove-all STATUS 1 ERROR "^$" OUTPUT " 0 undecided, .* refuted with a counterexample .100.0 %.\n$" FIXTURE_SETUP proof-logs
+delcert_cli_test(prove-all STATUS 1 ERROR "^$" OUTPUT " 0 undecided, 0 vacuous, .* refuted with a counterexample .100.0 %.\n$" FIXTURE_SETUP proof-logs
   COMMAND ${delcert} prove --all --mutate --log prove/all)
 delcert_cli_test(prove-all-refutes-nothing-else STATUS 0 ERROR "^$" OUTPUT "refuted: "
   COMMAND sh -c "$<TARGET_FILE:delcert> prove --all | grep 'refuted: ' > prove/refuted.txt && sed -n 's|^ *refuted: \\(.*\\) (user)$|\\1|p' prove/refuted.txt | diff - ${CMAKE_CURRENT_SOURCE_DIR}/refuted_readings.txt && ! grep -v -e '(paper)$' -e '(user)$' prove/refuted.txt && cat prove/refuted.txt")
-delcert_cli_test(replay-all STATUS 0 ERROR "^$" OUTPUT "^(accepted [^\n]*\n)+$" FIXTURES proof-logs
+delcert_cli_test(replay-all STATUS 0 ERROR "^$" OUTPUT "^(accepted [^\n]* steps of proofs/claims/[^\n]*\n)+$" FIXTURES proof-logs
   COMMAND sh -c "$<TARGET_FILE:delcert-replay> prove/all/*.jsonl")

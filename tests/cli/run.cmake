@@ -29,6 +29,8 @@ delcert_run_test(torus-3 --manifold torus-3 --radius 1/24 --seed 1 LEVELS "${all
 
 delcert_run_test(metric-field --manifold torus-2-hills --radius 1/40 --seed 1 LEVELS
   "metric       positive definite everywhere.*levels\n  1 .*\n  2 .*homology Z, Z.2, Z\n  2s .*\n  5 .*\n  not reached: level 4: .*margin of stability ≥ -[0-9].*\nstability .*margin ≥ -[0-9]")
+delcert_run_test(torus-of-revolution --manifold torus-2-of-revolution --radius 1/20 --seed 1 LEVELS
+  "metric       positive definite everywhere.*levels\n  1 .*\n  2 .*Euler characteristic 0, homology Z, Z.2, Z\n  2s .*\n  5 ")
 delcert_run_test(constant-metric-field --manifold torus-2-anisotropic --radius 1/30 --seed 1 LEVELS
   "levels\n  1 .*\n  2 .*\n  2s .*\n  4 .*Delaunay for the distance of the metric: margin of stability ≥ [0-9].*\n  5 .*\nstability .*margin ≥ [0-9]")
 delcert_cli_test(certify-metric-field-json STATUS 0 ERROR "^$"
@@ -75,6 +77,15 @@ delcert_cli_test(sample-metric-field STATUS 0 OUTPUT "points in field.txt.*in th
   COMMAND ${delcert} sample --manifold torus-2-shear --radius 1/20 --seed 7 --output field.txt)
 delcert_cli_test(sample-metric-field-too-coarse STATUS 1 OUTPUT "^$" ERROR "torus-2-hills: the radius of a net is below an eighth"
   COMMAND ${delcert} sample --manifold torus-2-hills --radius 1/4 --output never.txt)
+# A refusal advises a number that can be typed as it is, and is then accepted.
+foreach(member "torus-2-hills;1" "klein-bottle;1" "lens-space-5-2;1")
+  list(GET member 0 name)
+  list(GET member 1 radius)
+  delcert_cli_test(sample-as-advised-${name} STATUS 0 OUTPUT "points in advised-${name}.txt" ERROR "^$"
+    COMMAND sh -c "r=$(${delcert} sample --manifold ${name} --radius ${radius} --output advised-${name}.txt 2>&1 | sed -n 's|.* at most \\([0-9]*/[0-9]*\\)$|\\1|p') && test -n \"$r\" && ${delcert} sample --manifold ${name} --radius $r --output advised-${name}.txt")
+endforeach()
+delcert_cli_test(certify-as-advised STATUS 0 OUTPUT "levels" ERROR "^$"
+  COMMAND sh -c "r=$(${delcert} certify --manifold klein-bottle --radius 1/10 --output advised.json 2>&1 | sed -n 's|.* at most \\([0-9]*/[0-9]*\\)$|\\1|p') && test -n \"$r\" && ${delcert} certify --manifold klein-bottle --radius $r --output advised.json")
 delcert_cli_test(certify-metric-field-in-theory STATUS 1 OUTPUT "^$" ERROR "use --mode measured"
   COMMAND ${delcert} certify --manifold torus-2-hills --radius 1/24 --mode theory --output never.json)
 delcert_cli_test(certify-metric-field-lattice STATUS 3 OUTPUT "^$" ERROR "are not for metric fields"

@@ -1,6 +1,7 @@
 #include "kernel/manifold/gluing/metric_field.hpp"
 
 #include "kernel/number/rounding_guard.hpp"
+#include "kernel/number/simple_fraction.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
@@ -161,6 +162,12 @@ void MetricField<m>::find_bounds() {
     (exceeds(middle, few_boxes) ? lower : high) = middle;
   }
   bounds_ = {lower, upper};
+}
+
+Rational fitting_sampling_radius(const EigenvalueBounds& bounds) {
+  // 3·4ε√(B⁻¹)_kk < 1, where B is the metric at a point up to a relative 10⁻⁸; simple fractions stay farther away.
+  const Rational relative_rounding = Rational::power_of_two(-20);
+  return simple_fraction_below(square_root_lower(bounds.lower, 40) * (Rational(1) - relative_rounding) / Rational(12));
 }
 
 #define DELCERT_INSTANTIATE(m)                                                                 \

@@ -29,6 +29,9 @@ struct EigenvalueBounds {
   Rational upper;
 };
 
+/// A simple sampling radius for which patches of the least size fit on any net (field.patch of docs/metric-fields.md).
+[[nodiscard]] Rational fitting_sampling_radius(const EigenvalueBounds& bounds);
+
 /// A Riemannian metric on ℝᵐ/ℤᵐ: G(x) = constant + Σ cosine·cos(2π k·x) + sine·sin(2π k·x), a symmetric matrix for
 /// every x, periodic by its form.
 template <int m>

@@ -89,7 +89,8 @@ void MetricFieldAtlas<m>::choose_patches() {
     if (--patch_factor_ < least_patch_factor)
       throw Rejection(field_.description().name + ": the sampling radius " + exact_text(sampling_radius_) +
                       " is too large for patches: 12 of it times " + std::to_string(widest) + ", at label " +
-                      std::to_string(where) + ", is not below 1");
+                      std::to_string(where) + ", is not below 1: take a sampling radius of at most " +
+                      exact_text(fitting_sampling_radius(field_.eigenvalue_bounds())));
   }
 }
 

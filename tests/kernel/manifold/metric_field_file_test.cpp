@@ -54,6 +54,34 @@ TEST(MetricFieldFile, says_what_is_wrong_and_where) {
   EXPECT_TRUE(mentions(refusal_of_wave("{frequency = [1, 0], sine = [[\"1/\", 0], [0, 1]]}"), "wave 1, sine, row 1"));
 }
 
+TEST(MetricFieldFile, of_the_torus_of_revolution_is_the_metric_that_space_induces) {
+  const auto field = metric_field_if_one("torus-2-of-revolution").value();
+  // u = 2πx, v = 2πy: the derivatives of ((2 + cos v) cos u, (2 + cos v) sin u, sin v), where cos and sin of u and v
+  // are those of Pythagorean angles, and cos 2v = 2cos²v - 1.
+  for (const auto& [cosine, sine] : {std::pair(ratio(3, 5), ratio(4, 5)), std::pair(ratio(-5, 13), ratio(12, 13)),
+                                     std::pair(ratio(1, 1), ratio(0, 1)), std::pair(ratio(0, 1), ratio(-1, 1))}) {
+    const Rational cosine_of_u = ratio(8, 17);
+    const Rational sine_of_u = ratio(15, 17);
+    const Rational ring = Rational(2) + cosine;
+    const std::vector<std::vector<Rational>> derivatives{{-ring * sine_of_u, ring * cosine_of_u, Rational(0)},
+                                                         {-sine * cosine_of_u, -sine * sine_of_u, cosine}};
+    for (std::size_t row = 0; row < 2; ++row) {
+      for (std::size_t column = 0; column < 2; ++column) {
+        Rational induced(0);
+        for (std::size_t axis = 0; axis < 3; ++axis) induced += derivatives[row][axis] * derivatives[column][axis];
+        Rational entry = field.constant[row][column];
+        for (const auto& wave : field.waves) {
+          ASSERT_EQ(wave.frequency[0], 0);
+          ASSERT_EQ(wave.sine, zero_matrix(2));
+          const Rational cosine_of_wave = wave.frequency[1] == 1 ? cosine : Rational(2) * square(cosine) - Rational(1);
+          entry += wave.cosine[row][column] * cosine_of_wave;
+        }
+        EXPECT_EQ(entry, induced) << row << column;
+      }
+    }
+  }
+}
+
 TEST(MetricFieldFile, all_built_in_fields_are_metrics_and_known_by_their_names) {
   ASSERT_GE(builtin_metric_fields().size(), 6U);
   for (const auto& builtin : builtin_metric_fields()) {

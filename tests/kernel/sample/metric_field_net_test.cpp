@@ -56,7 +56,7 @@ TEST(MetricFieldNet, refuses_radii_that_fit_no_patch) {
   const MetricField<2> field(hills(2, ratio(1, 10)));
   EXPECT_THROW((void)metric_field_net<2>(field, Rational(0), 1, no_progress()), InputError);
   EXPECT_TRUE(mentions(message_of<Rejection>([&] { (void)metric_field_net<2>(field, ratio(1, 8), 1, no_progress()); }),
-                       "hills: the radius of a net is below an eighth of the square root of"));
+                       "hills: the radius of a net is below an eighth of the square root of the least eigenvalue"));
 }
 
 }  // namespace DELCERT_THIS_FILE

@@ -93,7 +93,7 @@ TEST(SpaceFormNet, is_the_same_by_every_compiler) {
 TEST(SpaceFormNet, refuses_radii_that_do_not_fit) {
   const SpaceForm form = verify_space_form(find_space_form("klein-bottle"));
   EXPECT_EQ(message_of<Rejection>([&] { (void)space_form_net<2>(form, ratio(1, 5), 1, no_progress()); }),
-            "klein-bottle: the radius of a net is at most a third of the injectivity radius, 0.166667");
+            "klein-bottle: the radius of a net is at most a third of the injectivity radius: take at most 1/6");
   EXPECT_EQ(message_of<InputError>([&] { (void)space_form_net<2>(form, Rational(0), 1, no_progress()); }),
             "the radius of a net is above 0");
 }

@@ -28,7 +28,7 @@ Json logged(const std::string& lines) {
 std::string replayed(const Json& step) {
   std::istringstream log(proof_log_head() + step.dump() + "\n");
   try {
-    const replay::Totals totals = replay::replay(log);
+    const replay::Totals totals = replay::replay_as_logged(log);
     EXPECT_EQ(totals.steps, 1U);
     return "accepted";
   } catch (const replay::Rejected& rejected) {
@@ -172,8 +172,90 @@ TEST(Replay, refuses_what_is_no_log) {
   for (const char* text : {"", "{}\n", "{\"format\":\"delcert-proof-log\",\"version\":2}\n", "[1\n",
                            "{\"format\":\"delcert-proof-log\",\"version\":1}\n{}\n"}) {
     std::istringstream log(text);
-    EXPECT_THROW((void)replay::replay(log), replay::Malformed) << text;
+    EXPECT_THROW((void)replay::replay_as_logged(log), replay::Malformed) << text;
   }
+}
+
+/// "accepted", or why the log of a step is not one of what the file states.
+std::string held_to(const std::string& lines, const Json& step) {
+  std::istringstream log(proof_log_head() + step.dump() + "\n");
+  replay::StatedClaims claims;
+  replay::add_claim(claims, "name = 'c'\n[[step]]\nname = 'a'\n" + lines, "c.toml");
+  try {
+    const replay::Totals totals = replay::replay(log, claims);
+    EXPECT_TRUE(totals.proved.at("c").contains("a"));
+    return "accepted";
+  } catch (const replay::Rejected& rejected) {
+    return rejected.what();
+  }
+}
+
+// Each log is a right proof of something else than the file states: only the comparison with the file rejects it.
+void expect_forgery_rejected(const std::string& stated, const std::string& forged, const std::string& why) {
+  const Json log = logged(forged);
+  EXPECT_EQ(replayed(log), "accepted") << forged;
+  EXPECT_EQ(held_to(forged, log), "accepted") << forged;
+  EXPECT_EQ(held_to(stated, log), "c / a: rule " + why) << forged;
+}
+
+TEST(ReplayedStatements, are_those_of_the_file) {
+  for (const char* lines :
+       {polynomial, cut, integers, squared, enclosed,
+        "forall = { m = 'integer [1, infinity)', mu0 = '(0, 1]' }\nclaim = 'constant_c(m, mu0) >= 2^30'",
+        "forall = { x = '[-1, 1]' }\nconstants = { c = '-3/4' }\nlet = { z = 'y + 1', y = 'x^2' }\n"
+        "given = ['z <= 2', 'not (x > 1)']\nclaim = '-c*z > 0 and (x < 0 implies y >= 0)'"}) {
+    EXPECT_EQ(held_to(lines, logged(lines)), "accepted") << lines;
+  }
+}
+
+TEST(ReplayedStatements, are_not_replaced) {
+  const std::string range = "forall = { x = '[0, 1]' }\n";
+  expect_forgery_rejected(range + "claim = 'x*(1 - x) <= 1/4'", range + "claim = '0 <= 1'",
+                          "statement: (<= 0 1), stated is (<= (* x (- 1 x)) (/ 1 4))");
+  expect_forgery_rejected(range + "claim = 'x*(1 - x) <= 1/5'", range + "claim = 'x*(1 - x) <= 1/4'",
+                          "statement: (<= (* x (- 1 x)) (/ 1 4)), stated is (<= (* x (- 1 x)) (/ 1 5))");
+  expect_forgery_rejected(range + "constants = { c = '1/5' }\nclaim = 'x*(1 - x) <= c'",
+                          range + "constants = { c = '1/4' }\nclaim = 'x*(1 - x) <= c'",
+                          "statement: (<= (* x (- 1 x)) (/ 1 4)), stated is (<= (* x (- 1 x)) (/ 1 5))");
+}
+
+TEST(ReplayedStatements, have_the_ranges_of_the_file) {
+  const std::string claim = "claim = 'x*(1 - x) < 1/4'";
+  expect_forgery_rejected("forall = { x = '[0, 1]' }\n" + claim, "forall = { x = '[0, 1/3]' }\n" + claim,
+                          "ranges: x in [0, 1/3], stated is [0, 1]");
+  expect_forgery_rejected("forall = { x = '[0, 1/2]' }\n" + claim, "forall = { x = '[0, 1/2)' }\n" + claim,
+                          "ranges: x in [0, 1/2), stated is [0, 1/2]");
+  expect_forgery_rejected("forall = { x = '[0, 1]' }\n" + claim, "forall = { x = 'integer [0, 1]' }\n" + claim,
+                          "ranges: x in integer [0, 1], stated is [0, 1]");
+  expect_forgery_rejected("forall = { x = '(-infinity, 1/3]' }\n" + claim, "forall = { x = '[-9, 1/3]' }\n" + claim,
+                          "ranges: x in [-9, 1/3], stated is (-infinity, 1/3]");
+  expect_forgery_rejected("forall = { x = '[0, 1/3]', y = '[0, 1]' }\n" + claim,
+                          "forall = { x = '[0, 1/3]' }\n" + claim, "ranges: a parameter that is stated is missing");
+  expect_forgery_rejected("forall = { x = '[0, 1/3]' }\n" + claim,
+                          "forall = { x = '[0, 1/3]', y = '[0, 1]' }\n" + claim,
+                          "ranges: a parameter y that is not stated");
+}
+
+TEST(ReplayedStatements, have_the_hypotheses_of_the_file) {
+  const std::string range = "forall = { x = '[0, 1]' }\n";
+  const std::string claim = "claim = 'x*(1 - x) < 1/4'";
+  expect_forgery_rejected(range + claim, range + "given = ['x < 1/3']\n" + claim, "hypotheses: 1, stated are 0");
+  expect_forgery_rejected(range + "given = ['x <= 1/2']\n" + claim, range + "given = ['x < 1/3']\n" + claim,
+                          "hypotheses: (< x (/ 1 3)), stated is (<= x (/ 1 2))");
+}
+
+TEST(ReplayedStatements, are_of_a_claim_and_a_step_that_are_known) {
+  Json log = logged(polynomial);
+  log["step"] = "b";
+  EXPECT_EQ(held_to(polynomial, log), "c / b: rule step: c.toml has none of this name");
+  log["claim"] = "d";
+  EXPECT_EQ(held_to(polynomial, log), "d / b: rule claim: no claim of this name is known; --claims names its file");
+}
+
+TEST(ReplayedStatements, of_a_claim_as_stated_need_a_proof_all_the_same) {
+  Json log = logged(cut);
+  log["goals"][0]["trees"][0] = "leaf";
+  EXPECT_EQ(held_to(cut, log).substr(0, 42), "c / a: goal 1: a leaf that is not proved: ");
 }
 
 }  // namespace DELCERT_THIS_FILE

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "kernel/number/exact_text.hpp"
 #include "tests/kernel/manifold/gluing/samples.hpp"
 
 namespace delcert::test {
@@ -114,6 +115,11 @@ TEST(MetricFieldAtlas, patches_are_as_large_as_the_torus_lets_them) {
   EXPECT_EQ(factor(ratio(1, 24)), 7);
   EXPECT_EQ(factor(ratio(1, 13)), 4);
   EXPECT_TRUE(mentions(message_of<Rejection>([&] { (void)factor(ratio(1, 12)); }), "is too large for patches"));
+  // What the refusal advises is accepted.
+  const Rational advised = fitting_sampling_radius(flat.eigenvalue_bounds());
+  EXPECT_TRUE(mentions(message_of<Rejection>([&] { (void)factor(ratio(1, 12)); }), "at most " + exact_text(advised)));
+  EXPECT_EQ(factor(advised), 4);
+  EXPECT_GT(advised, ratio(1, 13));
   // Lengths are half as long along the first axis.
   const Field narrow(constant_field({{ratio(1, 4), Rational(0)}, {Rational(0), Rational(1)}}));
   EXPECT_EQ(Atlas2(narrow, lattice_points<2>(2), ratio(1, 28)).patch_factor(), 4);

@@ -1,0 +1,371 @@
+#!/usr/bin/env python3
+"""What runs cost: measures it, records it in bench/costs.json, and writes the tables of README.md and
+docs/performance.md between their marks, <!-- costs: NAME --> and <!-- costs: end -->.
+
+  bench/costs.py measure [--build build/release] [--long]   all of it, in less than ten minutes on two idle cores
+  bench/costs.py render                                     the tables again from the record
+  bench/costs.py check [--build build/release]              whether the tables are those of the record, and the record is
+                                                            of these programs: the cheap runs are made again, and what
+                                                            they count has to be what is recorded, times are not looked at
+
+--long also measures the runs that take minutes; without it their figures stay, marked by † once the programs count
+otherwise than when they were measured. Tables of bench/ratios, bench/claims and bench/tangential_complex are measured
+where these have been built (-DDELCERT_BENCHMARKS=ON, target `benchmarks`), and stay as they are elsewhere.
+"""
+
+import argparse
+import hashlib
+import json
+import os
+import re
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+MARK = re.compile(r"(<!-- costs: (?!end)([a-z0-9-]+) -->\n).*?(<!-- costs: end -->)", re.DOTALL)
+
+
+class Run:
+    """A certified run that tables speak of."""
+
+    def __init__(self, manifold, radius, seed=0, threads=1, cheap=False, long=False):
+        self.manifold, self.radius, self.seed, self.threads = manifold, radius, seed, threads
+        self.cheap, self.long = cheap, long
+        self.is_flat = manifold.startswith("torus-")
+        self.name = f"{manifold} {radius} seed {seed} threads {threads}"
+
+    def certify(self, program, output):
+        command = [program, "certify", "--manifold", self.manifold, "--radius", self.radius, "--seed", str(self.seed)]
+        command += ["--json", "--output", output]
+        return command if self.is_flat else command + ["--threads", str(self.threads)]
+
+
+TORI = [Run("torus-2", "1/24", cheap=True), Run("torus-2", "1/100", cheap=True), Run("torus-2", "1/400"),
+        Run("torus-2-skewed", "1/24", cheap=True), Run("torus-2-skewed", "1/100"), Run("torus-2-skewed", "1/400"),
+        Run("torus-3", "1/24"), Run("torus-3", "1/40")]
+FORMS = [Run("sphere-2", "1/50", 1, 2), Run("sphere-2", "299/100000", 1, 2, long=True), Run("sphere-3", "1/10", 1, 2),
+         Run("poincare-sphere", "13/500", 1, 2), Run("seifert-weber-space", "9/125", 1, 2)]
+SIZES = [Run("sphere-2", "3/32", 1, cheap=True), Run("sphere-2", "3/100", 1), Run("sphere-2", "3/320", 1),
+         Run("sphere-2", "299/100000", 1, 2, long=True)]
+THREADS = [[Run("sphere-2", "1/50", 1, threads) for threads in (1, 2, 4)],
+           [Run("sphere-3", "3/20", 1, threads) for threads in (1, 2, 4)]]
+ALL = {run.name: run for run in TORI + FORMS + SIZES + sum(THREADS, [])}
+BENCHES = {"ratios": ["ratios", "3"],
+           "claims": ["claims", "--benchmark_filter=^(thickness-and-singular-value|crude-circumradius-bound).*k=3,m=3",
+                      "--benchmark_min_time=0.5", "--benchmark_format=json"],
+           "tangential-2": ["tangential_complex", "sphere-2", "1/84"],
+           "tangential-3": ["tangential_complex", "sphere-3", "1/10"]}
+
+
+def peak_memory_in_kib(process):
+    """What wait4 reports has the memory of this script in it, from which the process was forked."""
+    try:
+        return int(re.search(r"VmHWM:\s*(\d+)", Path(f"/proc/{process}/status").read_text())[1])
+    except (OSError, TypeError):
+        return 0
+
+
+def timed(command):
+    """Standard output, wall seconds, seconds of the user, MiB."""
+    with tempfile.TemporaryFile() as output:
+        begin = time.monotonic()
+        process = subprocess.Popen(command, stdout=output, stderr=subprocess.DEVNULL)
+        peak, ended = 0, 0
+        while not ended:
+            peak = max(peak, peak_memory_in_kib(process.pid))
+            ended, status, usage = os.wait4(process.pid, os.WNOHANG)
+            if not ended:
+                time.sleep(0.002)
+        wall = time.monotonic() - begin
+        process.returncode = os.waitstatus_to_exitcode(status)
+        if process.returncode != 0:
+            raise SystemExit(f"costs.py: exit status {process.returncode}: {' '.join(map(str, command))}")
+        output.seek(0)
+        return output.read().decode(), {"wall": round(wall, 3), "user": round(usage.ru_utime, 3),
+                                        "mib": round(peak / 1024)}
+
+
+def counts(report, certificate, check):
+    """What a run and its check count, which is the same on every machine: points, simplices, decisions, and a digest of
+    the points and stars."""
+    document = json.loads(Path(certificate).read_text())
+    content = json.dumps([document["points"], document["stars"]], separators=(",", ":"), sort_keys=True)
+    return {"points": report["points"], "simplices": report["simplices"], "statistics": report["statistics"],
+            "levels": [str(level["level"]) if isinstance(level, dict) else level for level in report["levels"]],
+            "decisions": {stage["stage"]: sum(stage["decisions"].values()) for stage in report["stages"]
+                          if sum(stage["decisions"].values()) > 0},
+            "content": hashlib.sha256(content.encode()).hexdigest(),
+            "check": {"levels": [level["level"] for level in check["levels"]], "decisions": check["decisions"]}}
+
+
+def once(run, build, folder):
+    certificate = os.path.join(folder, "certificate.json")
+    text, certify = timed(run.certify(build / "apps/delcert", certificate))
+    report = json.loads(text)
+    checker = build / "proofs/checker/delcert-check"
+    text, check = timed([checker, "--json", certificate])
+    result = {"counts": counts(report, certificate, json.loads(text)), "certify": certify, "check": check,
+              "stages": {stage["stage"]: round(stage["seconds"], 4) for stage in report["stages"]}}
+    if run.is_flat:
+        result["check without 3"] = timed([checker, "--json", "--levels", "0,1,2,4,5", certificate])[1]
+    os.remove(certificate)
+    return result
+
+
+def median_of(results):
+    """Field by field; counts are the same in all of them."""
+    first = results[0]
+    if isinstance(first, dict):
+        return {key: first[key] if key == "counts" else median_of([result[key] for result in results]) for key in first}
+    return statistics.median(results)
+
+
+def measure(run, build):
+    with tempfile.TemporaryDirectory() as folder:
+        results = [once(run, build, folder)]
+        if results[0]["certify"]["wall"] < 2:
+            results += [once(run, build, folder) for _ in range(2)]
+    if any(result["counts"] != results[0]["counts"] for result in results):
+        raise SystemExit(f"costs.py: {run.name} is not the same twice")
+    return median_of(results)
+
+
+def identity_of(record):
+    """Of the programs, by what they count on the cheap runs."""
+    text = json.dumps({name: record["runs"][name]["counts"] for name, run in sorted(ALL.items()) if run.cheap},
+                      sort_keys=True)
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def write(file, record):
+    file.write_text(json.dumps(record, indent=1, ensure_ascii=False) + "\n")
+
+
+def measure_all(arguments, record, file):
+    for name, run in ALL.items():
+        if run.long and not arguments.long and name in record["runs"]:
+            continue
+        if run.long and not arguments.long:
+            print(f"{name}: left out, --long measures it", flush=True)
+            continue
+        record["runs"][name] = measure(run, arguments.build)
+        one = record["runs"][name]
+        write(file, record)
+        print(f"{name}: certify {one['certify']['wall']} s, check {one['check']['wall']} s", flush=True)
+    identity = identity_of(record)
+    for name, run in ALL.items():
+        if name in record["runs"] and (not run.long or arguments.long):
+            record["runs"][name]["programs"] = identity
+    for name, command in BENCHES.items():
+        program = arguments.build / "bench" / command[0]
+        if not program.exists():
+            print(f"{name}: bench/{command[0]} has not been built, its table stays", flush=True)
+            continue
+        text = timed([program] + command[1:])[0]
+        record["benches"][name] = json.loads(text)["benchmarks"] if name == "claims" else text
+        print(f"{name}: measured", flush=True)
+
+
+def seconds(x):
+    return f"{x:.2f} s" if x < 1 else f"{x:.1f} s" if x < 20 else f"{x:.0f} s"
+
+
+def memory(mib):
+    return f"{mib:.0f} MiB" if mib < 1000 else f"{mib / 1024:.1f} GiB"
+
+
+def thousands(n):
+    return f"{n:,}".replace(",", " ")
+
+
+TITLES = {"torus-2": "torus ℝ²/ℤ²", "torus-3": "torus ℝ³/ℤ³", "sphere-2": "sphere 𝕊²", "sphere-3": "sphere 𝕊³",
+          "poincare-sphere": "Poincaré's sphere", "seifert-weber-space": "Seifert–Weber space"}
+
+
+class Tables:
+    def __init__(self, record):
+        self.record = record
+        self.identity = identity_of(record)
+
+    def of(self, run):
+        return self.record["runs"].get(run.name)
+
+    def mark(self, run):
+        return "" if self.of(run)["programs"] == self.identity else " †"
+
+    @staticmethod
+    def table(head, aligned, rows):
+        return "\n".join([head, aligned] + ["| " + " | ".join(row) + " |" for row in rows]) + "\n"
+
+    def readme_tori(self):
+        rows = []
+        for run in TORI:
+            if run.manifold == "torus-2-skewed" or run.radius == "1/24" and run.manifold == "torus-2":
+                continue
+            one = self.of(run)
+            level_3 = one["stages"]["search forbidden configurations"]
+            rows.append([f"{TITLES[run.manifold]}, ε = {run.radius}{self.mark(run)}", thousands(one["counts"]["points"]),
+                         seconds(one["certify"]["user"]), seconds(level_3), seconds(one["check"]["user"]),
+                         memory(max(one["certify"]["mib"], one["check"]["mib"]))])
+        return self.table("| | points | certify | of which level 3 | check | peak memory |", "|---|--:|--:|--:|--:|--:|",
+                          rows)
+
+    def readme_forms(self):
+        rows = []
+        for run in FORMS:
+            one = self.of(run)
+            if one:
+                rows.append([f"{TITLES[run.manifold]}, ε = {run.radius}{self.mark(run)}",
+                             thousands(one["counts"]["points"]), seconds(one["certify"]["wall"]),
+                             seconds(one["check"]["wall"]), memory(max(one["certify"]["mib"], one["check"]["mib"])),
+                             " ".join(one["counts"]["levels"])])
+        return self.table("| | points | certify | check | peak memory | levels |", "|---|--:|--:|--:|--:|---|", rows)
+
+    def whole_runs(self):
+        names = [("sample", ("read or sample the net", "throw darts", "fill gaps")), ("density", ("measure density",)),
+                 ("perturb", ("perturb",)), ("triangulate", ("triangulate",)), ("stars", ("certify stars",)),
+                 ("levels", ("derive levels",)), ("write", ("write the certificate",))]
+        rows = []
+        for run in TORI:
+            one = self.of(run)
+            stages = one["stages"]
+            level_3 = stages["search forbidden configurations"]
+            rest = sum(stages.values()) - level_3
+            points = one["counts"]["points"]
+            rows.append([f"{run.manifold}, {run.radius}{self.mark(run)}", str(points), str(one["counts"]["simplices"])] +
+                        [f"{sum(stages[part] for part in parts):.3f}" for _, parts in names] +
+                        [f"{rest:.3f}", f"{level_3:.3f}", f"{1e6 * (rest + level_3) / points:.1f}",
+                         f"{one['certify']['mib']:.0f}"])
+        head = "| net | points | simplices | " + " | ".join(name for name, _ in names)
+        return self.table(head + " | rest | level 3 | µs a point | peak MiB |", "|---|" + "--:|" * 13, rows)
+
+    def checks_of_tori(self):
+        rows = [[f"{run.manifold}, {run.radius}{self.mark(run)}", f"{one['check']['user']:.2f}", f"{one['check without 3']['user']:.2f}",
+                 f"{one['check']['user'] / one['certify']['user']:.2f}", f"{one['check']['mib']:.0f}"]
+                for run, one in ((run, self.of(run)) for run in TORI)
+                if (run.manifold, run.radius) not in (("torus-2", "1/24"), ("torus-2-skewed", "1/24"),
+                                                      ("torus-2-skewed", "1/100"))]
+        return self.table("| net | all levels, s | without level 3, s | check : certify | peak MiB |",
+                          "|---|--:|--:|--:|--:|", rows)
+
+    def sizes(self):
+        rows = []
+        for run in SIZES:
+            one = self.of(run)
+            if one:
+                points = one["counts"]["points"]
+                rows.append([run.radius + self.mark(run), thousands(points)] +
+                            [part for step in ("certify", "check") for part in
+                             (f"{one[step]['user']:.2f}", f"{1e6 * one[step]['user'] / points:.0f}",
+                              thousands(round(one[step]["mib"])))])
+        return self.table("| ε | points | certify, s | µs a point | MiB | check, s | µs a point | MiB |",
+                          "|---|--:|--:|--:|--:|--:|--:|--:|", rows)
+
+    def threads(self):
+        rows = [[f"{runs[0].manifold}, ε = {runs[0].radius}, {thousands(self.of(runs[0])['counts']['points'])} points"] +
+                [f"{self.of(run)['certify']['wall']:.1f} s{self.mark(run)}" for run in runs] for runs in THREADS]
+        return self.table("| run | 1 thread | 2 threads | 4 threads |", "|---|--:|--:|--:|", rows)
+
+    def times_of_claims(self):
+        """By claim, or claim:conclusion, and by what is measured."""
+        times = {}
+        for one in self.record["benches"]["claims"]:
+            claim, _, how = one["name"].split("/")[:3]
+            times.setdefault(claim, {})[how] = one
+        return times
+
+    def claims(self):
+        rows = []
+        for claim, by in self.times_of_claims().items():
+            if "rationals" in by:
+                each = {how: 1e6 * by[how]["each"] for how in ("ladder", "256_bits", "rationals")}
+                name, conclusion = claim.split(":")
+                rows.append([f"`{name}`, `{conclusion}`", f"{each['ladder']:.1f} µs", f"{each['256_bits']:.1f} µs",
+                             f"{each['rationals']:.1f} µs", f"1 : {each['rationals'] / each['ladder']:.2f}",
+                             f"{100 * by['ladder']['filter']:.1f} %"])
+        return self.table("| conclusion, k = 3, m = 3 | ladder | 256 bits | rationals | ladder : rationals | by the filter |",
+                          "|---|--:|--:|--:|--:|--:|", rows)
+
+    def samples_of_claims(self):
+        rows = [[f"`{claim}`", f"{1e6 * by['sample']['each']:.1f} µs", f"{1e6 * by['ladder']['each']:.1f} µs"]
+                for claim, by in self.times_of_claims().items() if "sample" in by]
+        return self.table("| claim, k = 3, m = 3 | a whole sample | of which decisions |", "|---|--:|--:|", rows)
+
+    def all(self):
+        result = {"readme-tori": self.readme_tori(), "readme-forms": self.readme_forms(), "whole-runs": self.whole_runs(),
+                  "checks-of-tori": self.checks_of_tori(), "sizes": self.sizes(), "threads": self.threads()}
+        for name, text in self.record["benches"].items():
+            result[name] = self.claims() if name == "claims" else text
+            if name == "claims":
+                result["claims-samples"] = self.samples_of_claims()
+        return result
+
+
+def rendered(text, tables):
+    """The page with its tables in the places of those between marks that there are; others stay."""
+    return MARK.sub(lambda found: found[1] + tables.get(found[2], found[0][len(found[1]):-len(found[3])]) + found[3], text)
+
+
+def pages(root):
+    return [root / "README.md", root / "docs/performance.md"]
+
+
+def render(root, record):
+    tables = Tables(record).all()
+    for page in pages(root):
+        page.write_text(rendered(page.read_text(), tables))
+
+
+def difference(recorded, counted, path=""):
+    """The first place where the two differ."""
+    if isinstance(recorded, dict) and isinstance(counted, dict):
+        for key in sorted(recorded.keys() | counted.keys()):
+            if recorded.get(key) != counted.get(key):
+                return difference(recorded.get(key), counted.get(key), f"{path}/{key}")
+    return f"{path or '/'}: recorded {recorded}, now {counted}"
+
+
+def check(root, record, build):
+    complaints = []
+    tables = Tables(record).all()
+    marks = [mark for page in pages(root) for mark in MARK.findall(page.read_text())]
+    for name in sorted(Tables(record).all().keys() - {mark[1] for mark in marks}):
+        complaints.append(f"the table {name} stands nowhere")
+    for page in pages(root):
+        if rendered(page.read_text(), tables) != page.read_text():
+            complaints.append(f"{page.name}: a table is not that of bench/costs.json: bench/costs.py render")
+    for name, run in ALL.items():
+        if run.cheap:
+            with tempfile.TemporaryDirectory() as folder:
+                counted = once(run, build, folder)["counts"]
+            if counted != record["runs"][name]["counts"]:
+                complaints.append(f"{name}: the tables are older than the programs: bench/costs.py measure\n    "
+                                  + difference(record["runs"][name]["counts"], counted))
+    print("\n".join(complaints) or "the tables are of these programs")
+    return 1 if complaints else 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("action", choices=["measure", "render", "check"])
+    parser.add_argument("--build", type=Path, default=ROOT / "build/release")
+    parser.add_argument("--long", action="store_true")
+    parser.add_argument("--root", type=Path, default=ROOT, help="where the pages and the record are")
+    arguments = parser.parse_args()
+    file = arguments.root / "bench/costs.json"
+    record = json.loads(file.read_text()) if file.exists() else {"runs": {}, "benches": {}}
+    if arguments.action == "check":
+        return check(arguments.root, record, arguments.build)
+    if arguments.action == "measure":
+        measure_all(arguments, record, file)
+        write(file, record)
+    render(arguments.root, record)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# costs_test.sh BUILD: the tables of costs are those that were measured with these programs, and tables that are not are
+# noticed.
+set -uo pipefail
+project=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+build=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failures=0
+fail() {
+  failures=$((failures + 1))
+  echo "FAILED: $*"
+}
+
+"$project/bench/costs.py" check --build "$build" || fail "the tables are stale: bench/costs.py measure"
+
+# changed TITLE FILE PATTERN SAYS: a copy of the pages and the record, with one change in a file, must be refused.
+changed() {
+  rm -rf "$work/copy"
+  mkdir -p "$work/copy/bench" "$work/copy/docs"
+  cp "$project/README.md" "$work/copy/"
+  cp "$project/docs/performance.md" "$work/copy/docs/"
+  cp "$project/bench/costs.json" "$work/copy/bench/"
+  sed -i "$3" "$work/copy/$2"
+  ! cmp -s "$work/copy/$2" "$project/$2" || fail "$1: nothing was changed"
+  local output
+  output=$("$project/bench/costs.py" check --build "$build" --root "$work/copy") && fail "$1 passes"
+  [[ $output == *"$4"* ]] || fail "$1: it says $output"
+}
+changed "a figure changed by hand" README.md '/costs: readme-tori/,/costs: end/s/ s |/0 s |/' "README.md: a table is not that of"
+changed "a table without its mark" docs/performance.md 's/<!-- costs: sizes -->//' "the table sizes stands nowhere"
+changed "other decisions" bench/costs.json '0,/"perturb": [0-9]*,$/s//"perturb": 7,/' "the tables are older than the programs"
+changed "other decisions of the checker" bench/costs.json '0,/"intervals": [0-9]*/s//"intervals": 7/' "check/decisions/intervals: recorded 7"
+changed "other points" bench/costs.json '0,/"content": "[0-9a-f]/s//"content": "x/' "content: recorded x"
+
+echo "$failures failures"
+exit $((failures > 0))
