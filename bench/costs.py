@@ -91,9 +91,9 @@ def timed(command):
 
 def counts(report, certificate, check):
     """What a run and its check count, which is the same on every machine: points, simplices, decisions, and a digest of
-    the points and stars."""
+    the points and simplices."""
     document = json.loads(Path(certificate).read_text())
-    content = json.dumps([document["points"], document["stars"]], separators=(",", ":"), sort_keys=True)
+    content = json.dumps([document["points"], document["simplices"]], separators=(",", ":"), sort_keys=True)
     return {"points": report["points"], "simplices": report["simplices"], "statistics": report["statistics"],
             "levels": [str(level["level"]) if isinstance(level, dict) else level for level in report["levels"]],
             "decisions": {stage["stage"]: sum(stage["decisions"].values()) for stage in report["stages"]
