@@ -73,15 +73,15 @@ void Certificate::require_loops() const {
   };
   require(loops.size() == loop_count(), std::to_string(loops.size()) + " loops, not " + std::to_string(loop_count()));
   for (std::size_t at = 0; at < loops.size(); ++at) {
-    const std::string name = "loop " + std::to_string(at);
+    const std::string which = "loop " + std::to_string(at);
     Label label = 0;
     for (const LoopStep& step : loops[at]) {
-      require(step.simplex < simplex_count(), name + " has a simplex that is none");
-      require(step.from <= m_size() && step.to <= m_size() && step.from != step.to, name + " has no edge of a simplex");
-      require(simplex(step.simplex)[step.from] == label, name + " is not connected, or does not begin at 0");
+      require(step.simplex < simplex_count(), which + " has a step in no simplex of the list");
+      require(step.from <= m_size() && step.to <= m_size() && step.from != step.to, which + " has no edge of a simplex");
+      require(simplex(step.simplex)[step.from] == label, which + " is not connected, or does not begin at 0");
       label = simplex(step.simplex)[step.to];
     }
-    require(label == 0, name + " does not end at 0");
+    require(label == 0, which + " does not end at 0");
   }
 }
 
