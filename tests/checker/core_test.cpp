@@ -177,9 +177,9 @@ TEST_F(Core, refuses_one_simplex_that_is_turned_over) {
     sample.place_points();
     found.insert(broken_rules(sample));
   }
-  EXPECT_TRUE(found.erase({}));
-  EXPECT_TRUE(found.contains({"core.facets", "core.hinges"}));
-  found.erase({"core.hinges"});
+  EXPECT_TRUE(found.erase(Rules{}));
+  EXPECT_TRUE(found.contains(Rules{"core.facets", "core.hinges"}));
+  found.erase(Rules{"core.hinges"});
   for (const Rules& rules : found) EXPECT_EQ(rules.front(), "core.facets");
 }
 

@@ -69,9 +69,10 @@ Complex<m> around_segment(const std::vector<Lift<m>>& facet, const Lift<m>& one,
 /// each facet does not notice.
 template <int m>
 Complex<m> with_one_flip(Complex<m> simplices) {
-  for (const LiftedSimplex<m> first : simplices) {
+  // Copies, as the list changes before they have been used.
+  for (LiftedSimplex<m> first : simplices) {
     const auto facet = detail::facet_of<m>(first, 0, {});
-    for (const LiftedSimplex<m> second : simplices) {
+    for (LiftedSimplex<m> second : simplices) {
       const auto beyond = detail::other_side<m>(facet, second);
       if (!beyond) continue;
       std::erase_if(simplices, [&](const auto& simplex) { return simplex == first || simplex == second; });
@@ -96,11 +97,12 @@ Doubles<m> with_one_point_in_a_ball(Doubles<m> points, const FrameMetric<m>& met
     for (std::size_t axis = 0; axis < m; ++axis) x[axis] += lift.shift[axis];
     return x;
   };
-  for (const LiftedSimplex<m>& first : simplices) {
+  // Copies, as the list changes before they have been used.
+  for (LiftedSimplex<m> first : simplices) {
     std::array<Vector<double, m>, corner_count<m>> vertices;
     for (std::size_t corner = 0; corner <= m; ++corner) vertices[corner] = position(first[corner]);
     const auto sphere = approximate_sphere<m>(plain, vertices);
-    for (const LiftedSimplex<m>& second : simplices) {
+    for (LiftedSimplex<m> second : simplices) {
       const auto beyond = detail::other_side<m>(detail::facet_of<m>(first, 0, {}), second);
       if (!beyond) continue;
       Vector<PlainDouble, m> inwards;
