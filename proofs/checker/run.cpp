@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "proofs/checker/core/levels.hpp"
 #include "proofs/checker/metric_field_levels.hpp"
 #include "proofs/checker/space_form_levels.hpp"
 
@@ -132,6 +133,10 @@ Outcome check(std::string_view text, const std::vector<std::string>& selected) {
         return check_metric_field(*charts, report);
       }));
       ready = outcome.levels.back().status == 0;
+    }
+    if (chosen[level_2] && !certificate.has_boundary() && !certificate.metric_field) {
+      outcome.levels.push_back(
+          run_check("core", [&](Report& report) { return core::check_levels(certificate, chosen, report); }));
     }
     for (std::size_t level = 0; level < level_names.size(); ++level) {
       if (chosen[level] && ready) {
