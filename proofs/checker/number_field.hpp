@@ -34,6 +34,7 @@ class FieldElement {
  public:
   FieldElement() { fmpq_poly_init(value_); }
   explicit FieldElement(int value) : FieldElement() { fmpq_poly_set_si(value_, value); }
+  explicit FieldElement(const Rational& value) : FieldElement() { fmpq_poly_set_fmpq(value_, value.raw()); }
   /// Precondition: fewer coefficients than the degree of the field, or as many.
   FieldElement(const NumberField& field, const std::vector<Rational>& coefficients);
   FieldElement(const FieldElement& other) : field_(other.field_) {
