@@ -7,11 +7,8 @@
 #include <optional>
 #include <stdexcept>
 
-<<<<<<< HEAD
-#include "proofs/checker/expectation.hpp"
-=======
 #include "proofs/checker/core/levels.hpp"
->>>>>>> h-core
+#include "proofs/checker/expectation.hpp"
 #include "proofs/checker/metric_field_levels.hpp"
 #include "proofs/checker/space_form_levels.hpp"
 
@@ -186,26 +183,14 @@ Outcome check(std::string_view text, const std::vector<std::string>& selected, s
       }));
       ready = outcome.levels.back().status == 0;
     }
-<<<<<<< HEAD
+    if (chosen[level_2] && is_expected && !certificate.has_boundary() && !certificate.metric_field) {
+      outcome.levels.push_back(
+          run_check("core", [&](Report& report) { return core::check_levels(certificate, chosen, report); }));
+    }
     const CheckOfLevel check_of = [&](std::size_t level) {
       return charts ? check_of_level(*charts, level) : check_of_level(certificate, level, lifts ? &*lifts : nullptr);
     };
     check_levels(certificate, chosen, ready ? &check_of : nullptr, outcome);
-=======
-    if (chosen[level_2] && !certificate.has_boundary() && !certificate.metric_field) {
-      outcome.levels.push_back(
-          run_check("core", [&](Report& report) { return core::check_levels(certificate, chosen, report); }));
-    }
-    for (std::size_t level = 0; level < level_names.size(); ++level) {
-      if (chosen[level] && ready) {
-        const Check check =
-            charts ? check_of_level(*charts, level) : check_of_level(certificate, level, lifts ? &*lifts : nullptr);
-        outcome.levels.push_back(run_check(level_names[level], check));
-      } else if (certificate.claimed[level]) {
-        outcome.unchecked.emplace_back(level_names[level]);
-      }
-    }
->>>>>>> h-core
   } catch (const Malformed& reason) {
     outcome.status = 3;
     outcome.malformed = Finding{reason.rule, reason.what()};

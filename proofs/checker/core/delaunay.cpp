@@ -12,7 +12,8 @@ class OfStatedLength {
   /// `flat`: its value for K = 0.
   OfStatedLength(Ball (*function)(int, const Ball&), int K, const Quantity& length, Rational flat)
       : function_(function), K_(K), length_(length.exact), flat_(std::move(flat)) {
-    filter_ = in_balls(128, [&] { return as<Ball>().enclosure(); });
+    const BallScope scope(128);
+    filter_ = as<Ball>().enclosure();
   }
   template <class N>
   N as() const {
@@ -31,12 +32,6 @@ class OfStatedLength {
   Rational length_, flat_;
   Interval filter_;
 };
-
-/// For K < 0: whether the vertices lie on the boundary of a ball.
-template <class N>
-Verdict has_ball(const Data& data, const Circumball<N>& ball) {
-  return data.K < 0 ? less(ball.tangent_squared(), N(1)) : Verdict::proved;
-}
 
 class Margins {
  public:
@@ -109,12 +104,17 @@ bool is_below_quarter(int K, const Quantity& circumradius, const Quantity& prote
 
 void check_hinges(Complex& complex, Report& report) {
   Circumballs balls(complex);
+  for (std::size_t s = 0; complex.data.K < 0 && s < complex.data.simplices(); ++s) {
+    if (complex.sign[s] == 0) continue;  // core.sign
+    if (!balls.decide(s, balls.filter(s),
+                      []<class N>(const Circumball<N>& ball) { return less(ball.tangent_squared(), N(1)); }))
+      report.reject("core.hinges", [&] { return complex.name(s) + " has no circumball"; });
+  }
   for (const Hinge& hinge : complex.hinges) {
     const auto [s, t] = hinge.simplex;
-    if (complex.sign[s] == 0 || complex.sign[t] == 0) continue;  // core.sign
-    const Circumball<Interval> filter = balls.filter(s);
-    const bool convex = balls.decide(s, filter, [&]<class N>(const Circumball<N>& ball) {
-      return conjunction(has_ball(complex.data, ball), less(N(0), ball.power(complex.beyond<N>(hinge))));
+    if (complex.sign[s] == 0 || complex.sign[t] == 0) continue;
+    const bool convex = balls.decide(s, balls.filter(s), [&]<class N>(const Circumball<N>& ball) {
+      return less(N(0), ball.power(complex.beyond<N>(hinge)));
     });
     if (convex) continue;
     report.reject("core.hinges", [&, first = s, second = t] {

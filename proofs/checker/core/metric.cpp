@@ -29,15 +29,16 @@ Verdict has_cotangents_above(Complex& complex, const Form<N>& form, const Hinge&
   return less(weight, sum);
 }
 
-/// The Gram matrix at the first vertex, from the squared lengths of the edges.
-template <class N, class SquaredLength>
-SquareMatrix<N> gram_of(std::size_t m, const SquaredLength& squared_length) {
+/// The squared lengths of the edges of a simplex.
+template <class N>
+using Lengths = std::array<std::array<N, 5>, 5>;
+
+/// The Gram matrix at the first vertex.
+template <class N>
+SquareMatrix<N> gram_of(std::size_t m, const Lengths<N>& squared) {
   SquareMatrix<N> result(m);
   for (std::size_t x = 1; x <= m; ++x) {
-    for (std::size_t y = 1; y <= m; ++y) {
-      const N across = x == y ? N(0) : squared_length(x, y);
-      result(x - 1, y - 1) = (squared_length(0, x) + squared_length(0, y) - across) / N(2);
-    }
+    for (std::size_t y = 1; y <= m; ++y) result(x - 1, y - 1) = (squared[0][x] + squared[0][y] - squared[x][y]) / N(2);
   }
   return result;
 }
@@ -51,10 +52,14 @@ Verdict is_stretched_within(Complex& complex, std::size_t s, const N& least, con
   const Lifts<N> lifts = complex.lifts<N>(s);
   const N bent = Circumball<N>(data, form, lifts).tangent_squared();
   const N k = data.K > 0 ? N(1) / (N(1) + bent) : N(1) - bent;
-  const auto chord = [&](std::size_t x, std::size_t y) { return form.squared(lifts[x] - lifts[y]); };
-  const SquareMatrix<N> straight = gram_of<N>(m, chord);
-  const SquareMatrix<N> flat =
-      gram_of<N>(m, [&](std::size_t x, std::size_t y) { return unrolled(data.K, chord(x, y)); });
+  Lengths<N> chords{}, arcs{};
+  for (std::size_t x = 0; x <= m; ++x) {
+    for (std::size_t y = 0; y < x; ++y) {
+      chords[x][y] = chords[y][x] = form.squared(lifts[x] - lifts[y]);
+      arcs[x][y] = arcs[y][x] = unrolled(data.K, chords[x][y]);
+    }
+  }
+  const SquareMatrix<N> straight = gram_of(m, chords), flat = gram_of(m, arcs);
   SquareMatrix<N> above(m), below(m);
   for (std::size_t x = 0; x < m; ++x) {
     for (std::size_t y = 0; y < m; ++y) {
