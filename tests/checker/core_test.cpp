@@ -163,8 +163,8 @@ TEST_F(Core, refuses_a_facet_with_three_simplices) {
   EXPECT_EQ(found, 1U);
 }
 
-/// The vertex 12 of a torus is drawn across an edge of its link: the triangle there is turned over. Some of these no
-/// rule of the stars sees.
+/// The vertex 12 of a torus is drawn across an edge of its link: the triangle there is turned over. Whenever one
+/// is, the rule of facets and that of stars see it, whatever local Delaunay says.
 TEST_F(Core, refuses_one_simplex_that_is_turned_over) {
   const CoreSample original = grid_torus(2, 5);
   std::set<Rules> found;
@@ -177,10 +177,9 @@ TEST_F(Core, refuses_one_simplex_that_is_turned_over) {
     sample.place_points();
     found.insert(broken_rules(sample));
   }
-  EXPECT_TRUE(found.erase(Rules{}));
-  EXPECT_TRUE(found.contains(Rules{"core.facets", "core.hinges"}));
-  found.erase(Rules{"core.hinges"});
-  for (const Rules& rules : found) EXPECT_EQ(rules.front(), "core.facets");
+  EXPECT_EQ(found,
+            (std::set<Rules>{
+                {}, {"core.hinges"}, {"core.facets", "core.stars"}, {"core.facets", "core.hinges", "core.stars"}}));
 }
 
 /// Three points north of the equator and the pole: what is meant to be the large triangle is the small one.
@@ -394,7 +393,7 @@ TEST_F(Core, knows_the_thickness_of_polytopes_in_charts) {
   // Equilateral triangles: sqrt 3 / 4 = 0.43301...; the side is sqrt (2/16).
   EXPECT_EQ(riemannian(grid_torus(2, 4), fraction(433, 1000), fraction(354, 1000)), Rules{});
   EXPECT_EQ(riemannian(grid_torus(2, 4), fraction(4331, 10000), fraction(353, 1000)),
-            (Rules{"5.radius", "5.thickness"}));
+            (Rules{"5.thickness", "5.radius"}));
 }
 
 /// That neighbours suffice: the least distance of all lifts from a circumball, by brute force.

@@ -34,7 +34,8 @@ std::set<std::string> matches(const std::string& path, const std::regex& pattern
 /// The rules that the checker's sources name.
 std::set<std::string> rules_of_the_checker() {
   std::set<std::string> rules;
-  for (const auto& file : std::filesystem::directory_iterator(DELCERT_SOURCE_DIR "/proofs/checker")) {
+  for (const auto& file : std::filesystem::recursive_directory_iterator(DELCERT_SOURCE_DIR "/proofs/checker")) {
+    if (!file.is_regular_file()) continue;
     rules.merge(matches(file.path(), std::regex(R"re("((?:form|group|field|[0-6]s?)\.[a-z][a-z0-9-]*|seal)")re")));
   }
   return rules;

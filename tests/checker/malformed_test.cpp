@@ -283,7 +283,7 @@ TEST(Malformed, the_command_line_is_checked) {
   EXPECT_EQ(run_checker_with(file + " " + file).status, 64);
   EXPECT_EQ(run_checker_with("--without-rule seal " + file).status, 64) << "the real program leaves out no rule";
   EXPECT_EQ(run_checker_with(file + " --levels 7").status, 64);
-  EXPECT_EQ(run_checker_with(file + ".absent").status, 64);
+  EXPECT_EQ(run_checker_with(file + ".absent").status, 3);
   EXPECT_EQ(run_checker_with("--help").status, 0);
   EXPECT_EQ(run_checker_with("--quiet " + file).output, "");
   EXPECT_EQ(run_checker_with("--quiet " + file).status, 0);

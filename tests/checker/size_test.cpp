@@ -38,7 +38,7 @@ Page page() {
 
 TEST(SizeOfTheChecker, is_what_docs_decisions_size_of_the_checker_says) {
   int lines = 0;
-  for (const auto& file : std::filesystem::directory_iterator(DELCERT_SOURCE_DIR "/proofs/checker")) {
+  for (const auto& file : std::filesystem::recursive_directory_iterator(DELCERT_SOURCE_DIR "/proofs/checker")) {
     const auto extension = file.path().extension();
     if (extension == ".cpp" || extension == ".hpp") lines += lines_of_code(file.path());
   }

@@ -32,7 +32,7 @@ tidies 'double half(int x) { return x / 2; }' && fail "a quotient of integers ta
 cmake -S "$project" -B "$work/build" -G Ninja -D DELCERT_TESTS=ON -D DELCERT_UNITED_SOURCES=OFF >"$work/configure.log" 2>&1 ||
   fail "cannot configure: $(cat "$work/configure.log")"
 looked_at=$(ninja -C "$work/build" -t query tidy | sed -n 's,^ *tidy/\(.*\)\.log$,\1,p' | sort)
-sources=$(cd "$project" && find kernel proofs properties apps -path properties/fuzz -prune -o -name '*.cpp' -print | sort)
+sources=$(cd "$project" && find support kernel proofs properties apps -path properties/fuzz -prune -o -name '*.cpp' -print | sort)
 [[ -n $sources && $looked_at == "$sources" ]] || fail "clang-tidy looks at other files:
 $(diff <(echo "$sources") <(echo "$looked_at"))"
 

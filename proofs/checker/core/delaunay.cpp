@@ -12,8 +12,7 @@ class OfStatedLength {
   /// `flat`: its value for K = 0.
   OfStatedLength(Ball (*function)(int, const Ball&), int K, const Quantity& length, Rational flat)
       : function_(function), K_(K), length_(length.exact), flat_(std::move(flat)) {
-    const BallScope scope(128);
-    filter_ = as<Ball>().enclosure();
+    filter_ = in_balls(128, [&] { return as<Ball>().enclosure(); });
   }
   template <class N>
   N as() const {

@@ -84,16 +84,17 @@ Vector<Interval> exponential(int K, std::size_t m, const Vector<Interval>& v) {
   const Interval s = squared(v, m);
   Vector<Interval> x{};
   if (!(s.upper() <= 0x1p-4)) {
-    const BallScope scope(80);
-    Vector<Ball> enclosed{};
-    for (std::size_t k = 0; k < m; ++k) {
-      Ball upper;
-      arb_set_d(enclosed[k].raw(), v[k].lower());
-      arb_set_d(upper.raw(), v[k].upper());
-      enclosed[k] = joined(enclosed[k], upper);
-    }
-    const Vector<Ball> result = checker::exponential(K, m, enclosed);
-    for (std::size_t k = 0; k <= m; ++k) x[k] = result[k].enclosure();
+    in_balls(80, [&] {
+      Vector<Ball> enclosed{};
+      for (std::size_t k = 0; k < m; ++k) {
+        Ball upper;
+        arb_set_d(enclosed[k].raw(), v[k].lower());
+        arb_set_d(upper.raw(), v[k].upper());
+        enclosed[k] = joined(enclosed[k], upper);
+      }
+      const Vector<Ball> result = checker::exponential(K, m, enclosed);
+      for (std::size_t k = 0; k <= m; ++k) x[k] = result[k].enclosure();
+    });
     return x;
   }
   x[0] = series(K, s, 0);  // cos, cosh of sqrt s

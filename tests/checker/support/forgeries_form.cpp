@@ -53,7 +53,7 @@ std::vector<Forgery> form_forgeries() {
   });
   forge("protection is 0", "form.ranges", torus, [](Json& d) { d["levels"]["1"]["protection"] = "0"; });
   forge("thickness is 0", "form.ranges", torus, [](Json& d) { d["levels"]["1"]["thickness"] = "0x0"; });
-  forge("a perturbation in the mode none", "form.mode", torus, [](Json& d) {
+  forge("a perturbation in the mode none", "form.mode", wide_torus().claiming({"1", "2", "4"}).document(), [](Json& d) {
     d["parameters"]["mode"] = "none";
     d["points"] = d["net"];
   });

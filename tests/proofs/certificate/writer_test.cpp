@@ -174,19 +174,17 @@ TEST(Writer, NamesModesAndCandidateRulesAsInFiles) {
   EXPECT_EQ(name_of(CandidateRule::printed), "printed");
 }
 
-TEST(Writer, StarsAreSortedAndOfOtherLabels) {
+TEST(Writer, SimplicesAreSortedByTheirIncreasingLabels) {
   const auto json = nlohmann::json::parse(certificate_bytes());
-  std::uint32_t label = 0;
-  for (const auto& star : json.at("stars")) {
-    const auto simplices = star.get<std::vector<std::vector<std::uint32_t>>>();
-    EXPECT_TRUE(std::is_sorted(simplices.begin(), simplices.end()));
-    for (const auto& simplex : simplices) {
-      EXPECT_EQ(simplex.size(), 2U);
-      EXPECT_TRUE(std::is_sorted(simplex.begin(), simplex.end()));
-      EXPECT_EQ(std::count(simplex.begin(), simplex.end(), label), 0);
-    }
-    ++label;
+  std::vector<std::vector<std::uint32_t>> labels;
+  for (const auto& entry : json.at("simplices")) {
+    const auto simplex = entry.get<std::vector<std::uint32_t>>();
+    ASSERT_EQ(simplex.size(), 5U);
+    labels.emplace_back(simplex.begin(), simplex.begin() + 3);
+    EXPECT_TRUE(std::adjacent_find(labels.back().begin(), labels.back().end(), std::greater_equal<>()) ==
+                labels.back().end());
   }
+  EXPECT_TRUE(std::adjacent_find(labels.begin(), labels.end(), std::greater_equal<>()) == labels.end());
 }
 
 TEST(Writer, LeavesOutTheWitnessOfALevelThatIsNotClaimed) {
