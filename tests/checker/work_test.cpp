@@ -83,6 +83,24 @@ TEST(Work, of_homology_is_bounded) {
   }
 }
 
+TEST(Work, of_homology_is_not_done_for_what_is_no_manifold) {
+  Sample sample = wide_torus().claiming({"1", "2"});
+  std::vector<Labels> triangles;
+  for (const checker::LabelSet& simplex : random_triangles(4200))
+    triangles.push_back({static_cast<int>(simplex[0]), static_cast<int>(simplex[1]), static_cast<int>(simplex[2])});
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  sample.model.net.resize(90);
+  sample.model.points.resize(90);
+  sample.model.interior.resize(90);
+  sample.model.stars = stars_of(triangles, sample.model.interior);
+  Json document = sample.document();
+  document["levels"]["2"]["homology"] = Json::array({"Z", "0", "Z^7"});
+  const CheckerRun run = expect_soon(sealed(document), {1});
+  EXPECT_TRUE(run.rules.contains("1.facets")) << run.output.substr(0, 2000);
+  EXPECT_FALSE(run.rules.contains("2.homology"));
+}
+
 TEST(Work, of_a_point_near_the_rim_of_the_disk_is_bounded) {
   for (const char* coordinate : {"0x1.fp0", "0x1.ffp0", "0x1.ffffp0", "0x1.ffffffffffp0"}) {
     Json document = bolza_surface().document();
