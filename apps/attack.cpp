@@ -224,7 +224,7 @@ ExitStatus report(const std::vector<Target>& targets, const std::vector<Tally>& 
 
 ExitStatus run_attack(const AttackOptions& options) {
   if (!options.replay.empty()) return replay(options);
-  if (options.samples == 0 || options.samples > most_samples) throw InputError("--samples wants 1 to 10^10");
+  if (options.samples == 0 || options.samples > most_samples) throw InputError("--samples takes 1 to 10^10");
   if (options.twins) return attack_twins(options);
   if (options.stored) throw InputError("--stored is about --twins");
   CampaignPlan plan;

@@ -18,7 +18,7 @@ struct ClaimOptions {
 /// CLAIM…, --all, --shape.
 void add_claim_options(CLI::App& command, ClaimOptions& options);
 
-/// The claims asked for, each once. Throws InputError for a name that is none, for two claims of the same name, and if
+/// The claims asked for, each once. Throws InputError for a name that no claim has, for two claims of the same name, and if
 /// nothing was asked for.
 [[nodiscard]] std::vector<Claim> claims_of(const ClaimOptions& options);
 

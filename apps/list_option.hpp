@@ -11,7 +11,7 @@ namespace delcert {
 /// The most values that a list may have.
 inline constexpr std::size_t longest_list = 1000;
 
-/// An option whose value is a list of exact numbers, "1/4,1/2,1". An empty part, a number that is none, one that is
+/// An option whose value is a list of exact numbers, "1/4,1/2,1". An empty part, a word that is no number, one that is
 /// listed twice (1/2 and 2/4 are one number) and more than longest_list of them are usage errors that say what is
 /// wrong.
 CLI::Option* add_exact_list_option(CLI::App& command, const std::string& name, std::vector<Rational>& values,

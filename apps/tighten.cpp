@@ -94,7 +94,7 @@ std::vector<SearchTarget> targets_of(const TightenOptions& options) {
 
 ExitStatus run_tighten(const TightenOptions& options) {
   constexpr std::uint64_t most = 1000000000000;
-  if (options.evaluations == 0 || options.evaluations > most) throw InputError("--evaluations wants 1 to 10^12");
+  if (options.evaluations == 0 || options.evaluations > most) throw InputError("--evaluations takes 1 to 10^12");
   SearchPlan plan;
   plan.targets = targets_of(options);
   plan.seed = options.seed;

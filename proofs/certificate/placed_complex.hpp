@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/stars/chart_complex.hpp"
-#include "kernel/stars/star_complex.hpp"
 #include "kernel/manifold/flat_atlas.hpp"
 #include "kernel/manifold/gluing/metric_field_atlas.hpp"
 #include "kernel/manifold/quotient/space_form_atlas.hpp"
+#include "kernel/stars/chart_complex.hpp"
+#include "kernel/stars/star_complex.hpp"
 #include "proofs/certificate/document.hpp"
 #include "proofs/certificate/loop_search.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "support/error.hpp"
 #include "proofs/certificate/file_text.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

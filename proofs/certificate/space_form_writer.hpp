@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "kernel/manifold/quotient/space_form.hpp"
-#include "support/progress.hpp"
 #include "kernel/simplex/vector.hpp"
 #include "proofs/certificate/claims.hpp"
 #include "proofs/certificate/document.hpp"
 #include "proofs/certificate/placed_complex.hpp"
+#include "support/progress.hpp"
 
 namespace delcert {
 

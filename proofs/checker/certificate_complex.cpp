@@ -77,7 +77,8 @@ void Certificate::require_loops() const {
     Label label = 0;
     for (const LoopStep& step : loops[at]) {
       require(step.simplex < simplex_count(), which + " has a step in no simplex of the list");
-      require(step.from <= m_size() && step.to <= m_size() && step.from != step.to, which + " has no edge of a simplex");
+      require(step.from <= m_size() && step.to <= m_size() && step.from != step.to,
+              which + " has no edge of a simplex");
       require(simplex(step.simplex)[step.from] == label, which + " is not connected, or does not begin at 0");
       label = simplex(step.simplex)[step.to];
     }

@@ -43,11 +43,11 @@ delcert_cli_test(attack-twins-without STATUS 1 ERROR "^$" OUTPUT "neither twin n
 delcert_cli_test(attack-twins-json STATUS 1 ERROR "^$" OUTPUT "^{\n \"twins\": .*\"refuted\": false"
   COMMAND ${delcert} attack ${claims}/circumradius-below-edge.toml --twins --json)
 
-delcert_cli_test(attack-no-samples STATUS 3 OUTPUT "^$" ERROR "--samples wants 1 to"
+delcert_cli_test(attack-no-samples STATUS 3 OUTPUT "^$" ERROR "--samples takes 1 to"
   COMMAND ${delcert} attack thickness-and-singular-value --samples 0)
-delcert_cli_test(attack-negative-samples STATUS 3 OUTPUT "^$" ERROR "--samples wants 1 to"
+delcert_cli_test(attack-negative-samples STATUS 3 OUTPUT "^$" ERROR "--samples takes 1 to"
   COMMAND ${delcert} attack thickness-and-singular-value --samples=-1)
-delcert_cli_test(attack-too-many-samples STATUS 3 OUTPUT "^$" ERROR "--samples wants 1 to"
+delcert_cli_test(attack-too-many-samples STATUS 3 OUTPUT "^$" ERROR "--samples takes 1 to"
   COMMAND ${delcert} attack thickness-and-singular-value --samples 10000000001)
 delcert_cli_test(attack-nothing STATUS 3 OUTPUT "^$" ERROR "no claim: name some" COMMAND ${delcert} attack)
 delcert_cli_test(attack-unknown-claim STATUS 3 OUTPUT "^$" ERROR "did you mean thickness-and-singular-value[?]"

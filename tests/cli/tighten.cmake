@@ -20,7 +20,7 @@ delcert_cli_test(tighten-log STATUS 3 OUTPUT "^$" ERROR "half.jsonl:1: the log o
   COMMAND sh -c "\"$1\" tighten \"$2\" --evaluations 50 --seed 5 --log whole.jsonl > tighten-3.txt && head -n 4 whole.jsonl > half.jsonl && \"$1\" tighten \"$2\" --evaluations 50 --seed 5 --log half.jsonl --threads 3 > tighten-4.txt && cmp tighten-3.txt tighten-4.txt  || exit 1; \"$1\" tighten \"$2\" --evaluations 50 --seed 6 --log half.jsonl"
   sh ${delcert} ${claims}/circumradius-by-thickness.toml)
 delcert_cli_test(tighten-nothing STATUS 3 OUTPUT "^$" ERROR "no claim: name some" COMMAND ${delcert} tighten)
-delcert_cli_test(tighten-no-evaluations STATUS 3 OUTPUT "^$" ERROR "--evaluations wants 1 to"
+delcert_cli_test(tighten-no-evaluations STATUS 3 OUTPUT "^$" ERROR "--evaluations takes 1 to"
   COMMAND ${delcert} tighten ${claims}/circumradius-from-below.toml --evaluations 0)
 delcert_cli_test(tighten-impossible-shape STATUS 3 OUTPUT "^$" ERROR "--shape 3,2: the class simplex"
   COMMAND ${delcert} tighten ${claims}/circumradius-from-below.toml --shape 3,2)
