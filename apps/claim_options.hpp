@@ -18,8 +18,8 @@ struct ClaimOptions {
 /// CLAIM…, --all, --shape.
 void add_claim_options(CLI::App& command, ClaimOptions& options);
 
-/// The claims asked for, each once. Throws InputError for a name that no claim has, for two claims of the same name, and if
-/// nothing was asked for.
+/// The claims asked for, each once. Throws InputError for a name that no claim has, for two claims of the same name,
+/// and if nothing was asked for.
 [[nodiscard]] std::vector<Claim> claims_of(const ClaimOptions& options);
 
 /// The same, for commands about instances: `--all` leaves out the files of steps only, and one that is named is an
