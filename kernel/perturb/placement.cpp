@@ -113,7 +113,7 @@ std::optional<Vector<Rational, m>> Placement<m>::best_good(Label i, GridBall<m>&
   const double enough = approximate_double(parameters_.clearance * atlas_.sampling_radius(i));
   std::optional<Vector<Rational, m>> best;
   double farthest = 0;
-  // Tests are dear, so they are for what would be better than the best so far.
+  // A test takes long, so only positions that would be better than the best so far are tested.
   for (std::uint32_t chosen = 0; tries < parameters_.most_tries; ++chosen) {
     if (best && chosen >= parameters_.choices && (farthest >= enough || chosen >= 16 * parameters_.choices)) break;
     ++tries;

@@ -20,7 +20,7 @@ class Variables {
   ~Variables() { fmpq_mpoly_ctx_clear(context_); }
   const std::vector<std::string>& names() const { return names_; }
   const fmpq_mpoly_ctx_struct* raw() const { return context_; }
-  /// Throws Malformed for a name that is none of them.
+  /// Throws Malformed for a name that is not among them.
   std::size_t index(const std::string& name) const;
 
  private:

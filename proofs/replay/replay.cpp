@@ -71,7 +71,7 @@ class GoalReplay {
       ranges_[variables_.index(name.get<std::string>())].is_squared = true;
     }
     precision_ = json_.at("precision").get<long>();
-    if (precision_ < 2 || precision_ > 4096) throw Rejected("a precision that is none");
+    if (precision_ < 2 || precision_ > 4096) throw Rejected("a precision that is not from 2 to 4096");
     make_boxes();
     for (const Json& factor : json_.at("factors")) {
       factors_.push_back(Polynomial::read(factor.get<std::string>(), variables_));

@@ -74,7 +74,7 @@ void require_names_of(const Claim& claim, const Bindings& bindings);
 [[nodiscard]] const Signatures& all_signatures();
 
 /// All files of claims of the library by name, also those of steps only; they are read once. Throws InputError for a
-/// file that is none.
+/// file that is not a file of claims.
 [[nodiscard]] const std::vector<Claim>& builtin_files();
 /// Those of them that are about instances.
 [[nodiscard]] const std::vector<Claim>& builtin_claim_list();

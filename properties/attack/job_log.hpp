@@ -16,8 +16,8 @@ class JobLog {
 
   /// Opens or begins the log, and calls `read` for every line that it has after the first; an empty path keeps nothing.
   /// `what` is the kind of work in one word, `identity` everything on which its results depend. Throws InputError,
-  /// naming the line, for a log of another work, for a line in the midst that is none or that `read` refuses, and for a
-  /// file that cannot be opened. A file that is no log is left as it is.
+  /// naming the line, for a log of another work, for a line in the midst that is broken or that `read` refuses, and for
+  /// a file that cannot be opened. A file that is no log is left as it is.
   JobLog(const std::filesystem::path& path, std::string what, const std::string& identity, const ReadLine& read);
 
   /// Throws std::runtime_error if it cannot be written.

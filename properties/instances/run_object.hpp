@@ -31,7 +31,7 @@ struct RunRecipe {
 /// A finished run of the algorithm on a flat torus, with what is certified of it.
 class RunObject : public Object {
  public:
-  /// Runs. Throws InputError for a recipe that is none, Rejection where there is no net or no good perturbation.
+  /// Runs. Throws InputError for an invalid recipe, Rejection where there is no net or no good perturbation.
   /// Precondition: rounding to nearest.
   explicit RunObject(RunRecipe recipe);
 

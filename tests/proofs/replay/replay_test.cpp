@@ -151,7 +151,7 @@ TEST(Replay, rejects_a_precision_that_does_not_suffice) {
   EXPECT_EQ(changed(logged(enclosed), [](Json& step) { step["goals"][0]["precision"] = 4; }).substr(0, 42),
             "c / a: goal 1: a leaf that is not proved: ");
   EXPECT_EQ(changed(logged(enclosed), [](Json& step) { step["goals"][0]["precision"] = 0; }),
-            "c / a: goal 1: a precision that is none");
+            "c / a: goal 1: a precision that is not from 2 to 4096");
 }
 
 TEST(Replay, rejects_exact_leaves_that_are_no_points) {
