@@ -249,7 +249,7 @@ TEST(Malformed, elements_and_loops_are_those_of_the_group) {
        {"a loop too many", "form.loops", changed(ball, [](Json& d) { d["loops"].push_back(Json::array()); })},
        {"a step of two numbers", "form.keys", changed(line, loop(0, "[0,1]"))},
        {"a step in no simplex of the list", "form.loops", changed(line, loop(0, "[30,0,1]"))},
-       {"a position that is none", "form.loops", changed(line, loop(0, "[0,0,2]"))},
+       {"a position out of range", "form.loops", changed(line, loop(0, "[0,0,2]"))},
        {"a step that stays", "form.loops", changed(line, loop(0, "[0,0,0]"))},
        {"a loop that begins elsewhere", "form.loops", changed(line, loop(0, "[2,0,1]"))},
        {"a loop with a gap", "form.loops", changed(line, loop(0, "[0,0,1,1,0,1]"))},
