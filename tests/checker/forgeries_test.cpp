@@ -139,7 +139,7 @@ TEST(Forgeries, are_those_of_the_page) {
 std::set<std::string> rules_of_the_page() {
   const std::string page = DELCERT_SOURCE_DIR "/docs/certificate-format.md";
   std::set<std::string> rules =
-      matches(page, std::regex(R"re((?:^|[^a-z0-9.])((?:core|group|field|[0-6]s?)\.[a-z][a-z0-9-]+))re"));
+      matches(page, std::regex(R"re((?:^|[^a-z0-9./])((?:core|group|field|[0-6]s?)\.[a-z][a-z0-9-]+))re"));
   rules.merge(matches(page, std::regex(R"re(\| (form\.[a-z][a-z0-9-]*|seal) \|)re")));
   return rules;
 }
