@@ -57,13 +57,14 @@ struct Family {
   Parse parse;
 };
 
-constexpr std::array<Family, 8> families{{{"flat-torus", parsed_as_flat},
+constexpr std::array<Family, 9> families{{{"flat-torus", parsed_as_flat},
                                           {"euclidean-ball", parsed_as_flat},
                                           {"space-form", parsed_as_space_form},
                                           {"sphere", parsed_as_space_form},
                                           {"projective-space", parsed_as_space_form},
                                           {"lens-space", parsed_as_space_form},
                                           {"regular-polygon-surface", parsed_as_space_form},
+                                          {"product-with-circle", parsed_as_space_form},
                                           {"metric-field", parsed_as_metric_field}}};
 
 std::string listed(const std::vector<std::string_view>& names) {

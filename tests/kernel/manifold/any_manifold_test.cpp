@@ -54,7 +54,8 @@ TEST(AnyManifold, guesses_a_family_that_is_misspelt) {
   EXPECT_EQ(
       refusal("name = \"x\"\nfamily = \"space-from\"\n"),
       "x.toml:2:10: key \"family\": found \"space-from\", expected one of flat-torus, euclidean-ball, space-form, "
-      "sphere, projective-space, lens-space, regular-polygon-surface, metric-field, did you mean space-form?");
+      "sphere, projective-space, lens-space, regular-polygon-surface, product-with-circle, metric-field, did you mean "
+      "space-form?");
   EXPECT_TRUE(mentions(refusal("family = \"metric_field\"\n"), "did you mean metric-field?"));
   EXPECT_FALSE(mentions(refusal("family = \"knot\"\n"), "did you mean"));
   EXPECT_TRUE(mentions(refusal("family = 3\n"), "x.toml:1:10: key \"family\": found the integer 3, expected one of"));
