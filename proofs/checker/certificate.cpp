@@ -123,7 +123,7 @@ void Certificate::require_levels() const {
 std::vector<Level> rests_on(std::size_t level, Kind kind) {
   switch (level) {
     case level_0:
-      return kind == Kind::space_form ? std::vector{level_4} : std::vector<Level>{};
+      return kind == Kind::space_form ? std::vector{level_1, level_4} : std::vector<Level>{};
     case level_1:
       return {level_2};
     case level_2:

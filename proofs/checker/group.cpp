@@ -33,7 +33,7 @@ std::string fault_of(const SpaceForm& form, const FieldMatrix& a) {
 
 }  // namespace
 
-Group check_group(const SpaceForm& form, const Rational& reach, const Rational& spread, Report& report) {
+Group check_group(const SpaceForm& form, Report& report) {
   for (std::size_t g = 0; g < form.generators.size(); ++g) {
     const std::string fault = fault_of(form, form.generators[g]);
     if (!fault.empty())
@@ -41,8 +41,8 @@ Group check_group(const SpaceForm& form, const Rational& reach, const Rational& 
   }
   if (!report.findings.empty()) return {};
   return form.K > 0    ? spherical_group(form, report)
-         : form.K == 0 ? flat_group(form, reach, spread, report)
-                       : hyperbolic_group(form, reach, spread, report);
+         : form.K == 0 ? flat_group(form, report)
+                       : hyperbolic_group(form, report);
 }
 
 bool keeps_orientation(const SpaceForm& form) {

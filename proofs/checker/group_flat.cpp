@@ -66,25 +66,12 @@ void for_each_shift(std::size_t m, const std::vector<long>& first, const std::ve
   }
 }
 
-/// Whether the translation is certainly longer than this.
-bool is_longer(const SpaceForm& form, const FieldMatrix& a, double length) {
-  return length < in_balls(
-                      64,
-                      [&] {
-                        Ball sum(0);
-                        for (std::size_t i = 0; i < form.m; ++i) {
-                          for (std::size_t k = 0; k < form.m; ++k)
-                            sum = sum + (a(i + 1, 0) * form.gram(i, k) * a(k + 1, 0)).enclosure();
-                        }
-                        return square_root(sum).enclosure().lower();
-                      });
-}
-
 }  // namespace
 
-/// Elements are z + the cosets found; a point x at most s from o, that is |x|_G <= s, has |gamma y - x| <= r only if
-/// the translation is at most r + 2s long, and its coordinates at most (r + 2s) sqrt((G^-1)_kk).
-Group flat_group(const SpaceForm& form, const Rational& reach, const Rational& spread, Report& report) {
+/// Elements are z + the cosets found. Every displacement less than twice the injectivity radius occurs at a point of
+/// the unit cell, which is at most `cell` from o; then the translation is at most 2 (injectivity radius + cell) long,
+/// and its coordinates at most that times sqrt((G^-1)_kk).
+Group flat_group(const SpaceForm& form, Report& report) {
   const FieldMatrix identity = FieldMatrix::identity(form.m + 1);
   std::vector<FieldMatrix> cosets{identity};
   // The letters are the generators and then the translations. A coset is known by a word, as exponents.
@@ -119,10 +106,8 @@ Group flat_group(const SpaceForm& form, const Rational& reach, const Rational& s
     }
   }
   if (known.size() > most) throw Undecided("the group has too many elements modulo its lattice to look at");
-  // Every displacement less than twice the injectivity radius occurs at a point of the unit cell, which is at most
-  // `cell` from o: all such elements are looked at, too.
   std::vector<double> stretch(form.m);
-  double cell = 0, room = 0, twice_injectivity = 0;
+  double most_translation = 0;
   in_balls(128, [&] {
     const SquareMatrix<Ball> T = form.basis(), inverse = form.inverse_basis();
     Ball sum(0);
@@ -140,13 +125,9 @@ Group flat_group(const SpaceForm& form, const Rational& reach, const Rational& s
       stretch[k] = length(row).enclosure().upper();
       sum = sum + length(column);
     }
-    cell = sum.enclosure().upper();
-    room = (Ball(reach) + Ball(2) * Ball(spread)).enclosure().upper();
-    twice_injectivity = (Ball(2) * form.injectivity_radius.as<Ball>()).enclosure().upper();
+    most_translation = (Ball(2) * (form.injectivity_radius.as<Ball>() + sum)).enclosure().upper();
   });
-  const double most_translation = std::max(room, twice_injectivity + 2 * cell);
   const FieldElement least(*form.field, {square(Rational(2) * form.injectivity_radius.exact)});
-  group.elements = {identity};
   group.size = std::to_string(cosets.size()) + (cosets.size() == 1 ? " coset" : " cosets") + " of its lattice";
   group.summary = "a crystallographic group, " + group.size;
   std::vector<long> first(form.m), last(form.m);
@@ -163,7 +144,6 @@ Group flat_group(const SpaceForm& form, const Rational& reach, const Rational& s
       for (std::size_t k = 0; k < form.m; ++k)
         element(k + 1, 0) = element(k + 1, 0) + FieldElement(static_cast<int>(z[k]));
       if (element == identity) return;
-      if (!is_longer(form, element, room)) group.elements.push_back(element);
       if (less(least_displacement_squared(form, element), least) != Verdict::proved) return;
       report.reject("group.injectivity", [&] {
         return "an element moves a point by less than twice the injectivity radius " +

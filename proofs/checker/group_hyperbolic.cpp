@@ -32,18 +32,15 @@ bool moves_far(const SpaceForm& form, const FieldMatrix& g) {
 }  // namespace
 
 /// Tiles gamma P are met by crossing sides from P. With D the greatest distance of a vertex of P from o: those with
-/// d(o, gamma o) <= R + D include all with d(o, gamma o) <= R, and those with d(o, gamma o) <= r + 2D all with
-/// d(x, gamma y) <= r for x and y in P (docs/space-forms.md).
-Group hyperbolic_group(const SpaceForm& form, const Rational& reach, const Rational& spread, Report& report) {
+/// d(o, gamma o) <= r + 2D include all with d(x, gamma y) <= r for x and y in P (docs/space-forms.md).
+Group hyperbolic_group(const SpaceForm& form, Report& report) {
   const Dirichlet polyhedron(form);
   if (!polyhedron.fault.empty()) report.reject("group.polyhedron", [&] { return polyhedron.fault; });
   if (!report.findings.empty()) return {};
-  double needed = 0, walked = 0;  // upper bounds of cosh d(o, gamma o)
+  double walked = 0;  // an upper bound of cosh d(o, gamma o)
   in_balls(128, [&] {
     const Ball D = Ball::apply(arb_acosh, polyhedron.farthest_vertex());
-    const Ball R = Ball(reach) + Ball(2) * Ball(spread), r = Ball(2) * form.injectivity_radius.as<Ball>();
-    needed = Ball::apply(arb_cosh, R).enclosure().upper();
-    walked = Ball::apply(arb_cosh, maximum(R + D, r + D + D)).enclosure().upper();
+    walked = Ball::apply(arb_cosh, Ball(2) * (form.injectivity_radius.as<Ball>() + D)).enclosure().upper();
   });
   const FieldMatrix identity = FieldMatrix::identity(form.m + 1);
   std::vector<FieldMatrix> tiles{identity};
@@ -55,7 +52,6 @@ Group hyperbolic_group(const SpaceForm& form, const Rational& reach, const Ratio
   };
   std::set<FieldVector> known{first_column(identity)};
   Group group;
-  group.elements = {identity};
   group.size = std::to_string(polyhedron.sides.size()) + " sides";
   // By Poincare's theorem: a letter for each side, which is the inverse of that of the other of its pair, and a
   // relation for each cycle of ridges.
@@ -76,7 +72,6 @@ Group hyperbolic_group(const SpaceForm& form, const Rational& reach, const Ratio
       if (moved > walked || !known.insert(centre).second) continue;
       const FieldMatrix next = tiles[at] * side.element;
       tiles.push_back(next);
-      if (moved <= needed) group.elements.push_back(next);
       if (moves_far(form, next)) continue;
       report.reject("group.injectivity", [&] {
         return "an element moves a point by at most twice the injectivity radius " +

@@ -34,20 +34,20 @@ bool moves_all_far(const SpaceForm& form, const FieldMatrix& a) {
 Group spherical_group(const SpaceForm& form, Report& report) {
   const FieldMatrix identity = FieldMatrix::identity(form.m + 1);
   Group group;
-  group.elements = {identity};
+  std::vector<FieldMatrix> elements{identity};
   group.letters = form.generators.size();
   // Words by which the elements were reached, as exponents. All loops of the Cayley graph are products of those that
   // an edge closes: they are the relations.
   std::map<FieldMatrix, std::vector<std::int64_t>> known{{identity, std::vector<std::int64_t>(group.letters)}};
-  for (std::size_t at = 0; at < group.elements.size() && known.size() <= most_elements; ++at) {
+  for (std::size_t at = 0; at < elements.size() && known.size() <= most_elements; ++at) {
     for (std::size_t letter = 0; letter < group.letters; ++letter) {
       Budget::spend(1000);
-      const FieldMatrix product = group.elements[at] * form.generators[letter];
-      std::vector<std::int64_t> word = known.at(group.elements[at]);
+      const FieldMatrix product = elements[at] * form.generators[letter];
+      std::vector<std::int64_t> word = known.at(elements[at]);
       ++word[letter];
       const auto [place, is_new] = known.emplace(product, word);
       if (is_new) {
-        group.elements.push_back(product);
+        elements.push_back(product);
       } else {
         for (std::size_t k = 0; k < group.letters; ++k) word[k] -= place->second[k];
         group.relations.push_back(std::move(word));
@@ -56,8 +56,8 @@ Group spherical_group(const SpaceForm& form, Report& report) {
   }
   if (!decide_with_balls([&] { return less(form.injectivity_radius.as<Ball>(), pi()); }))
     report.reject("group.injectivity", [] { return "the injectivity radius is not below that of a sphere"; });
-  for (std::size_t at = 1; at < group.elements.size(); ++at) {
-    if (moves_all_far(form, group.elements[at])) continue;
+  for (std::size_t at = 1; at < elements.size(); ++at) {
+    if (moves_all_far(form, elements[at])) continue;
     report.reject("group.injectivity", [&] {
       return "element " + std::to_string(at) + " moves a point by at most twice the injectivity radius " +
              rounded_up(form.injectivity_radius.exact);

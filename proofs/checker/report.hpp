@@ -37,6 +37,9 @@ class Report {
     findings.push_back({std::string(rule), describe()});
   }
 
+  /// What another report has found.
+  void add(const Report& other) { findings.insert(findings.end(), other.findings.begin(), other.findings.end()); }
+
   /// Throws Malformed unless the rule of the form holds.
   static void require(std::string_view rule, bool holds, const std::string& what) {
     if (!holds && !disabled(rule)) throw Malformed(rule, what);

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <optional>
 #include <stdexcept>
 
 #include "proofs/checker/core/core.hpp"
 #include "proofs/checker/expectation.hpp"
+#include "proofs/checker/group.hpp"
 #include "proofs/checker/metric_field_levels.hpp"
 #include "proofs/checker/space_form_levels.hpp"
 
@@ -52,35 +52,6 @@ LevelResult run_check(const std::string_view name, const Check& check) {
   result.findings = report.findings;
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
-}
-
-/// Around the greatest distance of a point from o, halved: with the precision of balls.
-Interval greatest_distance(const Certificate& c) {
-  const SpaceForm& form = *c.space_form;
-  Ball most(0);
-  for (Label i = 0; i < c.n; ++i) {
-    Vector<Ball> a = c.net.position<Ball>({i, {}});
-    if (form.K == 0) {
-      const SquareMatrix<Ball> T = form.basis();
-      Vector<Ball> linear{};
-      for (std::size_t k = 0; k < form.m; ++k) linear[k + 1] = a[k];
-      linear = T * linear;
-      for (std::size_t k = 0; k < form.m; ++k) a[k] = linear[k + 1];
-    }
-    most = maximum(most, squared(a, form.m));
-  }
-  const Ball half = square_root(most) / Ball(2), distance = half * logarithm_factor(form.K, square(half));
-  return distance.enclosure();
-}
-
-/// An upper bound of the distances from o of all points.
-Rational spread(const Certificate& c) {
-  const SpaceForm& form = *c.space_form;
-  if (form.K > 0) return Rational(4);
-  const Interval distance = in_balls(128, [&] { return greatest_distance(c); });
-  const double sixteenths = 32 * distance.upper();
-  if (!(sixteenths < 1e6)) throw Undecided("a point of the net is too far from the origin");
-  return Rational(static_cast<int>(std::ceil(sixteenths)) + 1) / Rational(16) + c.rho.exact * c.epsilon.exact;
 }
 
 /// The checks of a certificate, one after the other, and what they share.
@@ -148,7 +119,7 @@ class Run {
     return std::all_of(bases.begin(), bases.end(), [&](Level base) { return holds_[base]; });
   }
 
-  /// Its injectivity radius and, but for level 5, its elements.
+  /// Its injectivity radius.
   bool needs_group(std::size_t level) const {
     return c_.space_form &&
            (level == level_0 || level == level_1 || level == level_2s || (level == level_5 && c_.riemannian_simplices));
@@ -156,9 +127,7 @@ class Run {
   bool has_group() {
     if (!group_result_) {
       group_result_ = run_check("group", [&](Report& report) {
-        const Rational far = spread(c_), reach = c_.reach();
-        group_ = check_group(*c_.space_form, reach, far, report);
-        if (report.findings.empty() && (chosen_[level_0] || chosen_[level_1])) lifts_.emplace(c_, group_, reach, far);
+        group_ = check_group(*c_.space_form, report);
         return group_.summary;
       });
       group_holds_ = group_result_->status == 0;
@@ -175,6 +144,11 @@ class Run {
     if (core_ && level == level_5) return core_->check_triangulation(report);
     if (core_ && level == level_6) return core_->check_metric(report);
     if (c_.space_form) {
+      if (!lifts_) {
+        core_->check_quotient(report);
+        if (!report.findings.empty()) return "";
+        lifts_.emplace(c_, core_->complex(), core_->is_delaunay());
+      }
       return level == level_0   ? check_input_on_space_form(c_, *lifts_, report)
              : level == level_1 ? check_stars_in_charts(c_, *lifts_, report)
                                 : check_stable_stars_in_charts(c_, *lifts_, report);

@@ -33,12 +33,21 @@ void Core::check_quotient(Report& report) {
     core::check_quotient(*complex_, found);
     quotient_ = std::move(found);
   }
-  report.findings.insert(report.findings.end(), quotient_->findings.begin(), quotient_->findings.end());
+  report.add(*quotient_);
+}
+
+bool Core::is_delaunay() {
+  if (!hinges_) {
+    Report found;
+    check_hinges(*complex_, found);
+    hinges_ = std::move(found);
+  }
+  return hinges_->findings.empty();
 }
 
 std::string Core::check_delaunay(Report& report) {
   check_quotient(report);
-  check_hinges(*complex_, report);
+  if (!is_delaunay()) report.add(*hinges_);
   std::string text = std::to_string(complex_->hinges.size()) + " facets locally Delaunay";
   if (!c_.space_form) return text;
   check_margins(*complex_, c_.ball_radius, c_.empty_margin, report);

@@ -16,18 +16,22 @@ class Core {
   Core& operator=(const Core&) = delete;
 
   void check_manifold(Report& report);
+  /// core.group and core.connected: with levels 4 and 5, and wherever lifts are found. Looked at once.
+  void check_quotient(Report& report);
+  /// Whether core.hinges holds. Looked at once.
+  bool is_delaunay();
   std::string check_delaunay(Report& report);       // 4
   std::string check_triangulation(Report& report);  // 5
   std::string check_metric(Report& report);         // 6
 
- private:
-  /// Levels 4 and 5: looked at once, and reported with both.
-  void check_quotient(Report& report);
+  /// Precondition: check_manifold() has found that the generators are isometries.
+  Complex& complex() { return *complex_; }
 
+ private:
   const Certificate& c_;
   const Data data_;
   std::optional<Complex> complex_;
-  std::optional<Report> quotient_;
+  std::optional<Report> quotient_, hinges_;
 };
 
 }  // namespace delcert::checker::core

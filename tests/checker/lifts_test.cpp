@@ -1,0 +1,96 @@
+#include "proofs/checker/lifts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "proofs/checker/core/reader.hpp"
+#include "proofs/checker/core/rules.hpp"
+#include "tests/checker/support/space_form_samples.hpp"
+#include "tests/checker/upwards.hpp"
+
+namespace delcert::checker_tests {
+namespace {
+
+double middle(const checker::Interval& x) { return (x.lower() + x.upper()) / 2; }
+
+/// A sample as the checker reads it.
+struct Read {
+  explicit Read(const SpaceFormSample& of)
+      : sample(of),
+        text(sealed(of.document())),
+        certificate(text),
+        data(checker::core::data_of(certificate)),
+        complex(data) {
+    checker::Report report;
+    checker::core::check_manifold(complex, report);
+    EXPECT_TRUE(report.findings.empty());
+  }
+  /// cosh of the distance of p_i from the image of p'_j, or half its square.
+  double measure(std::size_t i, std::size_t j, const Isometry& g) const {
+    const SpaceFormModel& model = sample.model;
+    const checker::Vector<checker::Interval> at = complex.point<checker::Interval>(static_cast<checker::Label>(j));
+    Point x{};
+    const Point p = linear_of(model.K, model.m, model.net[i]);
+    for (std::size_t k = 0; k <= model.m; ++k) x[k] = middle(at[k]);
+    if (model.K == 0) {
+      for (std::size_t k = model.m; k > 0; --k) x[k] = middle(at[k - 1]) * model.frame[k - 1];
+      x[0] = 1;
+    }
+    const Point y = image(model.m, g, x);
+    double result = model.K == 0 ? 0 : p[0] * y[0];
+    for (std::size_t k = 1; k <= model.m; ++k)
+      result += model.K == 0 ? (p[k] - y[k]) * (p[k] - y[k]) / 2 : -p[k] * y[k];
+    return result;
+  }
+
+  const SpaceFormSample& sample;
+  std::string text;
+  checker::Certificate certificate;
+  checker::core::Data data;
+  checker::core::Complex complex;
+};
+
+TEST(Lifts, are_those_that_are_found_by_trying_all_elements) {
+  const test::Upwards upwards;
+  for (const auto& [sample, radius] : {std::pair(&klein_bottle(), 0.2), {&bolza_surface(), 0.45}}) {
+    Read read(*sample);
+    const SpaceFormModel& model = sample->model;
+    const checker::Lifts lifts(read.certificate, read.complex, true), far(read.certificate, read.complex, false);
+    const checker::Rational reach = checker::Rational(static_cast<int>(radius * 1000)) / checker::Rational(1000);
+    const double bound = model.K == 0 ? radius * radius / 2 : std::cosh(radius);
+    std::size_t shown = 0;
+    for (std::size_t i = 0; i < model.size(); i += 29) {
+      std::multiset<std::size_t> expected, found, found_far;
+      for (std::size_t j = 0; j < model.size(); ++j) {
+        for (const Isometry& g : model.elements) {
+          if (read.measure(i, j, g) <= bound) expected.insert(j);
+        }
+      }
+      for (const checker::Seen& seen : lifts.around(static_cast<checker::Label>(i), reach)) found.insert(seen.label);
+      for (const checker::Seen& seen : far.around(static_cast<checker::Label>(i), reach)) found_far.insert(seen.label);
+      EXPECT_EQ(found, expected);
+      EXPECT_EQ(found_far, expected);
+      shown += found.size();
+    }
+    EXPECT_GT(shown, 20 * model.size() / 29);
+  }
+}
+
+/// The walk goes along edges only: without those of the first point it finds nothing but that.
+TEST(Lifts, are_not_found_without_edges) {
+  const test::Upwards upwards;
+  Read read(klein_bottle());
+  const checker::Lifts lifts(read.certificate, read.complex, true);
+  const checker::Rational reach = checker::Rational(1) / checker::Rational(5);
+  EXPECT_GT(lifts.around(0, reach).size(), 20U);
+  auto& [begin, items] = read.complex.neighbours;
+  const std::uint64_t first = begin[1];
+  items.erase(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(first));
+  for (std::size_t i = 1; i < begin.size(); ++i) begin[i] -= first;
+  EXPECT_EQ(lifts.around(0, reach).size(), 1U);
+}
+
+}  // namespace
+}  // namespace delcert::checker_tests
