@@ -92,8 +92,11 @@ std::string head_text(const RunReport& report) {
 std::string perturbation_text(const RunReport& report) {
   if (report.parameters.mode == RunMode::none) return "perturbation none\n";
   const PerturbationParameters& algorithm = report.parameters.algorithm;
-  std::string out = fmt::format("perturbation ρ₀ = {}, tolerance {}, Γ₀² = {}\n", exact_text(algorithm.perturbation),
-                                exact_text(algorithm.tolerance), exact_text(report.parameters.squared_flake_parameter));
+  std::string out = fmt::format("perturbation ρ₀ = {}, tolerance {}", exact_text(algorithm.perturbation),
+                                exact_text(algorithm.tolerance));
+  if (report.parameters.mode == RunMode::theory)
+    out += " = 2α̃₀, Γ₀² = " + exact_text(report.parameters.squared_flake_parameter);
+  out += "\n";
   if (algorithm.clearance > Rational(0)) {
     out += fmt::format("             second tolerance {}, the best of {}\n", exact_text(algorithm.clearance),
                        algorithm.choices);
