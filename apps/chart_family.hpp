@@ -31,12 +31,10 @@ class ChartFamily : public Family {
 
   /// In measured mode, with what suits this dimension.
   void choose_measured_parameters(const CertifyOptions& options) {
-    const PerturbationParameters usual = measured_parameters(Dimension(m), options.choice.seed);
     ParameterChoice choice = options.choice;
     choice.mode = options.no_perturbation ? RunMode::none : RunMode::measured;
-    if (!options.no_perturbation && !choice.tolerance) choice.tolerance = usual.tolerance;
-    if (!choice.clearance) choice.clearance = usual.clearance;
-    if (!choice.choices) choice.choices = usual.choices;
+    if (!options.no_perturbation && !choice.tolerance)
+      choice.tolerance = measured_parameters(Dimension(m), choice.seed).tolerance;
     report.parameters = parameters_for(Dimension(m), report.parameters.algorithm.separation, choice);
   }
 

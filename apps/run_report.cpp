@@ -14,54 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string level_line(const Claims& claims, const std::string& level, const Rational& unit) {
-  const auto within = [&unit](const Rational& length) { return decimal_upper(length / unit); };
-  const auto beyond = [&unit](const Rational& length) { return decimal_lower(length / unit); };
-  if (level == "0" && claims.input->density)
-    return fmt::format("input: every point is within {} ε of the net", within(claims.input->density->density));
-  if (level == "0")
-    return *claims.input->hypotheses_2 ? "input: net, Hypotheses 1, Hypotheses 2" : "input: net, Hypotheses 1";
-  if (level == "1") {
-    return fmt::format("stars: protection ≥ {} ε, thickness ≥ {}, circumradius ≤ {} ε",
-                       beyond(claims.stars->protection), decimal_lower(claims.stars->thickness),
-                       within(claims.stars->circumradius));
-  }
-  if (level == "2") {
-    return fmt::format("manifold: {} simplices, Euler characteristic {}, homology {}{}", claims.manifold->simplices,
-                       claims.manifold->euler_characteristic, fmt::join(homology_texts(*claims.manifold), ", "),
-                       claims.manifold->closed ? "; closed" : "; of the stars of interior labels");
-  }
-  if (level == "2s") return "stable stars: every star is the same in the chart of each of its vertices";
-  if (level == "3") return "no forbidden configuration: " + *claims.no_forbidden;
-  if (level == "4" && claims.delaunay->balls) {
-    return fmt::format("Delaunay in the manifold: protection ≥ {} ε, circumradius ≤ {} ε",
-                       beyond(claims.delaunay->balls->protection), within(claims.delaunay->balls->circumradius));
-  }
-  if (level == "4" && claims.delaunay->stability) {
-    return fmt::format("Delaunay for the distance of the metric: margin of stability ≥ {} ε²",
-                       decimal_lower(claims.delaunay->stability->margin / square(unit)));
-  }
-  if (level == "4") return "Delaunay: the complex is the Delaunay complex of the points in the manifold";
-  if (level == "5" && claims.triangulation->route == "affine-charts") {
-    return fmt::format(
-        "triangulation: by simplices that are straight in the torus, {} of them with agreeing lifts, one "
-        "sheet",
-        claims.manifold->simplices);
-  }
-  if (level == "5" && claims.triangulation->riemannian) {
-    return fmt::format(
-        "triangulation: by geodesic simplices, and by Dyer, Vegter and Wintraecken: thickness ≥ {}, stars within {} ε",
-        decimal_lower(claims.triangulation->riemannian->thickness), within(claims.triangulation->riemannian->radius));
-  }
-  if (level == "5") return "triangulation: by geodesic simplices";
-  const MetricClaim& metric = *claims.metric;
-  const std::string how = metric.self_delaunay ? "self-Delaunay, " : "";
-  if (metric.least_stretch == Rational(1) && metric.greatest_stretch == Rational(1))
-    return "metric: " + how + "isometric to the manifold";
-  return fmt::format("metric: {}bi-Lipschitz with factors ≥ {}, ≤ {}", how, decimal_lower(metric.least_stretch),
-                     decimal_upper(metric.greatest_stretch));
-}
-
 std::string head_text(const RunReport& report) {
   const PerturbationParameters& algorithm = report.parameters.algorithm;
   std::string out = fmt::format("{}, {} mode, {} candidates, seed {}\n\n", report.manifold,
@@ -185,20 +137,6 @@ Json statistics_json(const RunReport& report) {
   return json;
 }
 
-/// As in the certificate, with every bound in full.
-Json levels_json(const Claims& claims, const Rational& unit) {
-  Json json = Json::object();
-  for (const ClaimedLevel& level : claimed_levels(claims)) {
-    Json& entries = json[level.name] = Json::object();
-    for (const LevelEntry& entry : level.entries) {
-      Json bounds = Json::array();
-      for (const Margin& margin : entry.margins) bounds.push_back(bound_json(margin, unit));
-      entries[entry.key] = bounds.empty() ? Json::parse(entry.json) : bounds.size() == 1 ? bounds[0] : bounds;
-    }
-  }
-  return json;
-}
-
 Json measures_json(const RunReport& report) {
   const Rational& unit = report.sampling_radius;
   const auto exactly = [](double x) { return Rational::exactly(x); };
@@ -238,6 +176,67 @@ Json measures_json(const RunReport& report) {
 }
 
 }  // namespace
+
+std::string level_line(const Claims& claims, const std::string& level, const Rational& unit) {
+  const auto within = [&unit](const Rational& length) { return decimal_upper(length / unit); };
+  const auto beyond = [&unit](const Rational& length) { return decimal_lower(length / unit); };
+  if (level == "0" && claims.input->density)
+    return fmt::format("input: every point is within {} ε of the net", within(claims.input->density->density));
+  if (level == "0")
+    return *claims.input->hypotheses_2 ? "input: net, Hypotheses 1, Hypotheses 2" : "input: net, Hypotheses 1";
+  if (level == "1") {
+    return fmt::format("stars: protection ≥ {} ε, thickness ≥ {}, circumradius ≤ {} ε",
+                       beyond(claims.stars->protection), decimal_lower(claims.stars->thickness),
+                       within(claims.stars->circumradius));
+  }
+  if (level == "2") {
+    return fmt::format("manifold: {} simplices, Euler characteristic {}, homology {}{}", claims.manifold->simplices,
+                       claims.manifold->euler_characteristic, fmt::join(homology_texts(*claims.manifold), ", "),
+                       claims.manifold->closed ? "; closed" : "; of the stars of interior labels");
+  }
+  if (level == "2s") return "stable stars: every star is the same in the chart of each of its vertices";
+  if (level == "3") return "no forbidden configuration: " + *claims.no_forbidden;
+  if (level == "4" && claims.delaunay->balls) {
+    return fmt::format("Delaunay in the manifold: protection ≥ {} ε, circumradius ≤ {} ε",
+                       beyond(claims.delaunay->balls->protection), within(claims.delaunay->balls->circumradius));
+  }
+  if (level == "4" && claims.delaunay->stability) {
+    return fmt::format("Delaunay for the distance of the metric: margin of stability ≥ {} ε²",
+                       decimal_lower(claims.delaunay->stability->margin / square(unit)));
+  }
+  if (level == "4") return "Delaunay: the complex is the Delaunay complex of the points in the manifold";
+  if (level == "5" && claims.triangulation->route == "affine-charts") {
+    return fmt::format(
+        "triangulation: by simplices that are straight in the torus, {} of them with agreeing lifts, one "
+        "sheet",
+        claims.manifold->simplices);
+  }
+  if (level == "5" && claims.triangulation->riemannian) {
+    return fmt::format(
+        "triangulation: by geodesic simplices, and by Dyer, Vegter and Wintraecken: thickness ≥ {}, stars within {} ε",
+        decimal_lower(claims.triangulation->riemannian->thickness), within(claims.triangulation->riemannian->radius));
+  }
+  if (level == "5") return "triangulation: by geodesic simplices";
+  const MetricClaim& metric = *claims.metric;
+  const std::string how = metric.self_delaunay ? "self-Delaunay, " : "";
+  if (metric.least_stretch == Rational(1) && metric.greatest_stretch == Rational(1))
+    return "metric: " + how + "isometric to the manifold";
+  return fmt::format("metric: {}bi-Lipschitz with factors ≥ {}, ≤ {}", how, decimal_lower(metric.least_stretch),
+                     decimal_upper(metric.greatest_stretch));
+}
+
+nlohmann::ordered_json levels_json(const Claims& claims, const Rational& sampling_radius) {
+  Json json = Json::object();
+  for (const ClaimedLevel& level : claimed_levels(claims)) {
+    Json& entries = json[level.name] = Json::object();
+    for (const LevelEntry& entry : level.entries) {
+      Json bounds = Json::array();
+      for (const Margin& margin : entry.margins) bounds.push_back(bound_json(margin, sampling_radius));
+      entries[entry.key] = bounds.empty() ? Json::parse(entry.json) : bounds.size() == 1 ? bounds[0] : bounds;
+    }
+  }
+  return json;
+}
 
 std::string report_text(const RunReport& report) {
   std::string out = head_text(report) + perturbation_text(report) + "levels\n";

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,6 +70,11 @@ struct RunReport {
     repaired_points = run.repaired_points;
   }
 };
+
+/// What is said of a level that is claimed; lengths in this unit, the sampling radius.
+[[nodiscard]] std::string level_line(const Claims& claims, const std::string& level, const Rational& unit);
+/// All levels, by their names: the entries of the certificate, with every bound in full.
+[[nodiscard]] nlohmann::ordered_json levels_json(const Claims& claims, const Rational& sampling_radius);
 
 /// A page of text. Decimal figures in it are rounded in the safe direction and marked by ≥ or ≤.
 [[nodiscard]] std::string report_text(const RunReport& report);
