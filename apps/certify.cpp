@@ -20,7 +20,8 @@
 #include "kernel/sample/net_measure.hpp"
 #include "kernel/sample/separation.hpp"
 #include "kernel/simplex/dimensions.hpp"
-#include "proofs/certificate/writer.hpp"
+#include "proofs/certificate/content.hpp"
+#include "proofs/certificate/flat_claims.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
@@ -80,7 +81,8 @@ ExitStatus certify(const CertifyOptions& options, const ManifoldDescription& man
     throw Rejection("no level is reached: " + fmt::format("{}", fmt::join(report.reasons, "; ")));
   clock.begin("write the certificate");
   report.certificate = options.output.empty() ? manifold.name + ".delcert.json.zst" : options.output;
-  write_certificate<m>(report.certificate, {manifold, report.parameters, atlas, density.simplices, run, report.claims},
+  write_certificate<m>(report.certificate,
+                       content_of<m>(manifold, atlas, density.simplices, report.parameters, run, report.claims),
                        progress);
 
   report.perturbed = request.perturb;

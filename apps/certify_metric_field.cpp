@@ -10,7 +10,7 @@
 #include "apps/progress_line.hpp"
 #include "apps/report_parts.hpp"
 #include "kernel/sample/separation.hpp"
-#include "proofs/certificate/metric_field_writer.hpp"
+#include "proofs/certificate/content.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
@@ -59,9 +59,8 @@ ExitStatus certify(const CertifyOptions& options, const MetricFieldDescription& 
     throw Rejection("no level is reached: " + fmt::format("{}", fmt::join(report.reasons, "; ")));
   clock.begin("write the certificate");
   report.certificate = options.output.empty() ? report.manifold + ".delcert.json.zst" : options.output;
-  write_metric_field_certificate<m>(
-      report.certificate, {atlas, report.distortion, report.parameters, run.points, run.complex, report.claims},
-      progress);
+  write_certificate<m>(report.certificate,
+                       content_of<m>(atlas, report.distortion, report.parameters, run, report.claims), progress);
 
   report.take<m>(run);
   report.stages = clock.finish();

@@ -12,6 +12,7 @@
 #include "kernel/manifold/quotient/patch_size.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "kernel/sample/separation.hpp"
+#include "proofs/certificate/content.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
@@ -50,21 +51,12 @@ ExitStatus certify(const CertifyOptions& options, SpaceForm form, ProgressLine& 
   clock.begin("derive levels");
   report.measures = measure_run<m>(atlas, run, progress);
   report.claims = derive_claims<m>(atlas, report.parameters, run, report.measures, options.levels, report.reasons);
-  if (names_of(report.claims).empty())
+  if (report.claims.names().empty())
     throw Rejection("no level is reached: " + fmt::format("{}", fmt::join(report.reasons, "; ")));
   report.distortion = measure_distortion<m>(atlas, report.parameters, report.claims);
   clock.begin("write the certificate");
   report.certificate = options.output.empty() ? report.manifold + ".delcert.json.zst" : options.output;
-  std::vector<Vector<Rational, m>> net;
-  std::vector<Vector<Rational, m>> vectors;
-  for (std::uint32_t index = 0; index < atlas.size(); ++index) {
-    net.push_back(atlas.centre(Label(index)));
-    vectors.push_back(run.points.exact(Label(index)));
-  }
-  const PlacedComplex<m> complex = placed_complex<m>(atlas, run.complex);
-  write_space_form_certificate<m>(
-      report.certificate,
-      {atlas.form(), report.parameters, report.sampling_radius, net, vectors, complex, report.claims}, progress);
+  write_certificate<m>(report.certificate, content_of<m>(atlas, report.parameters, run, report.claims), progress);
 
   report.take<m>(run);
   report.stages = clock.finish();

@@ -6,7 +6,6 @@
 
 #include "apps/report_parts.hpp"
 #include "kernel/number/exact_text.hpp"
-#include "proofs/certificate/document.hpp"
 
 namespace delcert {
 

@@ -20,22 +20,22 @@ std::string upper(const Rational& x, const MetricFieldReport& report) {
 }
 
 std::string margin_text(const MetricFieldReport& report) {
-  const std::optional<DelaunayMargin>& margin = report.claims.stability;
+  const std::optional<DelaunayMargin>& margin = report.claims.delaunay_margin;
   if (!margin) return "";
   return fmt::format("stability    the metric changes powers of points by ≤ {} ε², {} ε² are allowed: margin ≥ {} ε²\n",
                      upper(margin->change, report), lower(margin->allowed, report), lower(margin->value(), report));
 }
 
 std::vector<LevelLine> lines_of(const MetricFieldReport& report) {
-  const MetricFieldClaims& claims = report.claims;
+  const Claims& claims = report.claims;
   std::vector<LevelLine> lines;
   if (claims.stars) lines.push_back({"1", stars_line(*claims.stars, report.sampling_radius)});
   if (claims.manifold) lines.push_back({"2", manifold_line(*claims.manifold)});
-  if (claims.reach)
+  if (claims.stable_stars)
     lines.push_back({"2s", "stable stars: every star is the same in the chart of each of its vertices"});
   if (claims.delaunay) {
     lines.push_back({"4", fmt::format("Delaunay for the distance of the metric: margin of stability ≥ {} ε²",
-                                      lower(claims.delaunay->margin, report))});
+                                      lower(claims.delaunay->stability->margin, report))});
   }
   if (claims.triangulation) {
     lines.push_back({"5", fmt::format("triangulation: by simplices that are straight in the torus, {} of them with "
@@ -69,7 +69,7 @@ std::string report_json(const MetricFieldReport& report) {
                         {"rounding", exact_text(report.distortion.rounding)}};
   json.update(parameters_json(report));
   json.update(levels_json(report, lines_of(report), report.claims.manifold, report.measures.stability));
-  if (const auto& margin = report.claims.stability) {
+  if (const auto& margin = report.claims.delaunay_margin) {
     json["delaunay_margin"] = {{"edge", exact_text(margin->edge)},
                                {"change", exact_text(margin->change)},
                                {"allowed", exact_text(margin->allowed)},

@@ -12,7 +12,7 @@ struct MetricFieldReport : ChartRunReport {
   EigenvalueBounds eigenvalues;
   ChartDistortion distortion;
   MetricFieldMeasures measures;
-  MetricFieldClaims claims;
+  Claims claims;
 };
 
 /// A page of text. Decimal figures in it are rounded in the safe direction and marked by ≥ or ≤.

@@ -6,7 +6,6 @@
 
 #include "apps/report_parts.hpp"
 #include "kernel/number/exact_text.hpp"
-#include "proofs/certificate/writer.hpp"
 
 namespace delcert {
 
@@ -16,7 +15,7 @@ std::string level_line(const RunReport& report, const std::string& level) {
   const Claims& claims = report.claims;
   const Rational& unit = report.sampling_radius;
   if (level == "0") {
-    return fmt::format("input: net, Hypotheses 1{}", claims.input.value() ? ", Hypotheses 2" : "");
+    return fmt::format("input: net, Hypotheses 1{}", *claims.input->hypotheses_2 ? ", Hypotheses 2" : "");
   }
   if (level == "1") {
     return fmt::format("stars: protection ≥ {} ε, thickness ≥ {}, circumradius ≤ {} ε",

@@ -12,11 +12,12 @@ namespace delcert {
 
 namespace {
 
-std::string triangulation_line(const SpaceFormClaims& claims, const Rational& unit) {
-  if (!claims.riemannian) return "triangulation: by geodesic simplices";
+std::string triangulation_line(const Claims& claims, const Rational& unit) {
+  if (!claims.triangulation->riemannian) return "triangulation: by geodesic simplices";
   return fmt::format(
       "triangulation: by geodesic simplices, and by Dyer, Vegter and Wintraecken: thickness ≥ {}, stars within {} ε",
-      decimal_lower(claims.riemannian->thickness), decimal_upper(claims.riemannian->radius / unit));
+      decimal_lower(claims.triangulation->riemannian->thickness),
+      decimal_upper(claims.triangulation->riemannian->radius / unit));
 }
 
 /// What the theorem of Dyer, Vegter and Wintraecken asks of simplices, and what they are.
@@ -38,21 +39,21 @@ nlohmann::ordered_json riemannian_json(const RiemannianSimplices& simplices) {
 }
 
 std::vector<LevelLine> lines_of(const SpaceFormReport& report) {
-  const SpaceFormClaims& claims = report.claims;
+  const Claims& claims = report.claims;
   const Rational& unit = report.sampling_radius;
   std::vector<LevelLine> lines;
-  if (claims.density) {
-    lines.push_back(
-        {"0", fmt::format("input: every point is within {} ε of the net", decimal_upper(*claims.density / unit))});
+  if (claims.input) {
+    lines.push_back({"0", fmt::format("input: every point is within {} ε of the net",
+                                      decimal_upper(claims.input->density->density / unit))});
   }
   if (claims.stars) lines.push_back({"1", stars_line(*claims.stars, unit)});
   if (claims.manifold) lines.push_back({"2", manifold_line(*claims.manifold)});
-  if (claims.reach)
+  if (claims.stable_stars)
     lines.push_back({"2s", "stable stars: every star is the same in the chart of each of its vertices"});
   if (claims.delaunay) {
     lines.push_back({"4", fmt::format("Delaunay in the manifold: protection ≥ {} ε, circumradius ≤ {} ε",
-                                      decimal_lower(claims.delaunay->protection / unit),
-                                      decimal_upper(claims.delaunay->circumradius / unit))});
+                                      decimal_lower(claims.delaunay->balls->protection / unit),
+                                      decimal_upper(claims.delaunay->balls->circumradius / unit))});
   }
   if (claims.triangulation) lines.push_back({"5", triangulation_line(claims, unit)});
   if (claims.metric) {

@@ -14,7 +14,7 @@ struct SpaceFormReport : ChartRunReport {
   Rational injectivity_radius;  ///< a lower bound
   std::string first_homology;   ///< of the group
   SpaceFormMeasures measures;
-  SpaceFormClaims claims;
+  Claims claims;
   SpaceFormDistortion distortion;
 };
 

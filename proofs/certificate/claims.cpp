@@ -1,40 +1,109 @@
 #include "proofs/certificate/claims.hpp"
 
 #include <algorithm>
+#include <array>
 
-#include "kernel/manifold/lattice.hpp"
-#include "kernel/number/exact_text.hpp"
-#include "kernel/perturb/forbidden_search.hpp"
-#include "kernel/simplex/dimensions.hpp"
 #include "kernel/topology/homology.hpp"
+#include "proofs/certificate/document.hpp"
 
 namespace delcert {
 
 namespace {
 
-template <int m>
-bool balls_lie_in_patches(const FlatAtlas<m>& atlas, const StarMargins& margins) {
-  const Rational reach = Rational(2) * margins.circumradius + margins.protection;
-  if (reach > Rational(8) * atlas.sampling_radius()) return false;
-  return !atlas.space().is_torus() || square(Rational(2) * reach) < squared_systole<m>(atlas.metric());
+using Side = Margin::Side;
+using Unit = Margin::Unit;
+
+LevelEntry fact(std::string key, std::string json) { return {std::move(key), {}, std::move(json)}; }
+LevelEntry truth(std::string key, bool value) { return fact(std::move(key), value ? "true" : "false"); }
+LevelEntry stated_bound(std::string key, const Rational& value, Side side, Unit unit) {
+  return {std::move(key), {{value, side, unit}}, number(value)};
+}
+LevelEntry at_least(std::string key, const Rational& value, Unit unit = Unit::length) {
+  return stated_bound(std::move(key), value, Side::lower, unit);
+}
+LevelEntry at_most(std::string key, const Rational& value, Unit unit = Unit::length) {
+  return stated_bound(std::move(key), value, Side::upper, unit);
+}
+
+using Entries = std::vector<LevelEntry>;
+
+Entries entries_of(const InputClaim& claim) {
+  if (claim.hypotheses_2) return {truth("hypotheses_2", *claim.hypotheses_2)};
+  return {at_most("density", claim.density->density), at_most("distortion", claim.density->distortion, Unit::one),
+          at_most("metric_distortion", claim.density->metric_distortion, Unit::one)};
+}
+
+Entries entries_of(const StarMargins& margins) {
+  return {at_least("protection", margins.protection), at_least("thickness", margins.thickness, Unit::one),
+          at_most("circumradius", margins.circumradius)};
+}
+
+Entries entries_of(const ManifoldClaim& claim) {
+  return {fact("simplices", std::to_string(claim.simplices)),
+          fact("euler_characteristic", std::to_string(claim.euler_characteristic)), truth("closed", claim.closed),
+          fact("homology", listed(claim.homology, [](const AbelianGroup& g) { return quoted(group_text(g)); }))};
+}
+
+Entries entries_of(const StableStarsClaim& claim) {
+  return claim.reach ? Entries{at_most("reach", *claim.reach)} : Entries{};
+}
+
+Entries entries_of(const std::string& no_forbidden) { return {fact("tested", quoted(no_forbidden))}; }
+
+Entries entries_of(const DelaunayClaim& claim) {
+  if (claim.balls)
+    return {at_least("protection", claim.balls->protection), at_most("circumradius", claim.balls->circumradius)};
+  if (claim.stability)
+    return {at_least("edge", claim.stability->edge), at_least("margin", claim.stability->margin, Unit::squared_length)};
+  return {};
+}
+
+Entries entries_of(const TriangulationClaim& claim) {
+  Entries result{fact("route", quoted(claim.route))};
+  if (claim.riemannian) {
+    result.push_back(at_least("thickness", claim.riemannian->thickness, Unit::one));
+    result.push_back(at_most("radius", claim.riemannian->radius));
+  }
+  return result;
+}
+
+Entries entries_of(const MetricClaim& claim) {
+  Entries result{truth("self_delaunay", claim.self_delaunay)};
+  if (claim.weight) result.push_back(at_least("weight", *claim.weight, Unit::one));
+  const bool is_isometric = claim.least_stretch == Rational(1) && claim.greatest_stretch == Rational(1);
+  result.push_back(
+      {"bilipschitz",
+       {{claim.least_stretch, Side::lower, Unit::one}, {claim.greatest_stretch, Side::upper, Unit::one}},
+       is_isometric ? number(Rational(1)) : listed(std::array{claim.least_stretch, claim.greatest_stretch}, number)});
+  return result;
 }
 
 }  // namespace
 
+std::vector<ClaimedLevel> claimed_levels(const Claims& claims) {
+  std::vector<ClaimedLevel> result;
+  const auto add = [&result](const char* name, const auto& claim) {
+    if (claim) result.push_back({name, entries_of(*claim)});
+  };
+  add("0", claims.input);
+  add("1", claims.stars);
+  add("2", claims.manifold);
+  add("2s", claims.stable_stars);
+  add("3", claims.no_forbidden);
+  add("4", claims.delaunay);
+  add("5", claims.triangulation);
+  add("6", claims.metric);
+  return result;
+}
+
 std::vector<std::string> Claims::names() const {
   std::vector<std::string> result;
-  const auto add = [&result](bool claimed, const char* name) {
-    if (claimed) result.emplace_back(name);
-  };
-  add(input.has_value(), "0");
-  add(stars.has_value(), "1");
-  add(manifold.has_value(), "2");
-  add(stable_stars, "2s");
-  add(no_forbidden.has_value(), "3");
-  add(delaunay, "4");
-  add(triangulation, "5");
-  add(metric, "6");
+  for (const ClaimedLevel& level : claimed_levels(*this)) result.push_back(level.name);
   return result;
+}
+
+ManifoldClaim manifold_claim(const PureComplex& complex, std::size_t simplices, bool closed) {
+  return {simplices, static_cast<long>(complex.euler_characteristic()), closed, homology(complex)};
 }
 
 const LevelSelection& all_levels() {
@@ -45,53 +114,5 @@ const LevelSelection& all_levels() {
 bool selects(const LevelSelection& selection, std::string_view level) {
   return std::find(selection.begin(), selection.end(), level) != selection.end();
 }
-
-template <int m>
-Claims derive_claims(const FlatAtlas<m>& atlas, const RunParameters& parameters, const RunResult<m>& run,
-                     const LevelSelection& selection, const Progress& progress, std::vector<std::string>& reasons) {
-  Claims claims;
-  const bool torus = atlas.space().is_torus();
-  const StarMargins& margins = run.protection.margins.value();
-  if (!balls_lie_in_patches<m>(atlas, margins)) {
-    reasons.emplace_back("level 1: a circumball with its protection does not fit into a patch");
-    return claims;
-  }
-  if (selects(selection, "0")) claims.input = parameters.mode == RunMode::theory;
-  if (selects(selection, "1") || selects(selection, "2")) {
-    claims.stars = margins;
-    claims.manifold = ManifoldClaim{run.complex.simplices().size(), run.complex.euler_characteristic(), torus,
-                                    homology(run.complex.label_complex())};
-  }
-  const Rational shift = Rational(2) * parameters.algorithm.perturbation * atlas.sampling_radius();
-  if (selects(selection, "2s") && claims.manifold && claims.input) {
-    claims.stable_stars = Rational(4) * margins.circumradius + shift < Rational(9) * atlas.sampling_radius();
-    if (!claims.stable_stars) reasons.emplace_back("level 2s: a star does not fit into the patches of its vertices");
-  }
-  if (selects(selection, "3") && claims.input) {
-    const auto search = search_forbidden<m>(atlas, run.points, parameters.forbidden(atlas.sampling_radius()),
-                                            parameters.algorithm.perturbation * atlas.sampling_radius(), progress);
-    if (search.found) {
-      std::string labels;
-      for (const Label label : *search.found) labels += " " + std::to_string(label.value);
-      reasons.push_back("level 3: forbidden configuration (P1 to P4) of labels" + labels);
-    } else {
-      claims.no_forbidden = std::to_string(search.configurations) + " sets of 3 to " + std::to_string(m + 2) +
-                            " points, " + std::to_string(search.decided_exactly) + " of them by exact P1 to P4";
-    }
-  }
-  claims.delaunay = selects(selection, "4") && claims.manifold;
-  claims.triangulation = selects(selection, "5") && claims.delaunay && torus;
-  claims.metric = selects(selection, "6") && claims.triangulation;
-  if (!torus && (selects(selection, "5") || selects(selection, "6"))) {
-    reasons.emplace_back("levels 5 and 6: are for closed manifolds; the net of a ball has none to triangulate");
-  }
-  return claims;
-}
-
-#define DELCERT_INSTANTIATE(m)                                                                     \
-  template Claims derive_claims<m>(const FlatAtlas<m>&, const RunParameters&, const RunResult<m>&, \
-                                   const LevelSelection&, const Progress&, std::vector<std::string>&);
-DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
-#undef DELCERT_INSTANTIATE
 
 }  // namespace delcert

@@ -5,13 +5,24 @@
 #include <string_view>
 #include <vector>
 
-#include "kernel/run/run.hpp"
 #include "kernel/topology/abelian_group.hpp"
-#include "proofs/certificate/run_parameters.hpp"
+#include "kernel/topology/pure_complex.hpp"
+#include "proofs/certificate/delaunay_margin.hpp"
 
 namespace delcert {
 
-/// What a certificate claims at level 2.
+/// Level 0. A flat torus or a ball states the first part, a space form the second.
+struct InputClaim {
+  struct Density {
+    Rational density;            ///< no point of M is farther than this from the net
+    Rational distortion;         ///< ξ₀ of the transitions between patches
+    Rational metric_distortion;  ///< η of the charts against M
+  };
+  std::optional<bool> hypotheses_2;  ///< Hypotheses 1 hold; the value: Hypotheses 2 too
+  std::optional<Density> density;
+};
+
+/// Level 2.
 struct ManifoldClaim {
   std::size_t simplices = 0;
   long euler_characteristic = 0;
@@ -19,33 +30,89 @@ struct ManifoldClaim {
   std::vector<AbelianGroup> homology;  ///< H₀ … H_m over ℤ; of the stars alone
 };
 
-/// The levels of docs/certificate-format.md that a run reaches, with their margins.
+/// Level 2s.
+struct StableStarsClaim {
+  std::optional<Rational> reach;  ///< how far charts have to show; flat tori and balls state none
+};
+
+/// Level 4. Flat tori and balls state no margin.
+struct DelaunayClaim {
+  struct Balls {
+    Rational protection;  ///< every other lift is farther than this from each circumball; 0 if only emptiness is known
+    Rational circumradius;  ///< no circumball in M is larger
+  };
+  struct Stability {
+    Rational edge;    ///< a lower bound of the longest edge of every simplex
+    Rational margin;  ///< of stability, in squares of lengths
+  };
+  std::optional<Balls> balls;          ///< of space forms
+  std::optional<Stability> stability;  ///< of metric fields
+};
+
+/// Level 5.
+struct TriangulationClaim {
+  struct RiemannianSimplices {
+    Rational thickness;  ///< of the simplices in the charts at perturbed points
+    Rational radius;     ///< all vertices of a star are nearer than this to its label
+  };
+  std::string route;
+  std::optional<RiemannianSimplices> riemannian;  ///< by this second route as well
+};
+
+/// Level 6: flat simplices of the same edges, against M.
+struct MetricClaim {
+  bool self_delaunay = false;
+  std::optional<Rational> weight;  ///< of surfaces: cotangents opposite to an edge sum to more than this ≥ 0
+  Rational least_stretch{1}, greatest_stretch{1};
+};
+
+/// The levels of docs/certificate-format.md that a run reaches, with their margins: lengths, not in units of ε.
 struct Claims {
-  std::optional<bool> input;                ///< level 0; the value: Hypotheses 2 too
-  std::optional<StarMargins> stars;         ///< level 1
-  std::optional<ManifoldClaim> manifold;    ///< level 2
-  bool stable_stars = false;                ///< level 2s
-  std::optional<std::string> no_forbidden;  ///< level 3: what was looked at
-  bool delaunay = false;                    ///< level 4
-  bool triangulation = false;               ///< level 5
-  bool metric = false;                      ///< level 6
+  std::optional<InputClaim> input;                  ///< level 0
+  std::optional<StarMargins> stars;                 ///< level 1
+  std::optional<ManifoldClaim> manifold;            ///< level 2
+  std::optional<StableStarsClaim> stable_stars;     ///< level 2s
+  std::optional<std::string> no_forbidden;          ///< level 3: what was looked at
+  std::optional<DelaunayClaim> delaunay;            ///< level 4
+  std::optional<TriangulationClaim> triangulation;  ///< level 5
+  std::optional<MetricClaim> metric;                ///< level 6
+  /// What decided level 4 of a metric field, wherever it was asked for and straight simplices triangulate the torus.
+  std::optional<DelaunayMargin> delaunay_margin;
 
   /// The names of the levels claimed, in order.
   [[nodiscard]] std::vector<std::string> names() const;
 };
+
+/// A bound that a level states.
+struct Margin {
+  enum class Side { lower, upper };
+  enum class Unit { one, length, squared_length };
+  Rational value;
+  Side side;
+  Unit unit;
+};
+
+/// What a certificate states under a key of a level: a bound, or two of them, or something else, as JSON.
+struct LevelEntry {
+  std::string key;
+  std::vector<Margin> margins;
+  std::string json;
+};
+
+/// A level that is claimed, with its entries in the order of the format.
+struct ClaimedLevel {
+  std::string name;
+  std::vector<LevelEntry> entries;
+};
+[[nodiscard]] std::vector<ClaimedLevel> claimed_levels(const Claims& claims);
+
+/// Level 2 of a complex, from its labels. `simplices`: how many m-simplices there are.
+[[nodiscard]] ManifoldClaim manifold_claim(const PureComplex& complex, std::size_t simplices, bool closed);
 
 /// Which levels may be claimed at most, by name.
 using LevelSelection = std::vector<std::string>;
 /// All of them.
 [[nodiscard]] const LevelSelection& all_levels();
 [[nodiscard]] bool selects(const LevelSelection& selection, std::string_view level);
-
-/// Derives the levels from a certified run, checking the inequalities of the format on the way; reasons for levels
-/// that are not reached are appended to `reasons`. Level 3 is searched only if selected. Precondition: the input items
-/// of `atlas` hold, and the run is certified.
-template <int m>
-[[nodiscard]] Claims derive_claims(const FlatAtlas<m>& atlas, const RunParameters& parameters, const RunResult<m>& run,
-                                   const LevelSelection& selection, const Progress& progress,
-                                   std::vector<std::string>& reasons);
 
 }  // namespace delcert

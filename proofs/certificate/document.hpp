@@ -4,9 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "kernel/number/rational.hpp"
 #include "proofs/certificate/byte_sink.hpp"
-#include "proofs/certificate/claims.hpp"
-#include "proofs/certificate/run_parameters.hpp"
 #include "support/progress.hpp"
 
 namespace delcert {
@@ -25,19 +24,6 @@ template <class Range, class Text>
   }
   return result + "]";
 }
-
-/// The values of the keys `software` and `parameters`; ξ₀ is 0 but on metric fields.
-[[nodiscard]] std::string software_object();
-[[nodiscard]] std::string parameters_object(const RunParameters& parameters, const Rational& sampling_radius,
-                                            const Rational& distortion = Rational(0));
-
-/// The values of levels 1 and 2.
-[[nodiscard]] std::string star_margins_object(const StarMargins& margins);
-[[nodiscard]] std::string manifold_claim_object(const ManifoldClaim& claim);
-
-/// "theory", "measured", "none"; "pruned", "whole", "printed": as in files.
-[[nodiscard]] std::string_view name_of(RunMode mode);
-[[nodiscard]] std::string_view name_of(CandidateRule rule);
 
 /// A certificate that is being written, compressed if the name ends in ".zst": long arrays are not held. The file
 /// appears whole or not at all, when it is sealed.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,29 +8,9 @@
 #include "kernel/stars/stable_stars.hpp"
 #include "kernel/theorems/affine_triangulation.hpp"
 #include "proofs/certificate/claims.hpp"
-#include "proofs/certificate/delaunay_margin.hpp"
+#include "proofs/certificate/run_parameters.hpp"
 
 namespace delcert {
-
-/// What a certificate claims at level 4 of a metric field.
-struct MetricFieldDelaunayClaim {
-  Rational edge;    ///< a lower bound of the longest edge of every simplex
-  Rational margin;  ///< of stability, in squares of lengths
-};
-
-/// The levels that a run on a metric field reaches, with their margins: lengths in the charts, not in units of ε.
-struct MetricFieldClaims {
-  std::optional<StarMargins> stars;                  ///< level 1
-  std::optional<ManifoldClaim> manifold;             ///< level 2
-  std::optional<Rational> reach;                     ///< level 2s: how far charts have to show
-  std::optional<MetricFieldDelaunayClaim> delaunay;  ///< level 4
-  bool triangulation = false;                        ///< level 5
-  /// For level 4, wherever it was asked for and levels 1, 2 and 5 hold.
-  std::optional<DelaunayMargin> stability;
-
-  /// The names of the levels claimed, in order.
-  [[nodiscard]] std::vector<std::string> names() const;
-};
 
 /// Patches, and how much longer a vector may be there than at home: what certification asks of a metric field.
 template <int m>
@@ -49,12 +28,11 @@ struct MetricFieldMeasures {
 };
 
 /// Derives the levels from a certified run and its measures, checking the inequalities of docs/certificate-format.md
-/// on the way; reasons for levels that were selected and are not reached are appended to `reasons`. Bounds are weaker
-/// than what was found by a relative 2⁻²⁰ at least.
+/// on the way; reasons for levels that were selected and are not reached are appended to `reasons`.
 template <int m>
-[[nodiscard]] MetricFieldClaims derive_claims(const MetricFieldAtlas<m>& atlas, const RunParameters& parameters,
-                                              const ChartDistortion& distortion, const ChartRun<m>& run,
-                                              const MetricFieldMeasures& measures, const LevelSelection& selection,
-                                              std::vector<std::string>& reasons);
+[[nodiscard]] Claims derive_claims(const MetricFieldAtlas<m>& atlas, const RunParameters& parameters,
+                                   const ChartDistortion& distortion, const ChartRun<m>& run,
+                                   const MetricFieldMeasures& measures, const LevelSelection& selection,
+                                   std::vector<std::string>& reasons);
 
 }  // namespace delcert

@@ -10,7 +10,6 @@
 #include "kernel/manifold/quotient/space_form_atlas.hpp"
 #include "kernel/stars/chart_complex.hpp"
 #include "kernel/stars/star_complex.hpp"
-#include "proofs/certificate/document.hpp"
 #include "proofs/certificate/loop_search.hpp"
 
 namespace delcert {
@@ -46,20 +45,5 @@ template <int m>
 [[nodiscard]] PlacedComplex<m> placed_complex(const SpaceFormAtlas<m>& atlas, const ChartComplex<m>& complex);
 template <int m>
 [[nodiscard]] PlacedComplex<m> placed_complex(const MetricFieldAtlas<m>& atlas, const ChartComplex<m>& complex);
-
-/// The keys `elements`, `simplices` and `loops`.
-template <int m>
-void add_complex(Document& document, const PlacedComplex<m>& complex) {
-  const auto row = [](const auto& integers) {
-    return listed(integers, [](std::int64_t integer) { return std::to_string(integer); });
-  };
-  document.add_array("elements", complex.elements.size(), [&](std::size_t at) { return row(complex.elements[at]); });
-  document.add_array("simplices", complex.simplices.size(), [&](std::size_t at) { return row(complex.simplices[at]); });
-  document.add_array("loops", complex.loops.size(), [&](std::size_t at) {
-    std::vector<std::uint32_t> integers;
-    for (const LoopStep& step : complex.loops[at]) integers.insert(integers.end(), {step.simplex, step.from, step.to});
-    return row(integers);
-  });
-}
 
 }  // namespace delcert

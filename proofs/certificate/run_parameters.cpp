@@ -18,6 +18,14 @@ Rational edge_bound(Dimension dimension, const Rational& separation, const Ratio
 
 }  // namespace
 
+std::string_view name_of(RunMode mode) {
+  return mode == RunMode::theory ? "theory" : mode == RunMode::measured ? "measured" : "none";
+}
+
+std::string_view name_of(CandidateRule rule) {
+  return rule == CandidateRule::pruned ? "pruned" : rule == CandidateRule::whole ? "whole" : "printed";
+}
+
 Rational default_tolerance(Dimension dimension) {
   constexpr std::array<long, 5> exponents{0, -5, -6, -12, -18};
   return Rational::power_of_two(exponents.at(static_cast<std::size_t>(dimension.value)));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "kernel/number/strong.hpp"
 #include "kernel/perturb/parameters.hpp"
@@ -14,6 +15,10 @@ enum class RunMode {
   measured,  ///< tolerances are parameters; what holds is what is certified afterwards
   none,      ///< no perturbation
 };
+
+/// "theory", "measured", "none"; "pruned", "whole", "printed": as in files.
+[[nodiscard]] std::string_view name_of(RunMode mode);
+[[nodiscard]] std::string_view name_of(CandidateRule rule);
 
 /// The parameters of a run and the paper's constants that go with them, for ξ₀ = ε₀ = 0.
 struct RunParameters {

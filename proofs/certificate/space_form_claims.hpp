@@ -7,7 +7,8 @@
 #include "kernel/stars/stable_stars.hpp"
 #include "kernel/theorems/piecewise_flat.hpp"
 #include "kernel/theorems/riemannian_simplices.hpp"
-#include "proofs/certificate/space_form_writer.hpp"
+#include "proofs/certificate/claims.hpp"
+#include "proofs/certificate/run_parameters.hpp"
 
 namespace delcert {
 
@@ -24,19 +25,10 @@ template <int m>
                                             const Progress& progress);
 
 /// Derives the levels from a certified run and its measures, checking the inequalities of docs/certificate-format.md
-/// on the way; reasons for levels that are not reached are appended to `reasons`. Bounds that the format asks to be
-/// strict are weaker than what was found by a relative 2⁻²⁰ at least: a reader with other enclosures finds them too.
+/// on the way; reasons for levels that are not reached are appended to `reasons`.
 template <int m>
-[[nodiscard]] SpaceFormClaims derive_claims(const SpaceFormAtlas<m>& atlas, const RunParameters& parameters,
-                                            const ChartRun<m>& run, const SpaceFormMeasures& measures,
-                                            const LevelSelection& selection, std::vector<std::string>& reasons);
-
-/// The parameters as certificates state them, of a run that perturbed or did not. Γ₀ is that for which the tolerance is
-/// 2α̃₀, as on flat manifolds; nothing is claimed of it.
-[[nodiscard]] RunParameters space_form_parameters(const PerturbationParameters& parameters, Dimension dimension,
-                                                  bool perturbed);
-
-/// The names of the levels claimed, in order.
-[[nodiscard]] std::vector<std::string> names_of(const SpaceFormClaims& claims);
+[[nodiscard]] Claims derive_claims(const SpaceFormAtlas<m>& atlas, const RunParameters& parameters,
+                                   const ChartRun<m>& run, const SpaceFormMeasures& measures,
+                                   const LevelSelection& selection, std::vector<std::string>& reasons);
 
 }  // namespace delcert

@@ -56,7 +56,7 @@ StabilityMargin stability_margin(Curvature curvature, const Rational& patch_radi
 
 template <int m>
 SpaceFormDistortion measure_distortion(const SpaceFormAtlas<m>& atlas, const RunParameters& parameters,
-                                       const SpaceFormClaims& claims) {
+                                       const Claims& claims) {
   const Curvature curvature = atlas.curvature();
   const Rational& patch = atlas.patch_radius();
   const Rational interest = patch * Rational(2) / Rational(3);
@@ -70,7 +70,7 @@ SpaceFormDistortion measure_distortion(const SpaceFormAtlas<m>& atlas, const Run
   }
   if (claims.stars && claims.delaunay) {
     result.stability = stability_margin(curvature, patch, atlas.sampling_radius(), algorithm, *claims.stars,
-                                        claims.delaunay->circumradius);
+                                        claims.delaunay->balls->circumradius);
   }
   const Rational most = algorithm.separation / Rational(4);
   const Rational perturbation = algorithm.perturbation > Rational(0) ? minimum(algorithm.perturbation, most) : most;
@@ -82,9 +82,7 @@ SpaceFormDistortion measure_distortion(const SpaceFormAtlas<m>& atlas, const Run
   return result;
 }
 
-template SpaceFormDistortion measure_distortion<2>(const SpaceFormAtlas<2>&, const RunParameters&,
-                                                   const SpaceFormClaims&);
-template SpaceFormDistortion measure_distortion<3>(const SpaceFormAtlas<3>&, const RunParameters&,
-                                                   const SpaceFormClaims&);
+template SpaceFormDistortion measure_distortion<2>(const SpaceFormAtlas<2>&, const RunParameters&, const Claims&);
+template SpaceFormDistortion measure_distortion<3>(const SpaceFormAtlas<3>&, const RunParameters&, const Claims&);
 
 }  // namespace delcert

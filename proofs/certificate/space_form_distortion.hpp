@@ -4,8 +4,8 @@
 
 #include "kernel/manifold/quotient/distortion.hpp"
 #include "kernel/manifold/quotient/space_form_atlas.hpp"
+#include "proofs/certificate/claims.hpp"
 #include "proofs/certificate/run_parameters.hpp"
-#include "proofs/certificate/space_form_writer.hpp"
 #include "proofs/constants/riemannian_demand.hpp"
 
 namespace delcert {
@@ -39,6 +39,6 @@ struct SpaceFormDistortion {
 /// Looks at some labels for the farthest pair. Needs rounding to nearest.
 template <int m>
 [[nodiscard]] SpaceFormDistortion measure_distortion(const SpaceFormAtlas<m>& atlas, const RunParameters& parameters,
-                                                     const SpaceFormClaims& claims);
+                                                     const Claims& claims);
 
 }  // namespace delcert

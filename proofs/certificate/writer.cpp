@@ -2,35 +2,57 @@
 
 #include <fmt/format.h>
 
+#include "delcert_version.hpp"
+#include "kernel/number/self_test.hpp"
 #include "kernel/simplex/dimensions.hpp"
 #include "proofs/certificate/document.hpp"
-#include "proofs/certificate/placed_complex.hpp"
 
 namespace delcert {
 
 namespace {
 
-std::string manifold_object(const ManifoldDescription& manifold) {
-  const std::string head = fmt::format("{{\"name\":{},\"family\":\"{}\",\"dimension\":{},", quoted(manifold.name),
-                                       name_of(manifold.family), manifold.dimension.value);
-  if (manifold.family == ManifoldFamily::euclidean_ball)
-    return head + fmt::format("\"radius\":{}}}", number(manifold.radius));
-  return head + "\"gram\":" + listed(manifold.gram, [](const auto& row) { return listed(row, number); }) + "}";
+std::string software_object() {
+  std::string result = fmt::format("{{\"delcert\":{}", quoted(version));
+  for (const auto& [name, value] : library_versions()) result += fmt::format(",{}:{}", quoted(name), quoted(value));
+  return result + "}";
+}
+
+std::string parameters_object(const RunParameters& parameters, const Rational& sampling_radius,
+                              const Rational& distortion) {
+  const PerturbationParameters& algorithm = parameters.algorithm;
+  return fmt::format(
+      "{{\"mode\":\"{}\",\"candidates\":\"{}\",\"seed\":\"{}\",\"sampling_radius\":{},\"separation\":{},"
+      "\"radius_variation\":\"0\",\"distortion\":{},\"perturbation\":{},\"flake_parameter_squared\":{},"
+      "\"tolerance\":{}}}",
+      name_of(parameters.mode), name_of(algorithm.candidates), algorithm.seed, number(sampling_radius),
+      number(algorithm.separation), number(distortion), number(algorithm.perturbation),
+      number(parameters.squared_flake_parameter), number(algorithm.tolerance));
 }
 
 std::string levels_object(const Claims& claims) {
+  const auto entry = [](const LevelEntry& stated) { return quoted(stated.key) + ":" + stated.json; };
   std::vector<std::string> levels;
-  if (claims.input) levels.push_back(fmt::format("\"0\":{{\"hypotheses_2\":{}}}", *claims.input));
-  if (claims.stars) levels.push_back("\"1\":" + star_margins_object(*claims.stars));
-  if (claims.manifold) levels.push_back("\"2\":" + manifold_claim_object(*claims.manifold));
-  if (claims.stable_stars) levels.emplace_back("\"2s\":{}");
-  if (claims.no_forbidden) levels.push_back(fmt::format("\"3\":{{\"tested\":{}}}", quoted(*claims.no_forbidden)));
-  if (claims.delaunay) levels.emplace_back("\"4\":{}");
-  if (claims.triangulation) levels.emplace_back("\"5\":{\"route\":\"space-form\"}");
-  if (claims.metric) levels.emplace_back("\"6\":{\"self_delaunay\":true,\"bilipschitz\":\"1\"}");
-  std::string result = "{";
-  for (const std::string& level : levels) result += (result.size() > 1 ? "," : "") + level;
-  return result + "}";
+  for (const ClaimedLevel& level : claimed_levels(claims)) {
+    std::vector<std::string> entries;
+    for (const LevelEntry& stated : level.entries) entries.push_back(entry(stated));
+    levels.push_back(fmt::format("{}:{{{}}}", quoted(level.name), fmt::join(entries, ",")));
+  }
+  return fmt::format("{{{}}}", fmt::join(levels, ","));
+}
+
+/// The keys `elements`, `simplices` and `loops`.
+template <int m>
+void add_complex(Document& document, const PlacedComplex<m>& complex) {
+  const auto row = [](const auto& integers) {
+    return listed(integers, [](std::int64_t integer) { return std::to_string(integer); });
+  };
+  document.add_array("elements", complex.elements.size(), [&](std::size_t at) { return row(complex.elements[at]); });
+  document.add_array("simplices", complex.simplices.size(), [&](std::size_t at) { return row(complex.simplices[at]); });
+  document.add_array("loops", complex.loops.size(), [&](std::size_t at) {
+    std::vector<std::uint32_t> integers;
+    for (const LoopStep& step : complex.loops[at]) integers.insert(integers.end(), {step.simplex, step.from, step.to});
+    return row(integers);
+  });
 }
 
 }  // namespace
@@ -38,22 +60,23 @@ std::string levels_object(const Claims& claims) {
 template <int m>
 void write_certificate(const std::filesystem::path& path, const CertificateContent<m>& content,
                        const Progress& progress) {
-  const std::size_t count = content.atlas.size();
   const std::size_t net_simplices = content.claims.input ? content.net_simplices.size() : 0;
-  const PlacedComplex<m> complex = placed_complex<m>(content.atlas, content.run.points, content.run.complex);
-  Document document(path, 2 * count + net_simplices + complex.simplices.size(), progress);
+  Document document(path, (content.charts ? 3 : 2) * content.labels + net_simplices + content.complex.simplices.size(),
+                    progress);
+  const auto add_numbers = [&](std::string_view key, const auto& row) {
+    document.add_array(key, content.labels, [&](std::size_t at) { return listed(row(Label(at)), number); });
+  };
   document.add(R"({"format":"delcert-certificate","version":2,"software":)" + software_object());
-  document.add(",\"manifold\":" + manifold_object(content.manifold));
-  document.add(",\"parameters\":" + parameters_object(content.parameters, content.atlas.sampling_radius()));
+  document.add(",\"manifold\":" + content.manifold);
+  document.add(",\"parameters\":" + parameters_object(content.parameters, content.sampling_radius, content.distortion));
   document.add(",\"levels\":" + levels_object(content.claims));
-  document.add_array("net", count,
-                     [&](std::size_t at) { return listed(content.atlas.net().exact(Label(at)), number); });
+  add_numbers("net", content.net);
+  if (content.charts) add_numbers("charts", content.charts);
   document.add_array("net_simplices", net_simplices, [&](std::size_t at) {
     return listed(content.net_simplices[at], [](const Lift<m>& lift) { return std::to_string(lift.index); });
   });
-  document.add_array("points", count,
-                     [&](std::size_t at) { return listed(content.run.points.exact(Label(at)), number); });
-  add_complex<m>(document, complex);
+  add_numbers("points", content.points);
+  add_complex<m>(document, content.complex);
   document.seal();
 }
 

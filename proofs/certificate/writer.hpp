@@ -1,26 +1,38 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
 #include <vector>
 
-#include "kernel/manifold/manifold_file.hpp"
-#include "kernel/run/run.hpp"
+#include "kernel/simplex/vector.hpp"
 #include "proofs/certificate/claims.hpp"
-#include "proofs/certificate/document.hpp"
+#include "proofs/certificate/placed_complex.hpp"
 #include "proofs/certificate/run_parameters.hpp"
 #include "support/progress.hpp"
 
 namespace delcert {
 
-/// Everything that goes into a certificate. References are kept.
+/// Everything that goes into a certificate, in any family. References are kept.
 template <int m>
 struct CertificateContent {
-  const ManifoldDescription& manifold;
+  using Coordinates = std::function<Vector<Rational, m>(Label)>;
+
+  std::string manifold;  ///< the value of the key, as `manifold_object` makes it
   const RunParameters& parameters;
-  const FlatAtlas<m>& atlas;
-  const std::vector<LiftedSimplex<m>>& net_simplices;
-  const RunResult<m>& run;
+  const Rational& sampling_radius;
   const Claims& claims;
+  std::size_t labels;
+  Coordinates net;
+  Coordinates points;  ///< home coordinates
+  PlacedComplex<m> complex;
+  /// Written if level 0 is claimed.
+  std::span<const LiftedSimplex<m>> net_simplices = {};
+  /// Of the transitions, an upper bound: ξ₀ of the parameters.
+  Rational distortion = Rational(0);
+  /// Of a metric field: the entries of the matrix of the chart of a label.
+  std::function<std::vector<Rational>(Label)> charts = {};
 };
 
 /// Writes a certificate as docs/certificate-format.md specifies, compressed if the name ends in ".zst". The file

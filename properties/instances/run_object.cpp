@@ -11,6 +11,7 @@
 #include "kernel/sample/net_measure.hpp"
 #include "kernel/sample/poisson_disk.hpp"
 #include "kernel/sample/separation.hpp"
+#include "proofs/certificate/flat_claims.hpp"
 #include "support/error.hpp"
 
 namespace delcert {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "proofs/certificate/claims.hpp"
+#include "proofs/certificate/run_parameters.hpp"
 #include "proofs/formula/vocabulary.hpp"
 
 namespace delcert {

@@ -75,20 +75,20 @@ void add_statements(Vocabulary& vocabulary) {
                                "The stars of a run agree and make a closed manifold complex (level 2 of certificates).",
                                "#1\\text{ is a manifold complex}",
                                [](const RunObject& run) { return reached(run, run.claims().manifold.has_value()); }));
-  vocabulary.add(run_statement("has_stable_stars",
-                               "Each star of a run is the same in the charts of all its vertices (level 2s).",
-                               "\\operatorname{star}(#1)\\text{ stable}",
-                               [](const RunObject& run) { return reached(run, run.claims().stable_stars); }));
+  vocabulary.add(
+      run_statement("has_stable_stars", "Each star of a run is the same in the charts of all its vertices (level 2s).",
+                    "\\operatorname{star}(#1)\\text{ stable}",
+                    [](const RunObject& run) { return reached(run, run.claims().stable_stars.has_value()); }));
   vocabulary.add(run_statement(
       "is_delaunay", "The complex of a run is the Delaunay complex of its points in the manifold (level 4).",
-      "#1 = \\mathrm{Del}", [](const RunObject& run) { return reached(run, run.claims().delaunay); }));
-  vocabulary.add(run_statement("is_triangulation",
-                               "The complex of a run is homeomorphic to the manifold by straight simplices (level 5).",
-                               "\\lvert #1\\rvert \\cong \\mathcal M",
-                               [](const RunObject& run) { return reached(run, run.claims().triangulation); }));
+      "#1 = \\mathrm{Del}", [](const RunObject& run) { return reached(run, run.claims().delaunay.has_value()); }));
+  vocabulary.add(run_statement(
+      "is_triangulation", "The complex of a run is homeomorphic to the manifold by straight simplices (level 5).",
+      "\\lvert #1\\rvert \\cong \\mathcal M",
+      [](const RunObject& run) { return reached(run, run.claims().triangulation.has_value()); }));
   vocabulary.add(run_statement(
       "is_self_delaunay", "The complex of a run is isometric to the manifold and self-Delaunay (level 6).",
-      "#1\\text{ self-Delaunay}", [](const RunObject& run) { return reached(run, run.claims().metric); }));
+      "#1\\text{ self-Delaunay}", [](const RunObject& run) { return reached(run, run.claims().metric.has_value()); }));
 }
 
 void add_numbers(Vocabulary& vocabulary) {

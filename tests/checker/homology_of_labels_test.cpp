@@ -7,13 +7,10 @@
 #include <iterator>
 #include <set>
 
-#include "kernel/manifold/space_form_file.hpp"
-#include "kernel/run/chart_run.hpp"
-#include "kernel/sample/space_form_net.hpp"
 #include "kernel/topology/homology.hpp"
 #include "kernel/topology/pure_complex.hpp"
-#include "proofs/certificate/space_form_claims.hpp"
 #include "tests/checker/support/space_form_samples.hpp"
+#include "tests/proofs/certificate/space_form_run.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert::checker_tests {
@@ -38,25 +35,13 @@ Groups homology_of_labels(const std::string& bytes) {
 
 template <int m>
 std::string certificate_of(const std::string& name, const Rational& radius, int patch_factor) {
-  const SpaceForm form = verify_space_form(find_space_form(name));
-  auto net = space_form_net<m>(form, radius, 1, no_progress());
-  const SpaceFormAtlas<m> atlas(form, std::move(net.centres), radius, patch_factor);
-  PerturbationParameters parameters = measured_parameters(Dimension(m), 1);
-  parameters.choices = 5;
-  const auto run = run_in_charts<m>(atlas, parameters, {}, no_progress());
-  EXPECT_TRUE(run.is_certified()) << name;
-  SpaceFormClaims claims;
+  const auto sample = test::space_form_run<m>(name, radius, patch_factor, 5);
+  EXPECT_TRUE(sample.run.is_certified()) << name;
+  delcert::Claims claims;
   claims.stars = StarMargins{Rational(1), Rational(1), Rational(1)};
   claims.manifold = ManifoldClaim{};
-  std::vector<Vector<Rational, m>> centres, vectors;
-  for (std::uint32_t index = 0; index < atlas.size(); ++index) {
-    centres.push_back(atlas.centre(Label(index)));
-    vectors.push_back(run.points.exact(Label(index)));
-  }
   const test::TemporaryFolder folder;
-  write_space_form_certificate<m>(
-      folder / "run.json", {form, space_form_parameters(parameters, Dimension(m), true), radius, centres, vectors,
-                            placed_complex<m>(atlas, run.complex), claims});
+  sample.write(folder / "run.json", claims);
   std::ifstream file(folder / "run.json", std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
 }

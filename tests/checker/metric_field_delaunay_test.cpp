@@ -57,24 +57,24 @@ TEST(MetricFieldDelaunay, margins_hold_and_little_more_does_not) {
   const auto& sample = test::nearly_flat_run();
   const Rational more = ratio(1001, 1000);
   const auto expect = [&](const std::string& rule, const auto& change) {
-    MetricFieldClaims claims = claims_of<2>(sample);
+    auto claims = claims_of<2>(sample);
     ASSERT_TRUE(claims.delaunay.has_value());
-    change(*claims.delaunay);
+    change(*claims.delaunay->stability);
     const CheckerRun run = run_checker(bytes_of<2>(sample, claims));
     EXPECT_EQ(run.status, 1) << rule;
     EXPECT_EQ(run.rules, std::set<std::string>{rule}) << run.output;
   };
-  expect("4.edge", [&](MetricFieldDelaunayClaim& claim) { claim.edge *= more; });
-  expect("4.stability", [&](MetricFieldDelaunayClaim& claim) { claim.margin *= more; });
+  expect("4.edge", [&](DelaunayClaim::Stability& claim) { claim.edge *= more; });
+  expect("4.stability", [&](DelaunayClaim::Stability& claim) { claim.margin *= more; });
 }
 
 /// Both programs compute the margin from the same numbers.
 TEST(MetricFieldDelaunay, margin_is_the_same_exact_number_on_both_sides) {
   const auto& sample = test::nearly_flat_run();
-  MetricFieldClaims claims = claims_of<2>(sample);
-  claims.delaunay->margin = claims.stability->value();
+  auto claims = claims_of<2>(sample);
+  claims.delaunay->stability->margin = claims.delaunay_margin->value();
   EXPECT_EQ(run_checker(bytes_of<2>(sample, claims)).status, 0);
-  claims.delaunay->margin += Rational::power_of_two(-200);
+  claims.delaunay->stability->margin += Rational::power_of_two(-200);
   EXPECT_EQ(run_checker(bytes_of<2>(sample, claims)).rules, std::set<std::string>{"4.stability"});
 }
 

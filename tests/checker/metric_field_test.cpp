@@ -56,18 +56,18 @@ TEST(MetricField, margins_hold_and_little_more_does_not) {
   const auto& sample = test::sheared_run();
   const Rational more = ratio(1001, 1000);
   const auto expect = [&](const std::string& rule, const auto& change) {
-    MetricFieldClaims claims = claims_of<2>(sample);
+    auto claims = claims_of<2>(sample);
     change(claims);
     const CheckerRun run = run_checker(bytes_of<2>(sample, claims));
     EXPECT_EQ(run.status, 1) << rule;
     EXPECT_EQ(run.rules, std::set<std::string>{rule}) << run.output;
   };
-  expect("1.protection", [&](MetricFieldClaims& claims) { claims.stars->protection *= more; });
-  expect("1.thickness", [&](MetricFieldClaims& claims) { claims.stars->thickness *= more; });
-  expect("1.radius", [&](MetricFieldClaims& claims) { claims.stars->circumradius /= more; });
-  expect("2s.reach", [&](MetricFieldClaims& claims) { *claims.reach *= ratio(99, 100); });
-  expect("2.count", [&](MetricFieldClaims& claims) { ++claims.manifold->simplices; });
-  expect("2.homology", [&](MetricFieldClaims& claims) { claims.manifold->homology.back() = {}; });
+  expect("1.protection", [&](auto& claims) { claims.stars->protection *= more; });
+  expect("1.thickness", [&](auto& claims) { claims.stars->thickness *= more; });
+  expect("1.radius", [&](auto& claims) { claims.stars->circumradius /= more; });
+  expect("2s.reach", [&](auto& claims) { *claims.stable_stars->reach *= ratio(99, 100); });
+  expect("2.count", [&](auto& claims) { ++claims.manifold->simplices; });
+  expect("2.homology", [&](auto& claims) { claims.manifold->homology.back() = {}; });
 }
 
 TEST(MetricField, points_are_perturbed_by_no_more_than_is_said) {
@@ -129,10 +129,10 @@ TEST(MetricField, stars_that_differ_in_other_charts_are_not_stable) {
   ASSERT_GT(stability.differing, 0U);
   const auto triangulation = check_affine_triangulation<2>(atlas, run.points, run.complex);
   MetricFieldSample<2> sample{std::move(atlas), distortion, parameters, std::move(run), {stability, triangulation}};
-  MetricFieldClaims claims = claims_of<2>(sample);
+  auto claims = claims_of<2>(sample);
   EXPECT_EQ(claims.names(), (std::vector<std::string>{"1", "2", "5"}));
   EXPECT_EQ(run_checker(bytes_of<2>(sample, claims)).status, 0);
-  claims.reach = sample.atlas.patch_radius() * ratio(999, 1000);
+  claims.stable_stars = StableStarsClaim{sample.atlas.patch_radius() * ratio(999, 1000)};
   const CheckerRun forged = run_checker(bytes_of<2>(sample, claims));
   EXPECT_EQ(forged.status, 1);
   EXPECT_TRUE(forged.rules.contains("2s.protection")) << forged.output;

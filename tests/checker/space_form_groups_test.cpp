@@ -6,7 +6,7 @@
 
 #include "kernel/manifold/space_form_file.hpp"
 #include "kernel/number/exact_text.hpp"
-#include "proofs/certificate/space_form_writer.hpp"
+#include "proofs/certificate/content.hpp"
 #include "proofs/checker/group.hpp"
 #include "tests/checker/upwards.hpp"
 

@@ -1,13 +1,12 @@
 // Runs on space forms, from the net to the certificate, and the checker's word on them.
 
+#include "tests/proofs/certificate/space_form_run.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <filesystem>
 
-#include "kernel/manifold/space_form_file.hpp"
-#include "kernel/sample/space_form_net.hpp"
-#include "proofs/certificate/space_form_claims.hpp"
 #include "tests/checker/support/certificate_text.hpp"
 #include "tests/checker/support/run_checker.hpp"
 
@@ -16,31 +15,18 @@ namespace {
 
 struct Certified {
   std::string path;
-  SpaceFormClaims claims;
+  delcert::Claims claims;
   std::vector<std::string> reasons;
 };
 
 template <int m>
 Certified certified(const std::string& name, const Rational& radius, int factor = 9) {
-  const SpaceForm form = verify_space_form(find_space_form(name));
-  auto net = space_form_net<m>(form, radius, 1, no_progress());
-  const SpaceFormAtlas<m> atlas(form, std::move(net.centres), radius, factor);
-  PerturbationParameters parameters = measured_parameters(Dimension(m), 1);
-  parameters.choices = 20;
-  const ChartRun<m> run = run_in_charts<m>(atlas, parameters, {}, no_progress());
-  EXPECT_TRUE(run.is_certified()) << name;
+  const auto sample = test::space_form_run<m>(name, radius, factor);
+  EXPECT_TRUE(sample.run.is_certified()) << name;
   Certified result;
-  result.claims = derive_claims<m>(atlas, space_form_parameters(parameters, Dimension(m), true), run,
-                                   measure_run<m>(atlas, run, no_progress()), all_levels(), result.reasons);
-  std::vector<Vector<Rational, m>> centres, vectors;
-  for (std::uint32_t index = 0; index < atlas.size(); ++index) {
-    centres.push_back(atlas.centre(Label(index)));
-    vectors.push_back(run.points.exact(Label(index)));
-  }
+  result.claims = sample.claims(result.reasons);
   result.path = temporary_file("");
-  write_space_form_certificate<m>(
-      result.path, {form, space_form_parameters(parameters, Dimension(m), true), radius, centres, vectors,
-                    placed_complex<m>(atlas, run.complex), result.claims});
+  sample.write(result.path, result.claims);
   return result;
 }
 

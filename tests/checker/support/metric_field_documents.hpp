@@ -21,7 +21,7 @@ using test::ratio;
 using Change = std::function<void(Json&)>;
 
 template <int m>
-std::string bytes_of(const MetricFieldSample<m>& sample, const MetricFieldClaims& claims) {
+std::string bytes_of(const MetricFieldSample<m>& sample, const delcert::Claims& claims) {
   const test::TemporaryFolder folder;
   sample.write(folder / "run.json", claims);
   std::ifstream file(folder / "run.json", std::ios::binary);
@@ -29,7 +29,7 @@ std::string bytes_of(const MetricFieldSample<m>& sample, const MetricFieldClaims
 }
 
 template <int m>
-MetricFieldClaims claims_of(const MetricFieldSample<m>& sample) {
+delcert::Claims claims_of(const MetricFieldSample<m>& sample) {
   std::vector<std::string> reasons;
   return sample.claims(reasons);
 }

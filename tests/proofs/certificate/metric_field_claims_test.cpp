@@ -16,14 +16,14 @@ TEST(MetricFieldClaims, claim_what_a_certified_run_reaches) {
   ASSERT_EQ(reasons.size(), 1U);
   EXPECT_TRUE(mentions(reasons[0], "level 4: the metric varies too much in a patch: margin of stability ≥ -"))
       << reasons[0];
-  ASSERT_TRUE(claims.stability.has_value());
-  EXPECT_LT(claims.stability->value(), Rational(0));
+  ASSERT_TRUE(claims.delaunay_margin.has_value());
+  EXPECT_LT(claims.delaunay_margin->value(), Rational(0));
   EXPECT_LE(claims.stars->protection, Rational::exactly(sample.run.margins.protection));
   EXPECT_GE(claims.stars->protection * ratio(1001, 1000), Rational::exactly(sample.run.margins.protection));
   EXPECT_GE(claims.stars->circumradius, Rational::exactly(sample.run.margins.circumradius));
   EXPECT_EQ(claims.manifold->euler_characteristic, 0);
   EXPECT_EQ(group_text(claims.manifold->homology[1]), "Z^2");
-  EXPECT_LT(*claims.reach, sample.atlas.patch_radius());
+  EXPECT_LT(*claims.stable_stars->reach, sample.atlas.patch_radius());
 }
 
 TEST(MetricFieldClaims, reach_level_4_where_the_metric_varies_little) {
@@ -33,13 +33,15 @@ TEST(MetricFieldClaims, reach_level_4_where_the_metric_varies_little) {
     const auto claims = sample->claims(reasons);
     EXPECT_EQ(claims.names(), (std::vector<std::string>{"1", "2", "2s", "4", "5"}));
     EXPECT_TRUE(reasons.empty());
-    EXPECT_GT(claims.delaunay->margin, Rational(0));
-    EXPECT_LT(claims.delaunay->margin, claims.stability->value());
-    EXPECT_LT(claims.delaunay->edge, Rational::exactly(sample->measures.triangulation.edge));
-    EXPECT_GT(claims.delaunay->edge * ratio(1001, 1000), Rational::exactly(sample->measures.triangulation.edge));
+    EXPECT_GT(claims.delaunay->stability->margin, Rational(0));
+    EXPECT_LT(claims.delaunay->stability->margin, claims.delaunay_margin->value());
+    EXPECT_LT(claims.delaunay->stability->edge, Rational::exactly(sample->measures.triangulation.edge));
+    EXPECT_GT(claims.delaunay->stability->edge * ratio(1001, 1000),
+              Rational::exactly(sample->measures.triangulation.edge));
     const auto margin =
-        delaunay_margin(Dimension(2), sample->distortion.metric, *claims.stars, claims.delaunay->edge).value();
-    EXPECT_EQ(claims.stability->value(), margin);
+        delaunay_margin(Dimension(2), sample->distortion.metric, *claims.stars, claims.delaunay->stability->edge)
+            .value();
+    EXPECT_EQ(claims.delaunay_margin->value(), margin);
   }
   EXPECT_LT(flat_run().distortion.metric, Rational::power_of_two(-30));
   EXPECT_GT(nearly_flat_run().distortion.metric, Rational::power_of_two(-20));

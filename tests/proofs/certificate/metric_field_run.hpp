@@ -2,7 +2,8 @@
 
 #include "kernel/sample/metric_field_net.hpp"
 #include "kernel/sample/separation.hpp"
-#include "proofs/certificate/metric_field_writer.hpp"
+#include "proofs/certificate/content.hpp"
+#include "proofs/certificate/metric_field_claims.hpp"
 #include "tests/kernel/manifold/gluing/samples.hpp"
 
 namespace delcert::test {
@@ -16,12 +17,11 @@ struct MetricFieldSample {
   ChartRun<m> run;
   MetricFieldMeasures measures;
 
-  [[nodiscard]] MetricFieldClaims claims(std::vector<std::string>& reasons,
-                                         const LevelSelection& levels = all_levels()) const {
+  [[nodiscard]] Claims claims(std::vector<std::string>& reasons, const LevelSelection& levels = all_levels()) const {
     return derive_claims<m>(atlas, parameters, distortion, run, measures, levels, reasons);
   }
-  void write(const std::filesystem::path& path, const MetricFieldClaims& some) const {
-    write_metric_field_certificate<m>(path, {atlas, distortion, parameters, run.points, run.complex, some});
+  void write(const std::filesystem::path& path, const Claims& some) const {
+    write_certificate<m>(path, content_of<m>(atlas, distortion, parameters, run, some));
   }
 };
 

@@ -158,5 +158,14 @@ TEST(RunParameters, say_what_a_search_for_forbidden_configurations_looks_for) {
   EXPECT_EQ(forbidden.edge_bound, parameters.algorithm.edge_bound / Rational(24));
 }
 
+TEST(RunParameters, modes_and_rules_have_the_names_of_files) {
+  EXPECT_EQ(name_of(RunMode::theory), "theory");
+  EXPECT_EQ(name_of(RunMode::measured), "measured");
+  EXPECT_EQ(name_of(RunMode::none), "none");
+  EXPECT_EQ(name_of(CandidateRule::pruned), "pruned");
+  EXPECT_EQ(name_of(CandidateRule::whole), "whole");
+  EXPECT_EQ(name_of(CandidateRule::printed), "printed");
+}
+
 }  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

@@ -11,7 +11,8 @@
 #include "kernel/sample/net_measure.hpp"
 #include "kernel/sample/poisson_disk.hpp"
 #include "kernel/sample/separation.hpp"
-#include "proofs/certificate/writer.hpp"
+#include "proofs/certificate/content.hpp"
+#include "proofs/certificate/flat_claims.hpp"
 
 namespace delcert {
 
@@ -31,10 +32,10 @@ struct SmallRun {
     std::vector<std::string> reasons;
     return derive_claims<2>(atlas, parameters, run, levels, no_progress(), reasons);
   }
-  void write(const std::filesystem::path& path) const {
-    const Claims all = claims();
-    write_certificate<2>(path, {manifold, parameters, atlas, density.simplices, run, all});
+  void write(const std::filesystem::path& path, const Claims& some, const ManifoldDescription& described) const {
+    write_certificate<2>(path, content_of<2>(described, atlas, density.simplices, parameters, run, some));
   }
+  void write(const std::filesystem::path& path) const { write(path, claims(), manifold); }
 };
 
 [[nodiscard]] inline const SmallRun& small_run() {

@@ -31,7 +31,7 @@ const RunOnSphere& on_sphere() {
 }
 
 struct Derived {
-  SpaceFormClaims claims;
+  Claims claims;
   std::vector<std::string> reasons;
 
   [[nodiscard]] bool has_reason(const std::string& part) const {
@@ -50,27 +50,27 @@ TEST(SpaceFormClaims, are_weaker_than_what_was_found) {
   const auto& [form, atlas, parameters, run, measures] = on_sphere();
   ASSERT_TRUE(run.is_certified());
   const Derived derived = derive(run, measures);
-  EXPECT_EQ(names_of(derived.claims), (Names{"0", "1", "2", "2s", "4", "5", "6"}));
+  EXPECT_EQ(derived.claims.names(), (Names{"0", "1", "2", "2s", "4", "5", "6"}));
   EXPECT_TRUE(derived.reasons.empty());
   const auto less_than = [](const Rational& a, double b) { return a < Rational::exactly(b); };
   EXPECT_TRUE(less_than(derived.claims.stars->protection, run.margins.protection));
   EXPECT_FALSE(less_than(derived.claims.stars->protection, run.margins.protection * (1 - 0x1p-9)));
   EXPECT_TRUE(less_than(derived.claims.stars->thickness, run.margins.thickness));
   EXPECT_FALSE(less_than(derived.claims.stars->circumradius, run.margins.circumradius));
-  EXPECT_TRUE(less_than(derived.claims.delaunay->protection, run.model.protection));
-  EXPECT_FALSE(less_than(derived.claims.delaunay->circumradius, run.model.circumradius));
+  EXPECT_TRUE(less_than(derived.claims.delaunay->balls->protection, run.model.protection));
+  EXPECT_FALSE(less_than(derived.claims.delaunay->balls->circumradius, run.model.circumradius));
   EXPECT_TRUE(less_than(derived.claims.metric->least_stretch, measures.flat.lower));
   EXPECT_FALSE(less_than(derived.claims.metric->greatest_stretch, measures.flat.upper));
   EXPECT_TRUE(less_than(derived.claims.metric->weight.value(), measures.flat.least_weight));
   EXPECT_GT(derived.claims.metric->weight.value(), Rational(0));
   const Rational shift = parameters.algorithm.perturbation * atlas.sampling_radius();
-  EXPECT_GE(*derived.claims.density, derived.claims.delaunay->circumradius + shift);
+  EXPECT_GE(derived.claims.input->density->density, derived.claims.delaunay->balls->circumradius + shift);
   // ε = 1/8: 9/8, 3/8 and 3/4 over their sines are 1.246858…, 1.023827… and 1.100289….
-  EXPECT_GE(derived.claims.distortion, Rational(2177) / Rational(10000));
-  EXPECT_LE(derived.claims.distortion, Rational(2184) / Rational(10000));
-  EXPECT_GE(derived.claims.metric_distortion, Rational(911) / Rational(10000));
-  EXPECT_LE(derived.claims.metric_distortion, Rational(912) / Rational(10000));
-  EXPECT_GE(*derived.claims.reach, Rational(2) * derived.claims.stars->circumradius);
+  EXPECT_GE(derived.claims.input->density->distortion, Rational(2177) / Rational(10000));
+  EXPECT_LE(derived.claims.input->density->distortion, Rational(2184) / Rational(10000));
+  EXPECT_GE(derived.claims.input->density->metric_distortion, Rational(911) / Rational(10000));
+  EXPECT_LE(derived.claims.input->density->metric_distortion, Rational(912) / Rational(10000));
+  EXPECT_GE(*derived.claims.stable_stars->reach, Rational(2) * derived.claims.stars->circumradius);
   EXPECT_EQ(derived.claims.manifold->euler_characteristic, 2);
   EXPECT_EQ(group_text(derived.claims.manifold->homology[1]), "0");
 }
@@ -78,12 +78,12 @@ TEST(SpaceFormClaims, are_weaker_than_what_was_found) {
 TEST(SpaceFormClaims, are_those_selected_and_what_they_rest_on) {
   const auto& run = on_sphere().run;
   const auto& measures = on_sphere().measures;
-  EXPECT_EQ(names_of(derive(run, measures, {}).claims), Names{});
-  EXPECT_EQ(names_of(derive(run, measures, {"1"}).claims), (Names{"1", "2"}));
-  EXPECT_EQ(names_of(derive(run, measures, {"2", "2s"}).claims), (Names{"1", "2", "2s"}));
-  EXPECT_EQ(names_of(derive(run, measures, {"2", "4"}).claims), (Names{"1", "2", "4"}));
-  EXPECT_EQ(names_of(derive(run, measures, {"5", "6"}).claims), Names{});
-  EXPECT_EQ(names_of(derive(run, measures, {"0", "2"}).claims), (Names{"0", "1", "2", "4"}));
+  EXPECT_EQ(derive(run, measures, {}).claims.names(), Names{});
+  EXPECT_EQ(derive(run, measures, {"1"}).claims.names(), (Names{"1", "2"}));
+  EXPECT_EQ(derive(run, measures, {"2", "2s"}).claims.names(), (Names{"1", "2", "2s"}));
+  EXPECT_EQ(derive(run, measures, {"2", "4"}).claims.names(), (Names{"1", "2", "4"}));
+  EXPECT_EQ(derive(run, measures, {"5", "6"}).claims.names(), Names{});
+  EXPECT_EQ(derive(run, measures, {"0", "2"}).claims.names(), (Names{"0", "1", "2", "4"}));
 }
 
 TEST(SpaceFormClaims, are_not_made_where_a_measure_does_not_allow_them) {
@@ -92,12 +92,12 @@ TEST(SpaceFormClaims, are_not_made_where_a_measure_does_not_allow_them) {
   measures.stability.differing = 3;
   measures.stability.stars = 2;
   Derived derived = derive(run, measures);
-  EXPECT_FALSE(derived.claims.reach.has_value());
+  EXPECT_FALSE(derived.claims.stable_stars.has_value());
   EXPECT_TRUE(derived.has_reason("level 2s: 2 stars are not certified to be the same in all charts (3 of "));
   measures = on_sphere().measures;
   measures.stability.margins.reach = 1.2;
   derived = derive(run, measures);
-  EXPECT_FALSE(derived.claims.reach.has_value());
+  EXPECT_FALSE(derived.claims.stable_stars.has_value());
   EXPECT_TRUE(derived.has_reason("level 2s: a star does not fit into the patches"));
   measures = on_sphere().measures;
   measures.flat.undecided = 1;
@@ -113,14 +113,14 @@ TEST(SpaceFormClaims, are_not_made_where_a_measure_does_not_allow_them) {
 TEST(SpaceFormClaims, of_riemannian_simplices_need_small_stars) {
   const auto& run = on_sphere().run;
   SpaceFormMeasures measures = on_sphere().measures;
-  EXPECT_FALSE(derive(run, measures).claims.riemannian.has_value());
+  EXPECT_FALSE(derive(run, measures).claims.triangulation->riemannian.has_value());
   measures.simplices = {0.25, 0.04, 0.0416, Verdict::proved};
-  EXPECT_TRUE(derive(run, measures).claims.riemannian.has_value());
+  EXPECT_TRUE(derive(run, measures).claims.triangulation->riemannian.has_value());
   measures.simplices.star_radius = 0.0417;  // above 0.25/6
-  EXPECT_FALSE(derive(run, measures).claims.riemannian.has_value());
+  EXPECT_FALSE(derive(run, measures).claims.triangulation->riemannian.has_value());
   measures.simplices.star_radius = 0.04;
   measures.simplices.holds = Verdict::undecided;
-  EXPECT_FALSE(derive(run, measures).claims.riemannian.has_value());
+  EXPECT_FALSE(derive(run, measures).claims.triangulation->riemannian.has_value());
 }
 
 TEST(SpaceFormClaims, of_the_input_need_whole_patches) {
@@ -131,7 +131,7 @@ TEST(SpaceFormClaims, of_the_input_need_whole_patches) {
   const SpaceFormAtlas<2> small(sphere.form, centres, ratio(1, 8), 5);
   std::vector<std::string> reasons;
   const auto claims = derive_claims<2>(small, sphere.parameters, sphere.run, sphere.measures, all_levels(), reasons);
-  EXPECT_FALSE(claims.density.has_value());
+  EXPECT_FALSE(claims.input.has_value());
   EXPECT_TRUE(claims.delaunay.has_value());
   EXPECT_EQ(reasons, Names{"level 0: patches are smaller than 9 sampling radii"});
 }
@@ -145,24 +145,10 @@ TEST(SpaceFormClaims, need_balls_that_fit_into_patches) {
     return derive(run, sphere.measures);
   };
   // A patch has the radius 9/8; points move by at most 1/32.
-  EXPECT_EQ(names_of(changed(0.6, 0.2).claims), Names{});
+  EXPECT_EQ(changed(0.6, 0.2).claims.names(), Names{});
   EXPECT_TRUE(changed(0.6, 0.2).has_reason("level 1: a circumball with its protection does not fit"));
-  EXPECT_EQ(names_of(changed(0.2, 0.6).claims), (Names{"1", "2", "2s"}));
+  EXPECT_EQ(changed(0.2, 0.6).claims.names(), (Names{"1", "2", "2s"}));
   EXPECT_TRUE(changed(0.2, 0.6).has_reason("level 4: a circumball with its protection does not fit"));
-}
-
-TEST(SpaceFormParameters, are_in_the_ranges_of_the_format) {
-  PerturbationParameters parameters = measured_parameters(Dimension(3), 5);
-  const RunParameters measured = space_form_parameters(parameters, Dimension(3), true);
-  EXPECT_EQ(measured.mode, RunMode::measured);
-  EXPECT_GT(measured.squared_flake_parameter, Rational(0));
-  EXPECT_LE(measured.squared_flake_parameter, Rational(1));
-  EXPECT_EQ(measured.algorithm.seed, 5U);
-  parameters.tolerance = Rational(0);
-  const RunParameters none = space_form_parameters(parameters, Dimension(3), false);
-  EXPECT_EQ(none.mode, RunMode::none);
-  EXPECT_EQ(none.algorithm.perturbation, Rational(0));
-  EXPECT_GT(none.squared_flake_parameter, Rational(0));
 }
 
 }  // namespace DELCERT_THIS_FILE

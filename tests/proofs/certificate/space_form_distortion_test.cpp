@@ -2,27 +2,24 @@
 
 #include <gtest/gtest.h>
 
-#include "kernel/manifold/space_form_file.hpp"
-#include "kernel/sample/space_form_net.hpp"
-#include "proofs/certificate/space_form_claims.hpp"
 #include "tests/kernel/manifold/exhaustive.hpp"
+#include "tests/proofs/certificate/space_form_run.hpp"
 
 namespace delcert::test {
 namespace DELCERT_THIS_FILE {
 
-SpaceFormClaims claims_of(const Rational& epsilon) {
-  SpaceFormClaims claims;
+Claims claims_of(const Rational& epsilon) {
+  Claims claims;
   claims.stars = StarMargins{epsilon / Rational(20), ratio(1, 7), Rational(11) * epsilon / Rational(10)};
-  claims.delaunay = SpaceFormClaims::Delaunay{Rational(0), Rational(11) * epsilon / Rational(10)};
+  claims.delaunay = DelaunayClaim{DelaunayClaim::Balls{Rational(0), Rational(11) * epsilon / Rational(10)}, {}};
   return claims;
 }
 
-SpaceFormDistortion measured(const std::string& name, const Rational& epsilon, const SpaceFormClaims& claims) {
+SpaceFormDistortion measured(const std::string& name, const Rational& epsilon, const Claims& claims) {
   const SpaceForm form = verify_space_form(find_space_form(name));
   auto net = space_form_net<2>(form, epsilon, 1, no_progress());
   const SpaceFormAtlas<2> atlas(form, std::move(net.centres), epsilon);
-  return measure_distortion<2>(atlas, space_form_parameters(measured_parameters(Dimension(2), 1), Dimension(2), true),
-                               claims);
+  return measure_distortion<2>(atlas, stated_parameters(measured_parameters(Dimension(2), 1), Dimension(2)), claims);
 }
 
 TEST(SpaceFormDistortion, is_enclosed_by_the_farthest_pair_of_neighbours) {
@@ -65,7 +62,7 @@ TEST(SpaceFormDistortion, leaves_all_of_the_margin_on_flat_ones) {
 
 TEST(SpaceFormDistortion, is_not_known_for_stars_beyond_the_region_of_interest) {
   const Rational epsilon = ratio(1, 10);
-  SpaceFormClaims claims = claims_of(epsilon);
+  Claims claims = claims_of(epsilon);
   claims.stars->circumradius = Rational(2) * epsilon;
   const auto margin = measured("bolza-surface", epsilon, claims).stability.value();
   EXPECT_FALSE(margin.by_transitions.has_value());

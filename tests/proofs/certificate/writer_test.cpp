@@ -7,13 +7,23 @@
 #include <nlohmann/json.hpp>
 
 #include "delcert_version.hpp"
+#include "kernel/manifold/quotient/space_form_families.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "kernel/number/self_test.hpp"
+#include "proofs/certificate/reader.hpp"
 #include "tests/proofs/certificate/small_run.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
 namespace DELCERT_THIS_FILE {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<std::string> keys_of(const Json& object) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : object.items()) keys.push_back(key);
+  return keys;
+}
 
 std::string hexadecimal_sha256(std::string_view bytes) {
   sha256_ctx context;
@@ -158,20 +168,10 @@ TEST(Writer, DescribesABallByItsRadius) {
   disk.radius = Rational(Integer(7), Integer(3));
   const test::TemporaryFolder folder;
   const Claims claims = small_run().claims({"1"});
-  write_certificate<2>(folder / "c.json", {disk, small_run().parameters, small_run().atlas,
-                                           small_run().density.simplices, small_run().run, claims});
+  small_run().write(folder / "c.json", claims, disk);
   const auto json = nlohmann::ordered_json::parse(bytes_of(folder / "c.json"));
   EXPECT_EQ(json.at("manifold").dump(),
             R"({"name":"a \"disk\"","family":"euclidean-ball","dimension":2,"radius":"7/3"})");
-}
-
-TEST(Writer, NamesModesAndCandidateRulesAsInFiles) {
-  EXPECT_EQ(name_of(RunMode::theory), "theory");
-  EXPECT_EQ(name_of(RunMode::measured), "measured");
-  EXPECT_EQ(name_of(RunMode::none), "none");
-  EXPECT_EQ(name_of(CandidateRule::pruned), "pruned");
-  EXPECT_EQ(name_of(CandidateRule::whole), "whole");
-  EXPECT_EQ(name_of(CandidateRule::printed), "printed");
 }
 
 TEST(Writer, SimplicesAreSortedByTheirIncreasingLabels) {
@@ -190,11 +190,53 @@ TEST(Writer, SimplicesAreSortedByTheirIncreasingLabels) {
 TEST(Writer, LeavesOutTheWitnessOfALevelThatIsNotClaimed) {
   const test::TemporaryFolder folder;
   const Claims claims = small_run().claims({"1", "2"});
-  write_certificate<2>(folder / "c.json", {small_run().manifold, small_run().parameters, small_run().atlas,
-                                           small_run().density.simplices, small_run().run, claims});
+  small_run().write(folder / "c.json", claims, small_run().manifold);
   const auto json = nlohmann::json::parse(bytes_of(folder / "c.json"));
   EXPECT_TRUE(json.at("net_simplices").empty());
   EXPECT_EQ(json.at("levels").size(), 2U);
+}
+
+TEST(Writer, NeedsNoRunAndTheReaderReadsWhatItWrites) {
+  const test::TemporaryFolder folder;
+  const SpaceForm form = verify_space_form(sphere(2));
+  RunParameters parameters;
+  parameters.mode = RunMode::measured;
+  parameters.algorithm.separation = Rational(1);
+  const Rational epsilon(Integer(1), Integer(10));
+  const std::vector<Vector<Rational, 2>> centres{{Rational(0), Rational(1)}, {Rational(1), epsilon}},
+      vectors{{epsilon, Rational(0)}, {Rational(0), Rational(0)}};
+  const PlacedComplex<2> complex{{{0, 1}, {1, -1}}, {{0, 1, 2, 0, 1}, {0, 1, 3, 2, 0}}, {{{0, 0, 2}, {1, 2, 0}}}};
+  Claims claims;
+  claims.input = InputClaim{{}, InputClaim::Density{epsilon, Rational(2) * epsilon, Rational(3) * epsilon}};
+  claims.stars = StarMargins{epsilon, epsilon, epsilon};
+  claims.manifold = ManifoldClaim{};
+  claims.stable_stars = StableStarsClaim{epsilon};
+  claims.delaunay = DelaunayClaim{DelaunayClaim::Balls{epsilon, epsilon}, {}};
+  claims.triangulation = TriangulationClaim{"space-form", TriangulationClaim::RiemannianSimplices{epsilon, epsilon}};
+  claims.metric = MetricClaim{true, Rational(0), epsilon, Rational(2)};
+  write_certificate<2>(folder / "s.json", {manifold_object(form), parameters, epsilon, claims, 2,
+                                           [&](Label at) { return centres[at.value]; },
+                                           [&](Label at) { return vectors[at.value]; }, complex});
+  const Json json = Json::parse(bytes_of(folder / "s.json"));
+  EXPECT_EQ(keys_of(json),
+            (std::vector<std::string>{"format", "version", "software", "manifold", "parameters", "levels", "net",
+                                      "net_simplices", "points", "elements", "simplices", "loops", "sha256"}));
+  EXPECT_EQ(keys_of(json["levels"]), (std::vector<std::string>{"0", "1", "2", "2s", "4", "5", "6"}));
+  EXPECT_EQ(json["levels"]["0"], Json::parse(R"({"density":"1/10","distortion":"1/5","metric_distortion":"3/10"})"));
+  EXPECT_EQ(json["levels"]["5"], Json::parse(R"({"route":"space-form","thickness":"1/10","radius":"1/10"})"));
+  EXPECT_EQ(json["levels"]["6"], Json::parse(R"({"self_delaunay":true,"weight":"0","bilipschitz":["1/10","2"]})"));
+  EXPECT_EQ(json["net"], Json::parse(R"([["0","1"],["1","1/10"]])"));
+  EXPECT_EQ(json["points"], Json::parse(R"([["1/10","0"],["0","0"]])"));
+  EXPECT_EQ(json["elements"], Json::parse("[[0,1],[1,-1]]"));
+  EXPECT_EQ(json["simplices"], Json::parse("[[0,1,2,0,1],[0,1,3,2,0]]"));
+  EXPECT_EQ(json["loops"], Json::parse("[[0,0,2,1,2,0]]"));
+
+  const CertificateSummary read = read_certificate(folder / "s.json");
+  EXPECT_EQ(read.family, "spherical");
+  EXPECT_EQ(read.manifold.name, form.description.name);
+  EXPECT_EQ(read.manifold.dimension, Dimension(2));
+  EXPECT_EQ(read.points[0][0], epsilon);
+  EXPECT_EQ(read.levels.size(), 7U);
 }
 
 }  // namespace DELCERT_THIS_FILE

@@ -1,16 +1,18 @@
-#include "proofs/certificate/metric_field_writer.hpp"
+#include "proofs/certificate/content.hpp"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
+#include "kernel/manifold/quotient/space_form_families.hpp"
+#include "kernel/manifold/space_form_file.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "proofs/certificate/reader.hpp"
 #include "tests/proofs/certificate/metric_field_run.hpp"
 #include "tests/proofs/certificate/small_run.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace delcert::test {
+namespace delcert {
 namespace DELCERT_THIS_FILE {
 
 using Json = nlohmann::ordered_json;
@@ -21,11 +23,40 @@ std::vector<std::string> keys_of(const Json& object) {
   return keys;
 }
 
+TEST(Content, GroupsAreWrittenExactly) {
+  const SpaceForm form = verify_space_form(find_space_form("klein-quartic"));
+  const Json json = Json::parse(manifold_object(form));
+  EXPECT_EQ(keys_of(json), (std::vector<std::string>{"name", "family", "dimension", "field", "root", "time", "gram",
+                                                     "generators", "injectivity_radius"}));
+  EXPECT_EQ(json["family"], "hyperbolic");
+  EXPECT_EQ(json["field"], Json::parse(R"(["1","-2","-1","1"])"));
+  EXPECT_EQ(json["time"], Json::parse(R"(["136","-196","-244"])"));
+  ASSERT_EQ(json["generators"].size(), form.description.generators.size());
+  const FieldElement& entry = form.description.generators[3](2, 1);
+  std::vector<Rational> read;
+  for (const Json& coefficient : json["generators"][3][2][1])
+    read.push_back(parse_exact(coefficient.get<std::string>()));
+  EXPECT_EQ(read, entry.coefficients());
+  // The only root of t^3 - t^2 - 2t + 1 above 1.
+  const Rational lower = parse_exact(json["root"][0].get<std::string>()),
+                 upper = parse_exact(json["root"][1].get<std::string>());
+  const auto value = [](const Rational& t) { return ((t - Rational(1)) * t - Rational(2)) * t + Rational(1); };
+  EXPECT_LT(value(lower), Rational(0));
+  EXPECT_GT(value(upper), Rational(0));
+  EXPECT_GT(lower, Rational(1));
+}
+
+TEST(Content, FamiliesAreNamedByTheirCurvature) {
+  EXPECT_EQ(family_of(Curvature::positive), "spherical");
+  EXPECT_EQ(family_of(Curvature::zero), "flat");
+  EXPECT_EQ(family_of(Curvature::negative), "hyperbolic");
+}
+
 Rational exact(const Json& text) { return parse_exact(text.get<std::string>()); }
 
-TEST(MetricFieldWriter, WritesTheKeysOfTheFormatAndTheReaderReadsThem) {
-  const auto& sample = sheared_run();
-  const TemporaryFolder folder;
+TEST(Content, OfAMetricFieldHasTheKeysOfTheFormatAndTheReaderReadsThem) {
+  const auto& sample = test::sheared_run();
+  const test::TemporaryFolder folder;
   std::vector<std::string> reasons;
   sample.write(folder / "m.json", sample.claims(reasons));
   const Json json = Json::parse(bytes_of(folder / "m.json"));
@@ -59,19 +90,19 @@ TEST(MetricFieldWriter, WritesTheKeysOfTheFormatAndTheReaderReadsThem) {
   EXPECT_EQ(read.levels.size(), 4U);
 }
 
-TEST(MetricFieldWriter, WritesTheMarginsOfLevel4) {
-  const auto& sample = flat_run();
-  const TemporaryFolder folder;
+TEST(Content, OfAMetricFieldHasTheMarginsOfLevel4) {
+  const auto& sample = test::flat_run();
+  const test::TemporaryFolder folder;
   std::vector<std::string> reasons;
   const auto claims = sample.claims(reasons);
   sample.write(folder / "m.json", claims);
   const Json json = Json::parse(bytes_of(folder / "m.json"));
   EXPECT_EQ(keys_of(json["levels"]), (std::vector<std::string>{"1", "2", "2s", "4", "5"}));
   EXPECT_EQ(keys_of(json["levels"]["4"]), (std::vector<std::string>{"edge", "margin"}));
-  EXPECT_EQ(exact(json["levels"]["4"]["edge"]), claims.delaunay->edge);
-  EXPECT_EQ(exact(json["levels"]["4"]["margin"]), claims.delaunay->margin);
+  EXPECT_EQ(exact(json["levels"]["4"]["edge"]), claims.delaunay->stability->edge);
+  EXPECT_EQ(exact(json["levels"]["4"]["margin"]), claims.delaunay->stability->margin);
   EXPECT_EQ(read_certificate(folder / "m.json").levels.size(), 5U);
 }
 
 }  // namespace DELCERT_THIS_FILE
-}  // namespace delcert::test
+}  // namespace delcert

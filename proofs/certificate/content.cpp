@@ -1,0 +1,171 @@
+#include "proofs/certificate/content.hpp"
+
+#include <fmt/format.h>
+
+#include "kernel/simplex/dimensions.hpp"
+#include "proofs/certificate/document.hpp"
+
+namespace delcert {
+
+namespace {
+
+std::string matrix_text(const std::vector<std::vector<Rational>>& matrix) {
+  return listed(matrix, [](const auto& row) { return listed(row, number); });
+}
+
+std::string wave_text(const MetricFieldDescription::Term& wave) {
+  return "{\"frequency\":" + listed(wave.frequency, [](int k) { return std::to_string(k); }) +
+         ",\"cosine\":" + matrix_text(wave.cosine) + ",\"sine\":" + matrix_text(wave.sine) + "}";
+}
+
+using Field = FieldElement::Field;
+
+Field field_of(const SpaceForm& form) {
+  if (form.form().time().field()) return form.form().time().field();
+  std::vector<const FieldMatrix*> matrices{&form.form().gram()};
+  for (const FieldMatrix& generator : form.description.generators) matrices.push_back(&generator);
+  for (const FieldMatrix* matrix : matrices) {
+    for (std::size_t row = 0; row < matrix->order(); ++row) {
+      for (std::size_t column = 0; column < matrix->order(); ++column) {
+        if ((*matrix)(row, column).field()) return (*matrix)(row, column).field();
+      }
+    }
+  }
+  return nullptr;
+}
+
+/// The polynomial and two numbers around its root, so close that no other one of it or of its derivative is between.
+std::string field_entries(const Field& field) {
+  if (!field) return R"("field":["0","1"],"root":["-1","1"])";
+  std::vector<Rational> coefficients;
+  for (long k = 0; k <= field->degree(); ++k) {
+    Rational::Wrapped coefficient;
+    fmpq_poly_get_coeff_mpq(coefficient.backend().data(), field->modulus(), k);
+    coefficients.emplace_back(coefficient);
+  }
+  const BigInterval root = field->root();
+  return "\"field\":" + listed(coefficients, number) + ",\"root\":[" + number(rounded_down(root.lower(), -64)) + "," +
+         number(rounded_up(root.upper(), -64)) + "]";
+}
+
+std::string element_text(const FieldElement& x) {
+  const std::vector<Rational> coefficients = x.coefficients();
+  return coefficients.empty() ? "[\"0\"]" : listed(coefficients, number);
+}
+
+std::string field_matrix_text(const FieldMatrix& a) {
+  std::vector<std::string> rows;
+  for (std::size_t row = 0; row < a.order(); ++row) {
+    std::vector<FieldElement> entries;
+    for (std::size_t column = 0; column < a.order(); ++column) entries.push_back(a(row, column));
+    rows.push_back(listed(entries, element_text));
+  }
+  return listed(rows, [](const std::string& row) { return row; });
+}
+
+/// The entries on and above the diagonal, row by row.
+template <int m>
+std::vector<Rational> upper_triangle(const AffineChart<m>& chart) {
+  std::vector<Rational> entries;
+  for (std::size_t row = 0; row < m; ++row) {
+    for (std::size_t column = row; column < m; ++column) entries.push_back(chart.matrix()[row][column]);
+  }
+  return entries;
+}
+
+template <int m>
+typename CertificateContent<m>::Coordinates exactly(const PointSet<m>& points) {
+  return [&points](Label at) { return points.exact(at); };
+}
+
+}  // namespace
+
+std::string manifold_object(const ManifoldDescription& manifold) {
+  const bool is_ball = manifold.family == ManifoldFamily::euclidean_ball;
+  return fmt::format("{{\"name\":{},\"family\":\"{}\",\"dimension\":{},\"{}\":{}}}", quoted(manifold.name),
+                     name_of(manifold.family), manifold.dimension.value, is_ball ? "radius" : "gram",
+                     is_ball ? number(manifold.radius) : matrix_text(manifold.gram));
+}
+
+std::string_view family_of(Curvature curvature) {
+  return curvature == Curvature::positive ? "spherical" : curvature == Curvature::zero ? "flat" : "hyperbolic";
+}
+
+std::string manifold_object(const SpaceForm& form) {
+  return fmt::format(
+      "{{\"name\":{},\"family\":\"{}\",\"dimension\":{},{},\"time\":{},\"gram\":{},\"generators\":{},"
+      "\"injectivity_radius\":{}}}",
+      quoted(form.description.name), family_of(form.form().curvature()), form.form().dimension(),
+      field_entries(field_of(form)), element_text(form.form().time()), field_matrix_text(form.form().gram()),
+      listed(form.description.generators, field_matrix_text), number(form.injectivity_radius.lower));
+}
+
+std::string manifold_object(const MetricFieldDescription& field, const ChartDistortion& distortion,
+                            const Rational& patch_radius) {
+  return fmt::format(
+      "{{\"name\":{},\"family\":\"metric-field\",\"dimension\":{},\"constant\":{},\"waves\":{},\"rounding\":{},"
+      "\"patch_radius\":{},\"metric_distortion\":{}}}",
+      quoted(field.name), field.dimension.value, matrix_text(field.constant), listed(field.waves, wave_text),
+      number(distortion.rounding), number(patch_radius), number(distortion.metric));
+}
+
+template <int m>
+CertificateContent<m> content_of(const ManifoldDescription& manifold, const FlatAtlas<m>& atlas,
+                                 std::span<const LiftedSimplex<m>> net_simplices, const RunParameters& parameters,
+                                 const RunResult<m>& run, const Claims& claims) {
+  return {manifold_object(manifold),
+          parameters,
+          atlas.sampling_radius(),
+          claims,
+          atlas.size(),
+          exactly(atlas.net()),
+          exactly(run.points),
+          placed_complex<m>(atlas, run.points, run.complex),
+          net_simplices};
+}
+
+template <int m>
+CertificateContent<m> content_of(const SpaceFormAtlas<m>& atlas, const RunParameters& parameters,
+                                 const ChartRun<m>& run, const Claims& claims) {
+  return {manifold_object(atlas.form()),
+          parameters,
+          atlas.sampling_radius(),
+          claims,
+          atlas.size(),
+          [&atlas](Label at) { return atlas.centre(at); },
+          exactly(run.points),
+          placed_complex<m>(atlas, run.complex)};
+}
+
+template <int m>
+CertificateContent<m> content_of(const MetricFieldAtlas<m>& atlas, const ChartDistortion& distortion,
+                                 const RunParameters& parameters, const ChartRun<m>& run, const Claims& claims) {
+  return {manifold_object(atlas.field().description(), distortion, atlas.patch_radius()),
+          parameters,
+          atlas.sampling_radius(),
+          claims,
+          atlas.size(),
+          [&atlas](Label at) { return atlas.centre(at); },
+          exactly(run.points),
+          placed_complex<m>(atlas, run.complex),
+          {},
+          distortion.transition,
+          [&atlas](Label at) { return upper_triangle<m>(atlas.chart(at)); }};
+}
+
+#define DELCERT_INSTANTIATE(m)                                                                          \
+  template CertificateContent<m> content_of<m>(const ManifoldDescription&, const FlatAtlas<m>&,         \
+                                               std::span<const LiftedSimplex<m>>, const RunParameters&, \
+                                               const RunResult<m>&, const Claims&);
+DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
+#undef DELCERT_INSTANTIATE
+#define DELCERT_INSTANTIATE(m)                                                                                     \
+  template CertificateContent<m> content_of<m>(const SpaceFormAtlas<m>&, const RunParameters&, const ChartRun<m>&, \
+                                               const Claims&);                                                     \
+  template CertificateContent<m> content_of<m>(const MetricFieldAtlas<m>&, const ChartDistortion&,                 \
+                                               const RunParameters&, const ChartRun<m>&, const Claims&);
+DELCERT_INSTANTIATE(2)
+DELCERT_INSTANTIATE(3)
+#undef DELCERT_INSTANTIATE
+
+}  // namespace delcert

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "kernel/manifold/gluing/chart_distortion.hpp"
+#include "kernel/manifold/gluing/metric_field_atlas.hpp"
+#include "kernel/manifold/manifold_file.hpp"
+#include "kernel/manifold/quotient/space_form_atlas.hpp"
+#include "kernel/run/chart_run.hpp"
+#include "proofs/certificate/writer.hpp"
+
+namespace delcert {
+
+// What each family puts into a certificate (docs/certificate-format.md).
+
+/// The value of the key `manifold`: a Gram matrix or a radius; a group, exactly.
+[[nodiscard]] std::string manifold_object(const ManifoldDescription& manifold);
+[[nodiscard]] std::string manifold_object(const SpaceForm& form);
+/// A metric, and how far the charts are from it on patches of this radius.
+[[nodiscard]] std::string manifold_object(const MetricFieldDescription& field, const ChartDistortion& distortion,
+                                          const Rational& patch_radius);
+
+/// "spherical", "flat", "hyperbolic".
+[[nodiscard]] std::string_view family_of(Curvature curvature);
+
+/// Of a certified run. References are kept.
+template <int m>
+[[nodiscard]] CertificateContent<m> content_of(const ManifoldDescription& manifold, const FlatAtlas<m>& atlas,
+                                               std::span<const LiftedSimplex<m>> net_simplices,
+                                               const RunParameters& parameters, const RunResult<m>& run,
+                                               const Claims& claims);
+template <int m>
+[[nodiscard]] CertificateContent<m> content_of(const SpaceFormAtlas<m>& atlas, const RunParameters& parameters,
+                                               const ChartRun<m>& run, const Claims& claims);
+template <int m>
+[[nodiscard]] CertificateContent<m> content_of(const MetricFieldAtlas<m>& atlas, const ChartDistortion& distortion,
+                                               const RunParameters& parameters, const ChartRun<m>& run,
+                                               const Claims& claims);
+
+}  // namespace delcert
