@@ -16,13 +16,13 @@ namespace delcert {
 namespace {
 
 std::vector<LevelLine> lines_of(const GivenComplexClaims& claims) {
-  const SpaceFormClaims& levels = claims.levels;
+  const Claims& levels = claims.levels;
   std::vector<LevelLine> lines;
   if (levels.manifold) lines.push_back({"2", manifold_line(*levels.manifold)});
   if (levels.delaunay) {
-    lines.push_back(
-        {"4", fmt::format("Delaunay in the manifold: protection ≥ {}, circumradius ≤ {}",
-                          decimal_lower(levels.delaunay->protection), decimal_upper(levels.delaunay->circumradius))});
+    lines.push_back({"4", fmt::format("Delaunay in the manifold: protection ≥ {}, circumradius ≤ {}",
+                                      decimal_lower(levels.delaunay->balls->protection),
+                                      decimal_upper(levels.delaunay->balls->circumradius))});
   }
   if (levels.triangulation) {
     lines.push_back({"5", "triangulation: the group acts freely and cocompactly, and its quotient is the complex"});
@@ -73,8 +73,8 @@ std::string report_json(const ComplexReport& report) {
     json["homology"] = homology_texts(*manifold);
   }
   if (const auto& delaunay = report.claims.levels.delaunay) {
-    json["delaunay"] = {{"protection", exact_text(delaunay->protection)},
-                        {"circumradius", exact_text(delaunay->circumradius)}};
+    json["delaunay"] = {{"protection", exact_text(delaunay->balls->protection)},
+                        {"circumradius", exact_text(delaunay->balls->circumradius)}};
   }
   if (const auto& metric = report.claims.levels.metric)
     json["bilipschitz"] = {exact_text(metric->least_stretch), exact_text(metric->greatest_stretch)};

@@ -311,14 +311,17 @@ def surface(folder, name, comment, word):
         letter = word[side].lower()
         if side == k:
             for part in (1, 2):
-                points[f"{letter}{part}"] = barycentre((places[k], places[(k + 1) % 8]), (3 - part, part))
+                points[f"{letter}{part}"] = barycentre((places[k], places[(k + 1) % 8]), (4 - part, 1 + part))
         # Whether the element takes the beginning of the first side to the beginning of this one.
         parts = (1, 2) if word[side] == word[k] else (2, 1)
         boundary += [(f"{letter}{part}", element) for part in parts]
     simplices = []
     for k in range(24):
-        x, y = (moved(polytope.time, element, points[point]) for point, element in (boundary[k], boundary[(k + 1) % 24]))
-        points[f"r{k:02}"] = barycentre((points["o"], x, y), (2, 1, 1))
+        beyond = (boundary[k], boundary[(k + 1) % 24])
+        # So weighted that the triangles are Delaunay.
+        weights = [7 if point == "v" else 10 for point, _ in beyond]
+        places = [moved(polytope.time, element, points[point]) for point, element in beyond]
+        points[f"r{k:02}"] = barycentre([points["o"]] + places, [10 if 7 in weights else 5] + weights)
     for k in range(24):
         here, there = (f"r{k:02}", one), (f"r{(k + 1) % 24:02}", one)
         simplices += [[here, boundary[k], boundary[(k + 1) % 24]], [here, there, boundary[(k + 1) % 24]],

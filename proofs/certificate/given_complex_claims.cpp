@@ -9,7 +9,7 @@
 #include "kernel/manifold/quotient/element_table.hpp"
 #include "kernel/simplex/circumsphere.hpp"
 #include "kernel/simplex/inertia.hpp"
-#include "kernel/topology/homology.hpp"
+#include "proofs/certificate/content.hpp"
 #include "proofs/certificate/stated_bounds.hpp"
 
 namespace delcert {
@@ -202,11 +202,6 @@ class GivenGeometry {
   BigInterval squared_cosine_;
 };
 
-ManifoldClaim manifold_claim(int dimension, const std::vector<std::uint32_t>& labels, std::size_t simplices) {
-  const PureComplex complex(Dimension(dimension), labels);
-  return {simplices, static_cast<long>(complex.euler_characteristic()), true, homology(complex)};
-}
-
 }  // namespace
 
 template <int m>
@@ -216,8 +211,9 @@ GivenComplexClaims claims_of(const InvariantForm& form, const GivenComplex<m>& g
   std::vector<std::uint32_t> labels;
   for (const auto& simplex : given.complex.simplices)
     labels.insert(labels.end(), simplex.begin(), simplex.begin() + m + 1);
-  result.levels.manifold = manifold_claim(m, labels, given.complex.simplices.size());
-  result.levels.triangulation = selects(selection, "5") || selects(selection, "6");
+  result.levels.manifold = manifold_claim(PureComplex(Dimension(m), labels), given.complex.simplices.size(), true);
+  if (selects(selection, "5") || selects(selection, "6"))
+    result.levels.triangulation = TriangulationClaim{"space-form", {}};
 
   GivenGeometry<m> geometry(form, given);
   geometry.measure_simplices();
@@ -243,24 +239,23 @@ GivenComplexClaims claims_of(const InvariantForm& form, const GivenComplex<m>& g
     } else {
       Rational margin = geometry.protection ? stated_below(geometry.protection->lower()) : radius;
       if (form.curvature() == Curvature::positive && margin >= most) margin = stated_below(most);
-      result.levels.delaunay = SpaceFormClaims::Delaunay{margin, radius};
+      result.levels.delaunay = DelaunayClaim{DelaunayClaim::Balls{margin, radius}, {}};
     }
   }
   if (selects(selection, "6")) {
-    SpaceFormClaims::Metric metric{{}, Rational(1), Rational(1)};
-    if (form.curvature() != Curvature::zero) {
-      if (geometry.above == steps_of_stretch || geometry.below == steps_of_stretch) {
-        refuse("6", "a simplex is stretched too much");
-        return result;
-      }
-      const auto root = [](int step, bool above) { return square_root(BigInterval(squared_stretch(step, above))); };
-      metric.least_stretch = stated_below(root(geometry.below, false).lower(), digits_of_stretches);
-      metric.greatest_stretch = stated_above(root(geometry.above, true).upper(), digits_of_stretches);
+    if (geometry.above == steps_of_stretch || geometry.below == steps_of_stretch) {
+      refuse("6", "a simplex is stretched too much");
+      return result;
     }
+    const auto root = [](int step, bool above) { return square_root(BigInterval(squared_stretch(step, above))); };
+    MetricClaim metric;
+    metric.least_stretch = stated_below(root(geometry.below, false).lower(), digits_of_stretches);
+    metric.greatest_stretch = stated_above(root(geometry.above, true).upper(), digits_of_stretches);
     if (m == 2 && !geometry.cotangents.empty()) {
       Rational least = geometry.cotangents.begin()->second.lower();
       for (const auto& [edge, sum] : geometry.cotangents) least = std::min(least, sum.lower());
-      if (least > Rational(0)) metric.weight = stated_below(least);
+      metric.self_delaunay = least > Rational(0);
+      if (metric.self_delaunay) metric.weight = stated_below(least);
     }
     result.levels.metric = metric;
   }
@@ -276,9 +271,11 @@ void write_given_complex(const std::filesystem::path& path, const ComplexDescrip
   parameters.mode = RunMode::none;
   parameters.algorithm.separation = Rational::power_of_two(-10);
   parameters.squared_flake_parameter = Rational::power_of_two(-120);
-  const std::vector<Vector<Rational, m>> vectors(given.points.size());
-  write_space_form_certificate<m>(
-      path, {form, parameters, claims.longest_edge, given.points, vectors, given.complex, claims.levels}, progress);
+  write_certificate<m>(path,
+                       {manifold_object(form), parameters, claims.longest_edge, claims.levels, given.points.size(),
+                        [&](Label label) { return given.points[label.value]; },
+                        [](Label) { return Vector<Rational, m>{}; }, given.complex},
+                       progress);
 }
 
 #define DELCERT_INSTANTIATE(m)                                                                                  \

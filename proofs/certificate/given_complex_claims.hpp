@@ -1,16 +1,18 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "proofs/certificate/claims.hpp"
 #include "proofs/certificate/given_complex.hpp"
-#include "proofs/certificate/space_form_writer.hpp"
+#include "support/progress.hpp"
 
 namespace delcert {
 
 /// What is claimed of a given complex, and with which margins.
 struct GivenComplexClaims {
-  SpaceFormClaims levels;                ///< 2, 4, 5 and 6 at most
+  Claims levels;                         ///< 2, 4, 5 and 6 at most
   Rational longest_edge;                 ///< an upper bound
   std::vector<std::string> not_reached;  ///< why levels 4 and 6 are not claimed, by labels
 };
