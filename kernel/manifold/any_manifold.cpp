@@ -23,8 +23,30 @@ namespace {
 using Parse = AnyManifold (*)(std::string_view text, const std::string& source);
 
 AnyManifold parsed_as_flat(std::string_view text, const std::string& source) { return parse_manifold(text, source); }
+
+/// The flat torus that a quotient of Euclidean space by translations alone is. None if the file says another homology
+/// or an order: that is left to the verification of groups, which refuses it.
+std::optional<ManifoldDescription> flat_torus_of(const SpaceFormDescription& form) {
+  const auto m = static_cast<std::size_t>(form.form.dimension());
+  const bool is_torus = form.form.curvature() == Curvature::zero && form.generators.empty() && !form.order &&
+                        form.first_homology == "Z^" + std::to_string(m);
+  if (!is_torus) return std::nullopt;
+  ManifoldDescription result{form.name, ManifoldFamily::flat_torus, Dimension(form.form.dimension()), {}, Rational(0)};
+  for (std::size_t row = 0; row < m; ++row) {
+    auto& entries = result.gram.emplace_back();
+    for (std::size_t column = 0; column < m; ++column) {
+      const FieldElement& entry = form.form.gram()(row, column);
+      if (!entry.is_rational()) return std::nullopt;
+      entries.push_back(entry.rational());
+    }
+  }
+  return result;
+}
+
 AnyManifold parsed_as_space_form(std::string_view text, const std::string& source) {
-  return parse_space_form(text, source);
+  SpaceFormDescription form = parse_space_form(text, source);
+  if (auto torus = flat_torus_of(form)) return *std::move(torus);
+  return form;
 }
 AnyManifold parsed_as_metric_field(std::string_view text, const std::string& source) {
   return parse_metric_field(text, source);
@@ -35,13 +57,14 @@ struct Family {
   Parse parse;
 };
 
-constexpr std::array<Family, 8> families{{{"flat-torus", parsed_as_flat},
+constexpr std::array<Family, 9> families{{{"flat-torus", parsed_as_flat},
                                           {"euclidean-ball", parsed_as_flat},
                                           {"space-form", parsed_as_space_form},
                                           {"sphere", parsed_as_space_form},
                                           {"projective-space", parsed_as_space_form},
                                           {"lens-space", parsed_as_space_form},
                                           {"regular-polygon-surface", parsed_as_space_form},
+                                          {"product-with-circle", parsed_as_space_form},
                                           {"metric-field", parsed_as_metric_field}}};
 
 std::string listed(const std::vector<std::string_view>& names) {

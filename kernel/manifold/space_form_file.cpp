@@ -40,8 +40,19 @@ class SpaceFormReader : GroupReader {
       refuse_unknown(table_, {"name", "family", "genus"});
       return regular_polygon_surface(integer(table_, "genus", 2, 50));
     }
+    if (family == "product-with-circle") {
+      refuse_unknown(table_, {"name", "family", "surface", "length"});
+      const Rational length =
+          of_text(required(table_, "length"), "key \"length\"", [](const std::string& x) { return parse_exact(x); });
+      try {
+        return product_with_circle(find_space_form(short_string(table_, "surface")), length);
+      } catch (const InputError& error) {
+        fail(required(table_, "surface").source(), error.what());
+      }
+    }
     fail(required(table_, "family"), "key \"family\"",
-         "\"space-form\", \"sphere\", \"projective-space\", \"lens-space\" or \"regular-polygon-surface\"");
+         "\"space-form\", \"sphere\", \"projective-space\", \"lens-space\", \"regular-polygon-surface\" or "
+         "\"product-with-circle\"");
   }
 
   SpaceFormDescription general() const {

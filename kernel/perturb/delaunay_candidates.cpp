@@ -18,14 +18,16 @@ template <int m>
 void DelaunayCandidates<m>::prepare(Label i, const CandidateTest<m>& test) {
   const Rational& unit = atlas_.sampling_radius(i);
   atlas_.sightings(i, approximate_double(reach_of_delaunay_candidates(parameters_) * unit), seen_);
-  std::vector<Vector<Filter, m>> others;
-  std::vector<bool> is_placed;
+  struct Other {
+    Vector<Filter, m> position;
+    bool is_placed;
+  };
+  std::vector<Other> others;
   for (const Sighting<m>& seen : seen_) {
     const Label label = label_of<m>(seen);
     if (label == i) continue;
-    is_placed.push_back(placed_[label.value] != 0);
-    const PointSet<m>& set = is_placed.back() ? points_ : atlas_.net();
-    others.push_back(atlas_.carry(i, seen, set.enclosure(label)));
+    const bool is_placed = placed_[label.value] != 0;
+    others.push_back({atlas_.carry(i, seen, (is_placed ? points_ : atlas_.net()).enclosure(label)), is_placed});
   }
   const Filter clearance = scalar_from<Filter>(parameters_.clearance * unit);
   const Filter drift = scalar_from<Filter>(parameters_.perturbation * unit);
@@ -37,13 +39,21 @@ void DelaunayCandidates<m>::prepare(Label i, const CandidateTest<m>& test) {
                         square_root(candidate.squared_radius)};
     if (!(sphere.radius.upper() <= largest)) continue;  // nothing is known of it
     // Vertices of the simplex are on the sphere, so none of them is inside by the clearance unless that is tiny.
-    bool is_empty = true;
-    for (std::size_t at = 0; at < others.size() && is_empty; ++at) {
-      const Filter depth = sphere.radius - distance(others[at], sphere.centre);
-      const Filter allowed = is_placed[at] ? clearance : clearance + drift;
-      is_empty = !is_proved(less(maximum(allowed, sphere.radius * Filter::exactly(0x1p-20)), depth));
+    const Filter least = sphere.radius * Filter::exactly(0x1p-20);
+    const auto is_inside = [&](const Other& other) {
+      const Filter allowed = other.is_placed ? clearance : clearance + drift;
+      const Filter squared = metric_.squared_norm(difference(other.position, sphere.centre));
+      // Most points are far outside: for these no root is taken.
+      if (squared.lower() > sphere.radius.upper() * sphere.radius.upper()) return false;
+      return is_proved(less(maximum(allowed, least), sphere.radius - square_root(squared)));
+    };
+    // A point that was inside of one sphere often is inside of the next one: it is asked first.
+    const auto inside = std::find_if(others.begin(), others.end(), is_inside);
+    if (inside == others.end()) {
+      spheres_.push_back(sphere);
+    } else {
+      std::iter_swap(others.begin(), inside);
     }
-    if (is_empty) spheres_.push_back(sphere);
   }
 }
 

@@ -16,8 +16,8 @@ constexpr std::size_t labels_in_a_part = 4;
 }  // namespace
 
 template <int m>
-Perturbation<m>::Perturbation(const Atlas<m>& atlas, const PerturbationParameters& parameters, PlacementOrder order)
-    : atlas_(atlas), parameters_(parameters), order_(order), state_(atlas, parameters) {}
+Perturbation<m>::Perturbation(const Atlas<m>& atlas, const PerturbationParameters& parameters)
+    : atlas_(atlas), parameters_(parameters), state_(atlas, parameters) {}
 
 template <int m>
 void Perturbation<m>::place_all(const Progress& progress) {
@@ -37,16 +37,6 @@ void Perturbation<m>::place_anew(std::vector<Label> labels, const Progress& prog
 
 template <int m>
 void Perturbation<m>::place(const std::vector<Label>& labels, std::string_view stage, const Progress& progress) {
-  if (order_ == PlacementOrder::by_label) {
-    Placement<m> placement(atlas_, parameters_, state_);
-    for (std::size_t at = 0; at < labels.size(); ++at) {
-      if (at % 256 == 0) progress(stage, at, labels.size());
-      placement.place(labels[at]);
-    }
-    statistics_ += placement.statistics();
-    progress(stage, labels.size(), labels.size());
-    return;
-  }
   if (colours_.empty()) colours_ = colours_of<m>(atlas_, Placement<m>::reach(parameters_), progress);
   std::vector<std::vector<Label>> classes;
   for (const Label label : labels) {

@@ -8,14 +8,6 @@
 
 namespace delcert {
 
-/// In which order labels are placed.
-enum class PlacementOrder {
-  by_label,  ///< in one thread
-  /// By the colours of `colours_of`, one after the other; labels of one colour in parallel, and as if in increasing
-  /// order (docs/decisions/placing-by-colours.md).
-  by_colour,
-};
-
 /// The extended algorithm: points are perturbed one after the other, uniformly on a dyadic grid in B(p_i, ρ₀ε_i), until
 /// the perturbation is good.
 ///
@@ -23,13 +15,14 @@ enum class PlacementOrder {
 /// where the parameters are such that the paper's lemmas apply. Taking points away keeps it, placing a point against
 /// all placed points keeps it; so any set of points may be placed anew, in any order.
 ///
-/// The result depends on the atlas, the parameters and the order only.
+/// Labels are placed by the colours of `colours_of`, one colour after the other; labels of one colour in parallel, and
+/// as if in increasing order (docs/decisions/placing-by-colours.md). The result depends on the atlas and the parameters
+/// only.
 template <int m>
 class Perturbation {
  public:
   /// The atlas must outlive it. Precondition: rounding to nearest.
-  Perturbation(const Atlas<m>& atlas, const PerturbationParameters& parameters,
-               PlacementOrder order = PlacementOrder::by_label);
+  Perturbation(const Atlas<m>& atlas, const PerturbationParameters& parameters);
 
   /// Places every label. Throws Rejection naming the first label for which no good perturbation was found.
   void place_all(const Progress& progress);
@@ -43,12 +36,11 @@ class Perturbation {
   [[nodiscard]] long grid_exponent() const { return state_.grid_exponent; }
 
  private:
-  /// Places these labels, sorted and none of them placed, in the order.
+  /// Places these labels, sorted and none of them placed, colour by colour.
   void place(const std::vector<Label>& labels, std::string_view stage, const Progress& progress);
 
   const Atlas<m>& atlas_;
   PerturbationParameters parameters_;
-  PlacementOrder order_;
   PlacedPoints<m> state_;
   std::vector<std::uint32_t> colours_;  // of the labels; empty until asked for
   PerturbationStatistics statistics_;

@@ -106,7 +106,7 @@ template <int m>
 ChartRun<m> run_in_charts(const Atlas<m>& atlas, const ModelGeometry& geometry,
                           const PerturbationParameters& parameters, const RunRequest& request,
                           const Progress& progress) {
-  Perturbation<m> perturbation(atlas, parameters, PlacementOrder::by_colour);
+  Perturbation<m> perturbation(atlas, parameters);
   if (request.perturb) perturbation.place_all(progress);
   const double required = request.required_protection ? approximate_double(*request.required_protection) : 0;
   Stars<m> stars(atlas, geometry, required);

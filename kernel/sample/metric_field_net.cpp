@@ -6,21 +6,15 @@
 
 #include "kernel/chart/net_grid.hpp"
 #include "kernel/number/exact_text.hpp"
+#include "kernel/sample/disk_sampling.hpp"
 #include "kernel/sample/spatial_order.hpp"
-#include "kernel/sample/voronoi_cells.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
 
 namespace {
 
-constexpr std::uint32_t batch = 4096;
-/// Darts are thrown until fewer than one in this many lands.
-constexpr std::uint32_t worth_throwing = 20;
-constexpr std::uint32_t most_rounds = 200;
 constexpr std::size_t most_points = 2000000;
-/// Of how many radii about a point others are looked at: more than 2, the less the quicker.
-constexpr double reach = 2.25;
 constexpr double cell_factor = 1.5;
 
 template <int m>
@@ -52,66 +46,47 @@ struct PlainChart {
   Vector<double, m> stretch;
 };
 
+/// The points of a metric field as `DiskSampling` takes them: coordinates about a point are those of its chart.
 template <int m>
-class MetricFieldSampling {
+class MetricFieldPoints {
  public:
-  MetricFieldSampling(const MetricField<m>& field, double radius)
-      : field_(field), radius_(radius), voronoi_(Curvature::zero, reach * radius), cells_(cell_widths()) {}
+  MetricFieldPoints(const MetricField<m>& field, double radius)
+      : field_(field), radius_(radius), cells_(cell_widths()) {}
 
-  void throw_darts(std::uint64_t seed, const Progress& progress) {
-    std::uint32_t dart = 0;
-    std::uint32_t landed = batch;
-    while (landed * worth_throwing >= batch) {
-      progress("throw darts", points_.size(), points_.size());
-      landed = 0;
-      for (const std::uint32_t end = dart + batch; dart < end; ++dart) {
-        CounterRandom random(seed, RandomPurpose::darts, dart, 0);
-        Vector<double, m> x;
-        for (double& coordinate : x) coordinate = random.next_unit();
-        x = on_grid(x);
-        if (is_free(x)) {
-          insert(x);
-          ++landed;
-        }
-      }
+  bool throw_dart(CounterRandom& random) {
+    Vector<double, m> x;
+    for (double& coordinate : x) coordinate = random.next_unit();
+    x = on_grid(x);
+    if (!is_free(x)) return false;
+    insert(x);
+    return true;
+  }
+  void insert_about(std::uint32_t label, const Vector<double, m>& place) {
+    const auto x = on_grid(sum(points_[label], applied_triangle(charts_[label].inverse, place)));
+    if (is_free_in_chart(label, x)) insert(x);
+  }
+  void look_about(std::uint32_t label, std::vector<Vector<double, m>>& around) const {
+    constexpr double reach = DiskSampling<m, MetricFieldPoints>::reach;
+    std::vector<Lift<m>> seen;
+    const auto& chart = charts_[label];
+    cells_.visit(points_[label], scaled(reach * radius_, chart.stretch), [&](const Lift<m>& lift) {
+      seen.push_back(lift);
+      return false;
+    });
+    std::sort(seen.begin(), seen.end());
+    around.clear();
+    for (const Lift<m>& lift : seen) {
+      if (lift.index == label && lift.is_unmoved()) continue;
+      const auto place = applied_triangle(chart.matrix, offset(lift, points_[label]));
+      if (pairing(place, place) <= reach * radius_ * (reach * radius_)) around.push_back(place);
     }
   }
+  [[nodiscard]] std::size_t size() const { return points_.size(); }
 
-  void fill_gaps(std::uint64_t seed, const Progress& progress) {
-    // A cell without gaps stays without them, so only these and the new ones are looked at again.
-    std::vector<std::uint32_t> open(points_.size());
-    for (std::uint32_t label = 0; label < open.size(); ++label) open[label] = label;
-    for (std::uint32_t round = 0; !open.empty(); ++round) {
-      if (round == most_rounds)
-        throw Rejection("maximal Poisson-disk sampling found gaps for " + std::to_string(most_rounds) + " rounds");
-      std::vector<std::uint32_t> still_open;
-      const auto first_new = static_cast<std::uint32_t>(points_.size());
-      for (std::size_t at = 0; at < open.size(); ++at) {
-        if (at % 1024 == 0) progress("fill gaps", at, open.size());
-        const std::uint32_t label = open[at];
-        const auto cell = voronoi_.cell(around(label));
-        CounterRandom random(seed, RandomPurpose::gap_filling, label, round);
-        const auto places = voronoi_.points_in_gaps(cell, radius_, random);
-        for (const auto& place : places) {
-          const auto x = on_grid(sum(points_[label], applied_triangle(charts_[label].inverse, place)));
-          if (is_free_in_chart(label, x)) insert(x);
-        }
-        if (places.empty()) {
-          covering_radius_ = std::max(covering_radius_, cell.farthest_vertex);
-        } else {
-          still_open.push_back(label);
-        }
-      }
-      for (auto label = first_new; label < points_.size(); ++label) still_open.push_back(label);
-      open = std::move(still_open);
-    }
-  }
-
-  [[nodiscard]] MetricFieldNet<m> net() const {
-    MetricFieldNet<m> result;
+  [[nodiscard]] std::vector<Vector<Rational, m>> ordered() const {
+    std::vector<Vector<Rational, m>> result;
     for (const std::uint32_t label : spatial_order_of_lifts<m>(Curvature::zero, points_))
-      result.centres.push_back(exactly<m>(points_[label]));
-    result.covering_radius = covering_radius_;
+      result.push_back(exactly<m>(points_[label]));
     return result;
   }
 
@@ -178,33 +153,12 @@ class MetricFieldSampling {
     return result;
   }
 
-  /// The others within the reach in the chart of this label, there.
-  [[nodiscard]] std::vector<Vector<double, m>> around(std::uint32_t label) const {
-    std::vector<Lift<m>> seen;
-    const auto& chart = charts_[label];
-    cells_.visit(points_[label], scaled(reach * radius_, chart.stretch), [&](const Lift<m>& lift) {
-      seen.push_back(lift);
-      return false;
-    });
-    std::sort(seen.begin(), seen.end());
-    std::vector<Vector<double, m>> result;
-    for (const Lift<m>& lift : seen) {
-      if (lift.index == label && lift.is_unmoved()) continue;
-      const auto place = applied_triangle(chart.matrix, offset(lift, points_[label]));
-      if (pairing(place, place) <= square_of(reach * radius_)) result.push_back(place);
-    }
-    return result;
-  }
-  static double square_of(double x) { return x * x; }
-
   const MetricField<m>& field_;
   double radius_;
-  VoronoiCells<m> voronoi_;
   TorusCells<m> cells_;
   std::vector<Vector<double, m>> points_;
   std::vector<PlainChart<m>> charts_;
   Vector<double, m> greatest_stretch_{};
-  double covering_radius_ = 0;
 };
 
 }  // namespace
@@ -220,10 +174,11 @@ MetricFieldNet<m> metric_field_net(const MetricField<m>& field, const Rational& 
         ": the radius of a net is below an eighth of the square root of the least eigenvalue of the metric: "
         "take at most " +
         exact_text(fitting_sampling_radius(field.eigenvalue_bounds())));
-  MetricFieldSampling<m> sampling(field, approximate_double(radius));
+  MetricFieldPoints<m> points(field, approximate_double(radius));
+  DiskSampling<m, MetricFieldPoints<m>> sampling(points, Curvature::zero, approximate_double(radius));
   sampling.throw_darts(seed, progress);
   sampling.fill_gaps(seed, progress);
-  return sampling.net();
+  return {points.ordered(), sampling.covering_radius()};
 }
 
 template MetricFieldNet<2> metric_field_net<2>(const MetricField<2>&, const Rational&, std::uint64_t, const Progress&);

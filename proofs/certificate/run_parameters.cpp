@@ -1,6 +1,7 @@
 #include "proofs/certificate/run_parameters.hpp"
 
 #include "kernel/number/exact_text.hpp"
+#include "kernel/run/chart_run.hpp"
 #include "proofs/constants/ledger.hpp"
 #include "support/error.hpp"
 
@@ -46,14 +47,16 @@ RunParameters parameters_for(Dimension dimension, const Rational& separation, co
   }
   const Ledger ledger = constants_for(dimension, separation, perturbation);
   RunParameters result;
+  const bool chooses = dimension == Dimension(2) || dimension == Dimension(3);
+  const PerturbationParameters usual = chooses ? measured_parameters(dimension, choice.seed) : PerturbationParameters();
   result.mode = choice.mode;
   result.algorithm.separation = separation;
   result.algorithm.perturbation = perturbation;
   result.algorithm.candidates = choice.candidates;
   result.algorithm.seed = choice.seed;
   result.algorithm.circumradius_bound = Rational(2);
-  result.algorithm.clearance = choice.clearance.value_or(Rational(0));
-  result.algorithm.choices = choice.choices.value_or(1);
+  result.algorithm.clearance = choice.clearance.value_or(usual.clearance);
+  result.algorithm.choices = choice.choices.value_or(usual.choices);
   if (result.algorithm.clearance < Rational(0) || result.algorithm.clearance >= Rational(1)) {
     throw InputError("clearance " + exact_text(result.algorithm.clearance) + " is not in [0, 1)");
   }

@@ -36,7 +36,8 @@ struct ParameterChoice {
   RunMode mode = RunMode::theory;
   std::optional<Rational> perturbation;  ///< ρ₀; by default μ₀/4
   std::optional<Rational> tolerance;     ///< measured mode only; by default one per dimension
-  /// The second tolerance and the number of tries of `PerturbationParameters`; by default those of the family.
+  /// The second tolerance and the number of tries of `PerturbationParameters`; by default those of
+  /// `measured_parameters` in dimensions 2 and 3, and the first good perturbation in the others.
   std::optional<Rational> clearance;
   std::optional<std::uint32_t> choices;
   CandidateRule candidates = CandidateRule::pruned;

@@ -125,6 +125,8 @@ class NetDraw {
     choice.mode = choices_.happens(0.5) ? RunMode::theory : RunMode::measured;
     choice.perturbation = perturbation_;
     choice.seed = seed;
+    choice.clearance = Rational(0);  // the first good perturbation, as the paper has it
+    choice.choices = 1;
     if (choice.mode == RunMode::measured) {
       choice.tolerance = minimum(default_tolerance(Dimension(m)), perturbation_ / Rational(16));
     }

@@ -67,6 +67,8 @@ void RunObject::run() {
   choice.mode = recipe_.mode;
   choice.perturbation = separation_ * recipe_.perturbation_share / Rational(4);
   choice.seed = recipe_.seed;
+  choice.clearance = Rational(0);  // the first good perturbation, as the paper has it
+  choice.choices = 1;
   const RunParameters parameters = parameters_for(Dimension(m), separation_, choice);
   perturbation_ = parameters.algorithm.perturbation;
   Verdict input = Verdict::proved;

@@ -2,6 +2,7 @@
 
 #include <flint/fmpz_poly.h>
 
+#include "kernel/number/exact_text.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
@@ -105,6 +106,30 @@ SpaceFormDescription regular_polygon_surface(int genus) {
     set_rotation(backward, 1, angle, squared_sine);
     result.generators.push_back(forward * translation * backward);
   }
+  return result;
+}
+
+SpaceFormDescription product_with_circle(const SpaceFormDescription& surface, const Rational& length) {
+  if (surface.form.curvature() != Curvature::zero || surface.form.dimension() != 2)
+    throw InputError("the product of " + surface.name + " with a circle: expected a flat surface");
+  if (length <= Rational(0))
+    throw InputError("a circle of the length " + exact_text(length) + ", expected more than 0");
+  const auto extended = [](const FieldMatrix& a, const FieldElement& last) {
+    FieldMatrix result = FieldMatrix::identity(a.order() + 1);
+    for (std::size_t row = 0; row < a.order(); ++row) {
+      for (std::size_t column = 0; column < a.order(); ++column) result(row, column) = a(row, column);
+    }
+    result(a.order(), a.order()) = last;
+    return result;
+  };
+  SpaceFormDescription result{
+      surface.name + "-times-circle",
+      InvariantForm(FieldElement(0), extended(surface.form.gram(), FieldElement(square(length)))),
+      {},
+      {},
+      {}};
+  for (const FieldMatrix& generator : surface.generators)
+    result.generators.push_back(extended(generator, FieldElement(1)));
   return result;
 }
 

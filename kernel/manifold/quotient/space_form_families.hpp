@@ -20,6 +20,10 @@ namespace delcert {
 /// translations, over ℚ(2cos 2π/4g). Throws InputError unless g ≥ 2.
 [[nodiscard]] SpaceFormDescription regular_polygon_surface(int genus);
 
+/// M × S¹ for a flat surface M and a circle of this length: every isometry of the plane, and the identity of the line.
+/// Throws InputError unless the surface is flat and of dimension 2 and the length above 0.
+[[nodiscard]] SpaceFormDescription product_with_circle(const SpaceFormDescription& surface, const Rational& length);
+
 /// ℚ(2cos 2π/n), t = 2cos 2π/n; without a field, as t is rational, for n = 1, 2, 3, 4, 6.
 [[nodiscard]] FieldElement::Field real_cyclotomic_field(int n);
 /// 2cos 2π/n, an element of that field.

@@ -40,6 +40,17 @@ TEST(SpaceFormFile, reads_families) {
   EXPECT_EQ(parse_space_form("name = \"s\"\nfamily = \"sphere\"\ndimension = 3\n", "x").form.dimension(), 3);
 }
 
+TEST(SpaceFormFile, reads_a_product_with_a_circle) {
+  const std::string product = "name = \"p\"\nfamily = \"product-with-circle\"\nsurface = ";
+  EXPECT_EQ(parse_space_form(product + "\"klein-bottle\"\nlength = \"3/2\"\n", "x").form.gram()(2, 2),
+            FieldElement(ratio(9, 4)));
+  EXPECT_TRUE(
+      mentions(refusal(product + "\"bolza-surface\"\nlength = 1\n"), "x.toml:3:11: the product of bolza-surface"));
+  EXPECT_TRUE(mentions(refusal(product + "\"klein-bottle\"\nlength = 0\n"), "a circle of the length 0"));
+  EXPECT_TRUE(mentions(refusal(product + "\"klein\"\nlength = 1\n"), "no space form \"klein\""));
+  EXPECT_TRUE(mentions(refusal(product + "\"klein-bottle\"\n"), "the key length is missing"));
+}
+
 TEST(SpaceFormFile, says_what_is_wrong_and_where) {
   EXPECT_TRUE(mentions(refusal("name = \n"), "x.toml:1:8: not TOML"));
   EXPECT_EQ(refusal("name = \"x\"\n"), "x.toml:1:1: the key family is missing");

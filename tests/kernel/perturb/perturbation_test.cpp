@@ -159,11 +159,21 @@ std::size_t count_violations(const FlatAtlas<m>& atlas, const PointSet<m>& set, 
   return violations;
 }
 
+/// The time at which each label is placed: colour by colour.
+template <int m>
+std::vector<std::size_t> times_of(const FlatAtlas<m>& atlas, const PerturbationParameters& parameters) {
+  std::vector<std::size_t> result;
+  for (const std::uint32_t colour : colours_of<m>(atlas, Placement<m>::reach(parameters), no_progress()))
+    result.push_back(colour * atlas.size() + result.size());
+  return result;
+}
+
 TEST(Perturbation, leaves_no_last_placed_vertex_within_the_tolerance_of_a_sphere) {
   const auto atlas = poisson_atlas<2>(cubic_torus<2>(), ratio(1, 16));
   Perturbation<2> perturbation(atlas, measured(ratio(1, 64)));
-  std::vector<std::size_t> order;
-  for (std::size_t index = 0; index < atlas.size(); ++index) order.push_back(index);
+  const std::vector<std::size_t> times = times_of<2>(atlas, measured(ratio(1, 64)));
+  const std::size_t later = 1 + *std::max_element(times.begin(), times.end());
+  std::vector<std::size_t> order = times;
   std::size_t looked_at = 0;
   EXPECT_GT(count_violations<2>(atlas, atlas.net(), order, ratio(1, 64), looked_at), 20U) << "before";
   perturbation.place_all(no_progress());
@@ -175,7 +185,7 @@ TEST(Perturbation, leaves_no_last_placed_vertex_within_the_tolerance_of_a_sphere
     std::vector<Label> labels;
     for (std::uint32_t index = round; index < atlas.size(); index += 3) labels.emplace_back(index);
     perturbation.place_anew(labels, no_progress());
-    for (const Label label : labels) order[label.value] = atlas.size() * (round + 1) + label.value;
+    for (const Label label : labels) order[label.value] = later * (round + 1) + times[label.value];
     EXPECT_EQ(count_violations<2>(atlas, perturbation.points(), order, ratio(1, 64), looked_at), 0U);
   }
 }
@@ -185,16 +195,14 @@ TEST(Perturbation, of_other_dimensions_keeps_the_tolerance_too) {
   const auto circle = poisson_atlas<1>(cubic_torus<1>(), ratio(1, 40));
   Perturbation<1> on_circle(circle, measured(ratio(1, 64)));
   on_circle.place_all(no_progress());
-  std::vector<std::size_t> order(circle.size());
-  for (std::size_t index = 0; index < order.size(); ++index) order[index] = index;
-  EXPECT_EQ(count_violations<1>(circle, on_circle.points(), order, ratio(1, 64), looked_at), 0U);
+  const auto on_circle_at = times_of<1>(circle, measured(ratio(1, 64)));
+  EXPECT_EQ(count_violations<1>(circle, on_circle.points(), on_circle_at, ratio(1, 64), looked_at), 0U);
 
   const FlatAtlas<3> solid(ball_of<3>(Rational(1)), PointSet<3>(random_points<3>(45, 1, 20)), ratio(1, 5));
   Perturbation<3> in_solid(solid, measured(ratio(1, 1024)));
   in_solid.place_all(no_progress());
-  order.resize(solid.size());
-  for (std::size_t index = 0; index < order.size(); ++index) order[index] = index;
-  EXPECT_EQ(count_violations<3>(solid, in_solid.points(), order, ratio(1, 1024), looked_at), 0U);
+  const auto in_solid_at = times_of<3>(solid, measured(ratio(1, 1024)));
+  EXPECT_EQ(count_violations<3>(solid, in_solid.points(), in_solid_at, ratio(1, 1024), looked_at), 0U);
 }
 
 /// With the second tolerance.
@@ -226,7 +234,7 @@ TEST(Perturbation, by_colour_is_what_one_thread_does_colour_by_colour) {
     for (const Label label : again) placement.place(label);
     for (const unsigned limit : {1U, 2U, 4U}) {
       const ThreadLimit threads(limit);
-      Perturbation<2> perturbation(atlas, parameters, PlacementOrder::by_colour);
+      Perturbation<2> perturbation(atlas, parameters);
       perturbation.place_all(no_progress());
       EXPECT_EQ(exact_points<2>(perturbation.points()), expected_first) << limit;
       perturbation.place_anew(again, no_progress());
@@ -237,9 +245,10 @@ TEST(Perturbation, by_colour_is_what_one_thread_does_colour_by_colour) {
       EXPECT_EQ(perturbation.statistics().placements, placement.statistics().placements);
     }
     // It is another order than that of labels.
-    Perturbation<2> by_label(atlas, parameters);
-    by_label.place_all(no_progress());
-    EXPECT_NE(exact_points<2>(by_label.points()), expected_first);
+    PlacedPoints<2> by_label(atlas, parameters);
+    Placement<2> in_order(atlas, parameters, by_label);
+    for (std::uint32_t index = 0; index < atlas.size(); ++index) in_order.place(Label(index));
+    EXPECT_NE(exact_points<2>(by_label.points), expected_first);
   }
 }
 
@@ -250,7 +259,7 @@ TEST(Perturbation, by_colour_gives_up_at_the_same_label_whatever_the_number_of_t
   std::vector<std::string> messages;
   for (const unsigned limit : {1U, 2U, 4U}) {
     const ThreadLimit threads(limit);
-    Perturbation<2> perturbation(atlas, parameters, PlacementOrder::by_colour);
+    Perturbation<2> perturbation(atlas, parameters);
     messages.push_back(message_of<Rejection>([&] { perturbation.place_all(no_progress()); }));
     EXPECT_EQ(messages.back(), messages.front());
   }
@@ -272,11 +281,14 @@ TEST(Perturbation, tells_its_progress) {
   const auto atlas = poisson_atlas<1>(cubic_torus<1>(), ratio(1, 30));
   Perturbation<1> perturbation(atlas, measured(ratio(1, 64)));
   std::size_t last = 0;
+  bool is_placing = false;
   perturbation.place_all([&](std::string_view stage, std::size_t done, std::size_t total) {
-    EXPECT_EQ(stage, "perturb");
+    is_placing = is_placing || stage == "perturb";
+    EXPECT_EQ(stage, is_placing ? "perturb" : "colour");
     EXPECT_EQ(total, atlas.size());
     last = done;
   });
+  EXPECT_TRUE(is_placing);
   EXPECT_EQ(last, atlas.size());
 }
 
@@ -288,7 +300,7 @@ TEST(Perturbation, is_the_same_everywhere) {
   Rational total(0);
   for (const auto& point : exact_points<2>(perturbation.points())) total += point[0] + Rational(3) * point[1];
   EXPECT_EQ(perturbation.grid_exponent(), -45);
-  EXPECT_EQ(total * Rational::power_of_two(45), Rational(1737400942797142));
+  EXPECT_EQ(total * Rational::power_of_two(45), Rational(1739681675837237));
 }
 
 }  // namespace DELCERT_THIS_FILE

@@ -104,13 +104,16 @@ TEST(ParametersFor, clearance_and_choices_are_free_in_every_mode) {
   for (const auto mode : {RunMode::theory, RunMode::measured}) {
     auto choice = choice_of(mode);
     const auto usual = parameters_for(Dimension(2), Rational(1), choice);
-    EXPECT_EQ(usual.algorithm.clearance, Rational(0));
-    EXPECT_EQ(usual.algorithm.choices, 1U);
-    choice.clearance = ratio(1, 20);
-    choice.choices = 20;
+    EXPECT_EQ(usual.algorithm.clearance, ratio(1, 20));
+    EXPECT_EQ(usual.algorithm.choices, 20U);
+    EXPECT_EQ(parameters_for(Dimension(3), Rational(1), choice).algorithm.choices, 100U);
+    EXPECT_EQ(parameters_for(Dimension(4), Rational(1), choice).algorithm.clearance, Rational(0));
+    EXPECT_EQ(parameters_for(Dimension(4), Rational(1), choice).algorithm.choices, 1U);
+    choice.clearance = Rational(0);
+    choice.choices = 1;
     const auto parameters = parameters_for(Dimension(2), Rational(1), choice);
-    EXPECT_EQ(parameters.algorithm.clearance, ratio(1, 20));
-    EXPECT_EQ(parameters.algorithm.choices, 20U);
+    EXPECT_EQ(parameters.algorithm.clearance, Rational(0));
+    EXPECT_EQ(parameters.algorithm.choices, 1U);
     EXPECT_EQ(parameters.algorithm.tolerance, usual.algorithm.tolerance);
     for (const Rational& wrong : {ratio(-1, 20), Rational(1)}) {
       choice.clearance = wrong;

@@ -28,6 +28,18 @@ TEST(SpaceFormFamilies, polygon_surfaces_of_several_genera) {
   EXPECT_THROW((void)regular_polygon_surface(1), InputError);
 }
 
+/// The product of the Klein bottle with a circle is the first amphicosm.
+TEST(SpaceFormFamilies, a_product_with_a_circle_has_a_summand_more) {
+  const SpaceForm form = verify_space_form(product_with_circle(find_space_form("klein-bottle"), ratio(3, 4)));
+  EXPECT_EQ(group_text(form.first_homology), "Z^2 + Z/2");
+  EXPECT_FALSE(form.is_orientable);
+  EXPECT_LE(form.injectivity_radius.lower, ratio(3, 8));
+  EXPECT_GE(form.injectivity_radius.upper, ratio(3, 8));
+  EXPECT_THROW((void)product_with_circle(find_space_form("sphere-2"), Rational(1)), InputError);
+  EXPECT_THROW((void)product_with_circle(find_space_form("hantzsche-wendt"), Rational(1)), InputError);
+  EXPECT_THROW((void)product_with_circle(find_space_form("klein-bottle"), Rational(0)), InputError);
+}
+
 TEST(SpaceFormFamilies, spheres_and_projective_spaces) {
   for (const int m : {2, 3}) {
     EXPECT_EQ(verify_space_form(sphere(m)).finite->elements.size(), 1U);
