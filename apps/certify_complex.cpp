@@ -58,7 +58,7 @@ std::string listed(const std::vector<std::string>& names) {
 template <int m>
 ExitStatus certify(const CertifyOptions& options, const ComplexDescription& complex, ProgressLine& line,
                    StageClock& clock, const Progress& progress) {
-  clock.begin("place the simplices, search for loops");
+  clock.begin("place simplices, search for loops");
   const GivenComplex<m> given = place_complex<m>(complex);
   clock.begin("measure circumballs");
   // Without its generators the complex may be broken elsewhere: that is said first.

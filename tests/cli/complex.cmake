@@ -14,10 +14,10 @@ function(delcert_complex_test name levels homology)
 endfunction()
 
 delcert_complex_test(klein-bottle-9 "  2 .*\n  4 .*\n  5 .*\n  6 .*self-Delaunay" "Z, Z . Z/2, 0")
-delcert_complex_test(genus-2 "  2 .*\n  5 " "Z, Z.4, Z")
-delcert_complex_test(four-crosscaps "  2 .*\n  5 " "Z, Z.3 . Z/2, 0")
-delcert_complex_test(seifert-weber "  2 .*\n  5 " "Z, .Z/5..3, 0, Z")
-delcert_complex_test(dodecahedral-29 "  2 .*\n  5 " "Z, Z/29, 0, Z")
+delcert_complex_test(genus-2 "  2 .*\n  4 .*\n  5 .*\n  6 .*self-Delaunay" "Z, Z.4, Z")
+delcert_complex_test(four-crosscaps "  2 .*\n  4 .*\n  5 .*\n  6 .*self-Delaunay" "Z, Z.3 . Z/2, 0")
+delcert_complex_test(seifert-weber "  2 .*\n  5 .*\n  6 .*not reached: level 4: point [0-9]* is not certainly outside" "Z, .Z/5..3, 0, Z")
+delcert_complex_test(dodecahedral-29 "  2 .*\n  5 .*\n  6 .*not reached: level 4: " "Z, Z/29, 0, Z")
 
 delcert_cli_test(certify-complex-json STATUS 0 ERROR "^$"
   OUTPUT "\"levels\": ..*\"5\".*\"homology\": .*\"Z.4\".*\"checker\": .*\"status\": \"verified\""
@@ -47,7 +47,7 @@ function(delcert_broken_complex name example status reason)
     COMMAND sh -c "ls -a | grep broken-${name}.json")
 endfunction()
 
-delcert_broken_complex(word klein-bottle-9 1 "core.edges: the edge {a0, c1} has different relative elements"
+delcert_broken_complex(word klein-bottle-9 1 "core.edges: the edge {a0, c[01]} has different relative elements"
   "\"c1\", \"g a0\"]" "\"c1\", \"g e2 a0\"]")
 delcert_broken_complex(missing klein-bottle-9 1 "core.facets: simplex {[a-c0-2, ]*} without its point [a-c0-2]* is in 1 simplices"
   "[\"a0\", \"a1\", \"b0\"], " "")
@@ -70,7 +70,7 @@ foreach(column a b c)
 endforeach()
 delcert_broken_complex(components klein-bottle-9 1 "core.connected: 9 labels are not connected with point a0"
   "simplices = [" "simplices = [${second_simplices}" "[points]\n" "[points]\n${second_points}")
-delcert_broken_complex(letters genus-2 3 "broken-letters.toml:[0-9]+:[0-9]+: simplex [0-9]+, vertex [0-9]: .b^.: expected an exponent"
+delcert_broken_complex(letters genus-2 3 "broken-letters.toml:[0-9]+:[0-9]+: simplex [0-9]+, vertex [0-9]: .b.*: expected an exponent"
   "\"b^-1 a v\"]" "\"b^ a v\"]")
 delcert_broken_complex(unknown-point genus-2 3 "simplex 1, vertex 1: no point r0, did you mean"
   "[\"r00\", \"v\", \"a1\"]" "[\"r0\", \"v\", \"a1\"]")
