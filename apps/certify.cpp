@@ -1,101 +1,16 @@
-#include <fmt/format.h>
-
-#include <iostream>
 #include <map>
 #include <memory>
 #include <sstream>
 
+#include "apps/certification.hpp"
 #include "apps/certify_complex.hpp"
-#include "apps/certify_metric_field.hpp"
-#include "apps/certify_options.hpp"
-#include "apps/certify_space_form.hpp"
 #include "apps/commands.hpp"
 #include "apps/exact_option.hpp"
-#include "apps/progress_line.hpp"
-#include "apps/report_parts.hpp"
-#include "apps/run_report.hpp"
-#include "kernel/manifold/any_manifold.hpp"
-#include "kernel/number/exact_text.hpp"
 #include "kernel/parallel/threads.hpp"
-#include "kernel/sample/net_measure.hpp"
-#include "kernel/sample/separation.hpp"
-#include "kernel/simplex/dimensions.hpp"
-#include "proofs/certificate/content.hpp"
-#include "proofs/certificate/flat_claims.hpp"
-#include "support/error.hpp"
 
 namespace delcert {
 
 namespace {
-
-/// Throws Rejection naming the items of the input that do not hold.
-void require_input(const std::vector<InputItem>& items) {
-  std::string failed;
-  for (const InputItem& item : items) {
-    if (!is_proved(item.verdict))
-      failed += fmt::format("\n  {} {} ({})", name_of(item.verdict), item.name, item.detail);
-  }
-  if (!failed.empty()) throw Rejection("the input does not satisfy Hypotheses 1:" + failed);
-}
-
-/// Throws Rejection naming the stars that are not certified.
-template <int m>
-void require_stars(const RunResult<m>& run) {
-  if (run.is_certified()) return;
-  std::vector<StarFailure> failures = run.protection.failures;
-  failures.insert(failures.end(), run.combinatorial_failures.begin(), run.combinatorial_failures.end());
-  throw Rejection(star_failures_text(failures, run.repair_rounds));
-}
-
-template <int m>
-ExitStatus certify(const CertifyOptions& options, const ManifoldDescription& manifold) {
-  ProgressLine line;
-  StageClock clock;
-  const Progress progress = clock.callback(line.callback());
-  RunReport report;
-  report.manifold = manifold.name;
-
-  const FlatSpace<m> space = flat_space_of<m>(manifold);
-  clock.begin("read or sample the net");
-  PointSet<m> net(options.source.template points<m>(space, progress));
-  const auto density = measure_density<m>(space, net, options.source.radius, progress);
-  const FlatAtlas<m> atlas(space, std::move(net), density.sampling_radius);
-  const Rational separation = measure_separation<m>(atlas);
-  report.points = atlas.size();
-  report.sampling_radius = atlas.sampling_radius();
-  report.parameters = parameters_for(Dimension(m), separation, options.choice);
-  report.input = check_input<m>(atlas, separation, report.parameters.algorithm.perturbation);
-  require_input(report.input);
-
-  RunRequest request;
-  request.perturb = !options.no_perturbation;
-  request.most_repair_rounds = options.repair_rounds;
-  if (options.required_protection) request.required_protection = *options.required_protection * atlas.sampling_radius();
-  const RunResult<m> run = run_algorithm<m>(atlas, report.parameters.algorithm, request, progress);
-  line.clear();
-  require_stars<m>(run);
-
-  clock.begin("derive levels");
-  report.claims = derive_claims<m>(atlas, report.parameters, run, options.levels, progress, report.reasons);
-  if (report.claims.names().empty())
-    throw Rejection("no level is reached: " + fmt::format("{}", fmt::join(report.reasons, "; ")));
-  clock.begin("write the certificate");
-  report.certificate = options.output.empty() ? manifold.name + ".delcert.json.zst" : options.output;
-  write_certificate<m>(report.certificate,
-                       content_of<m>(manifold, atlas, density.simplices, report.parameters, run, report.claims),
-                       progress);
-
-  report.perturbed = request.perturb;
-  report.simplices = run.complex.simplices().size();
-  report.statistics = run.statistics;
-  report.repair_rounds = run.repair_rounds;
-  report.repaired_points = run.repaired_points;
-  report.stages = clock.finish();
-  report.peak_memory_mib = peak_memory_in_mib();
-  line.clear();
-  std::cout << (options.json ? report_json(report) : report_text(report));
-  return ExitStatus::verified;
-}
 
 LevelSelection parse_levels(const std::string& text) {
   LevelSelection result;
@@ -197,12 +112,7 @@ void add_certify(CLI::App& program, Action& chosen) {
       const ThreadLimit limit(options->threads);
       options->choice.seed = options->source.seed;
       if (options->no_perturbation) options->choice.mode = RunMode::none;
-      const AnyManifold found = find_any_manifold(options->source.manifold);
-      if (const auto* form = std::get_if<SpaceFormDescription>(&found)) return certify_space_form(*options, *form);
-      if (const auto* field = std::get_if<MetricFieldDescription>(&found))
-        return certify_metric_field(*options, *field);
-      const auto& manifold = std::get<ManifoldDescription>(found);
-      return with_dimension(manifold.dimension, [&]<int m>() { return certify<m>(*options, manifold); });
+      return certify(*options);
     };
   });
 }

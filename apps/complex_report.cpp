@@ -6,50 +6,31 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "apps/chart_run_report.hpp"
 #include "apps/printable.hpp"
 #include "apps/report_parts.hpp"
-#include "kernel/number/exact_text.hpp"
+#include "apps/run_report.hpp"
+#include "proofs/certificate/content.hpp"
 
 namespace delcert {
 
 namespace {
-
-std::vector<LevelLine> lines_of(const GivenComplexClaims& claims) {
-  const Claims& levels = claims.levels;
-  std::vector<LevelLine> lines;
-  if (levels.manifold) lines.push_back({"2", manifold_line(*levels.manifold)});
-  if (levels.delaunay) {
-    lines.push_back({"4", fmt::format("Delaunay in the manifold: protection ≥ {}, circumradius ≤ {}",
-                                      decimal_lower(levels.delaunay->balls->protection),
-                                      decimal_upper(levels.delaunay->balls->circumradius))});
-  }
-  if (levels.triangulation) {
-    lines.push_back({"5", "triangulation: the group acts freely and cocompactly, and its quotient is the complex"});
-  }
-  if (levels.metric) {
-    lines.push_back(
-        {"6",
-         fmt::format("metric: {}bi-Lipschitz with factors ≥ {}, ≤ {}", levels.metric->weight ? "self-Delaunay, " : "",
-                     decimal_lower(levels.metric->least_stretch), decimal_upper(levels.metric->greatest_stretch))});
-  }
-  return lines;
-}
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
 
 std::string report_text(const ComplexReport& report) {
+  const GivenComplexClaims& claims = report.claims;
   std::string out = fmt::format(
       "{}, a complex of dimension {}, curvature {}\n\n"
-      "complex      {} points, edges ≤ {}\n"
+      "complex      {} points, edges ≤ ε = {}\n"
       "group        {} generators; {} elements occur besides 1\n"
       "levels\n",
       printable(report.manifold), report.dimension, sign_of(report.curvature), report.points,
-      decimal_upper(report.claims.longest_edge), report.generators, report.elements);
-  for (const LevelLine& line : lines_of(report.claims)) out += fmt::format("  {:<3} {}\n", line.level, line.text);
-  for (const std::string& reason : report.claims.not_reached) out += "  not reached: " + reason + "\n";
+      decimal_upper(claims.longest_edge), report.generators, report.elements);
+  for (const std::string& level : claims.levels.names())
+    out += fmt::format("  {:<3} {}\n", level, level_line(claims.levels, level, claims.longest_edge));
+  for (const std::string& reason : claims.not_reached) out += "  not reached: " + reason + "\n";
   out += "checked      delcert-check verified every level\nstages\n";
   for (const StageClock::Stage& stage : report.stages)
     out += fmt::format("  {:<34} {:8.3f} s\n", stage.name, stage.seconds);
@@ -57,28 +38,21 @@ std::string report_text(const ComplexReport& report) {
 }
 
 std::string report_json(const ComplexReport& report) {
+  const GivenComplexClaims& claims = report.claims;
   nlohmann::ordered_json json;
-  json["manifold"] = report.manifold;
-  json["dimension"] = report.dimension;
-  json["curvature"] = sign_of(report.curvature);
+  json["format"] = "delcert-complex-report";
+  json["version"] = 1;
+  json["manifold"] = {{"name", report.manifold},
+                      {"family", family_of(report.curvature)},
+                      {"dimension", report.dimension},
+                      {"curvature", sign_of(report.curvature)}};
   json["points"] = report.points;
+  json["simplices"] = claims.levels.manifold->simplices;
   json["generators"] = report.generators;
   json["elements"] = report.elements;
-  json["longest_edge"] = exact_text(report.claims.longest_edge);
-  json["levels"] = nlohmann::ordered_json::array();
-  for (const LevelLine& line : lines_of(report.claims)) json["levels"].push_back(line.level);
-  if (const auto& manifold = report.claims.levels.manifold) {
-    json["simplices"] = manifold->simplices;
-    json["euler_characteristic"] = manifold->euler_characteristic;
-    json["homology"] = homology_texts(*manifold);
-  }
-  if (const auto& delaunay = report.claims.levels.delaunay) {
-    json["delaunay"] = {{"protection", exact_text(delaunay->balls->protection)},
-                        {"circumradius", exact_text(delaunay->balls->circumradius)}};
-  }
-  if (const auto& metric = report.claims.levels.metric)
-    json["bilipschitz"] = {exact_text(metric->least_stretch), exact_text(metric->greatest_stretch)};
-  json["not_reached"] = report.claims.not_reached;
+  json["longest_edge"] = upper_json(claims.longest_edge, Margin::Unit::length, claims.longest_edge);
+  json["levels"] = levels_json(claims.levels, claims.longest_edge);
+  json["not_reached"] = claims.not_reached;
   json["checker"] = nlohmann::ordered_json::parse(report.checker);
   json["stages"] = stages_json(report.stages);
   json["certificate"] = report.certificate;

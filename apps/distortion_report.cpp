@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "apps/report_parts.hpp"
 #include "apps/text_table.hpp"
 #include "kernel/number/decimal_bounds.hpp"
 #include "kernel/number/exact_text.hpp"
@@ -62,12 +63,7 @@ std::string ledger_text(const SpaceFormDistortion& found) {
 
 nlohmann::ordered_json logarithm_json(const PowerProduct& x) {
   const Bounds bounds = x.log2();
-  return nlohmann::ordered_json::array({below(bounds.lower), above(bounds.upper)});
-}
-
-nlohmann::ordered_json change_json(const std::optional<Rational>& change, const Rational& allowed) {
-  if (!change) return nullptr;
-  return {{"at_most", above(*change)}, {"margin", below(allowed - *change)}, {"is_enough", *change <= allowed}};
+  return {lower_json(bounds.lower), upper_json(bounds.upper)};
 }
 
 }  // namespace
@@ -83,19 +79,29 @@ std::string distortion_text(const SpaceFormDistortion& found) {
 }
 
 nlohmann::ordered_json distortion_json(const SpaceFormDistortion& found) {
+  const Rational& unit = found.net.sampling_radius;
+  const auto longest = [&unit](const Rational& x) { return upper_json(x, Margin::Unit::length, unit); };
+  const auto shortest = [&unit](const Rational& x) { return lower_json(x, Margin::Unit::length, unit); };
   const TransitionDistortion& transitions = found.transitions;
-  nlohmann::ordered_json json{
-      {"distortion", {{"proved", above(transitions.proved)}, {"at_most", above(transitions.of_pairs.upper)}}},
-      {"metric_distortion", above(found.metric)}};
-  json["distortion"]["farthest_pair"] = below(found.farthest);
-  json["distortion"]["of_that_pair_at_least"] = below(found.needed);
+  nlohmann::ordered_json json{{"distortion",
+                               {{"proved", upper_json(Rational::exactly(transitions.proved))},
+                                {"at_most", upper_json(Rational::exactly(transitions.of_pairs.upper))},
+                                {"farthest_pair", shortest(found.farthest)},
+                                {"of_that_pair_at_least", lower_json(Rational::exactly(found.needed))}}},
+                              {"metric_distortion", upper_json(Rational::exactly(found.metric))}};
   if (found.stability) {
     const StabilityMargin& margin = *found.stability;
-    json["stability"] = {{"radius", above(margin.radius)},
-                         {"centres", above(margin.centres)},
-                         {"allowed", below(margin.allowed)},
-                         {"transitions", change_json(margin.by_transitions, margin.allowed)},
-                         {"charts", change_json(margin.by_charts, margin.allowed)}};
+    const auto change = [&](const std::optional<Rational>& at_most) -> nlohmann::ordered_json {
+      if (!at_most) return nullptr;
+      return {{"at_most", longest(*at_most)},
+              {"margin", shortest(margin.allowed - *at_most)},
+              {"is_enough", *at_most <= margin.allowed}};
+    };
+    json["stability"] = {{"radius", longest(margin.radius)},
+                         {"centres", longest(margin.centres)},
+                         {"allowed", shortest(margin.allowed)},
+                         {"transitions", change(margin.by_transitions)},
+                         {"charts", change(margin.by_charts)}};
   }
   json["hypotheses_2"] = {{"distortion_bound_log2", logarithm_json(found.ledger.distortion_bound)},
                           {"metric_distortion_bound_log2", logarithm_json(found.ledger.metric_distortion_bound)},

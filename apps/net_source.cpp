@@ -4,6 +4,7 @@
 #include "kernel/manifold/quotient/patch_size.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "kernel/sample/icosphere.hpp"
+#include "kernel/sample/metric_field_net.hpp"
 #include "kernel/sample/point_file.hpp"
 #include "kernel/sample/poisson_disk.hpp"
 #include "kernel/sample/space_form_net.hpp"
@@ -58,14 +59,18 @@ Rational radius_above(double covering_radius) {
 
 }  // namespace
 
+void NetSource::require_radius(const char* sources) const {
+  if (!radius) throw InputError(std::string("no net: give ") + sources);
+  if (*radius <= Rational(0)) throw InputError("--radius " + exact_text(*radius) + " is not above 0");
+}
+
 template <int m>
 std::vector<Vector<Rational, m>> NetSource::points(const FlatSpace<m>& space, const Progress& progress) const {
   if (icosphere_frequency) throw InputError("--icosphere is for the manifold sphere-2");
   if (relaxation_steps > 0) throw InputError("--relax is for space forms other than tori");
   if (!points_file.empty()) return points_of_file<m>(points_file);
   if (lattice) return lattice_net<m>(space, LatticeNet{*lattice, centred, displacement_exponent, seed});
-  if (!radius) throw InputError("no net: give --radius, --lattice or --points");
-  if (*radius <= Rational(0)) throw InputError("--radius " + exact_text(*radius) + " is not above 0");
+  require_radius("--radius, --lattice or --points");
   return poisson_disk_net<m>(space, *radius, seed, progress);
 }
 
@@ -85,8 +90,7 @@ std::pair<std::vector<Vector<Rational, m>>, Rational> NetSource::net_of(const Sp
       throw InputError("--icosphere is for the manifold sphere-2");
     }
   } else {
-    if (!radius) throw InputError("no net: give --radius, or with it --points");
-    if (*radius <= Rational(0)) throw InputError("--radius " + exact_text(*radius) + " is not above 0");
+    require_radius("--radius, or with it --points");
     if (points_file.empty()) {
       // A radius that is refused later is refused before there is a net, with the radius to take.
       (void)fitting_patch_factor(form, m, *radius);
@@ -103,6 +107,17 @@ std::pair<std::vector<Vector<Rational, m>>, Rational> NetSource::net_of(const Sp
   return {std::move(net.centres), radius_above(net.covering_radius)};
 }
 
+template <int m>
+std::vector<Vector<Rational, m>> NetSource::centres(const MetricField<m>& field, const Progress& progress) const {
+  if (lattice || icosphere_frequency || relaxation_steps > 0)
+    throw InputError("--lattice, --icosphere and --relax are not for metric fields: give --radius or --points");
+  require_radius("--radius, or with it --points");
+  if (!points_file.empty()) return points_of_file<m>(points_file);
+  return metric_field_net<m>(field, *radius, seed, progress).centres;
+}
+
+template std::vector<Vector<Rational, 2>> NetSource::centres<2>(const MetricField<2>&, const Progress&) const;
+template std::vector<Vector<Rational, 3>> NetSource::centres<3>(const MetricField<3>&, const Progress&) const;
 template std::pair<std::vector<Vector<Rational, 2>>, Rational> NetSource::net_of<2>(const SpaceForm&,
                                                                                     const Progress&) const;
 template std::pair<std::vector<Vector<Rational, 3>>, Rational> NetSource::net_of<3>(const SpaceForm&,

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "kernel/manifold/flat_space.hpp"
+#include "kernel/manifold/gluing/metric_field.hpp"
 #include "kernel/manifold/quotient/space_form.hpp"
 #include "kernel/sample/lattice_net.hpp"
 #include "support/progress.hpp"
@@ -37,6 +38,14 @@ struct NetSource {
   template <int m>
   [[nodiscard]] std::pair<std::vector<Vector<Rational, m>>, Rational> net_of(const SpaceForm& form,
                                                                              const Progress& progress) const;
+
+  /// The same on a metric field: coordinates of the torus. --radius is given, with a file of points as the nominal one.
+  template <int m>
+  [[nodiscard]] std::vector<Vector<Rational, m>> centres(const MetricField<m>& field, const Progress& progress) const;
+
+ private:
+  /// Throws InputError, which names the sources of a net, unless --radius is given and positive.
+  void require_radius(const char* sources) const;
 };
 
 }  // namespace delcert

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "kernel/number/decimal_bounds.hpp"
+#include "kernel/number/exact_text.hpp"
+#include "kernel/number/filter.hpp"
 
 namespace delcert {
 
@@ -24,10 +26,36 @@ std::string in_scientific_notation(const std::string& decimal) {
   return is_in_range ? fmt::format("{:.{}e}", value, digits_of_bounds - 1) : decimal;
 }
 
+/// The greatest double that is not above x, or the least that is not below it.
+double safe_double(const Rational& x, Margin::Side side) {
+  const FilterGuard guard;
+  const Filter enclosure = scalar_from<Filter>(x);
+  return side == Margin::Side::lower ? enclosure.lower() : enclosure.upper();
+}
+
 }  // namespace
 
 std::string decimal_lower(const Rational& x) { return in_scientific_notation(decimal_lower(x, digits_of_bounds)); }
 std::string decimal_upper(const Rational& x) { return in_scientific_notation(decimal_upper(x, digits_of_bounds)); }
+
+nlohmann::ordered_json bound_json(const Margin& margin, const Rational& sampling_radius) {
+  nlohmann::ordered_json json{{"exact", exact_text(margin.value)},
+                              {"value", safe_double(margin.value, margin.side)},
+                              {"bound", margin.side == Margin::Side::lower ? "lower" : "upper"},
+                              {"unit", "1"}};
+  if (margin.unit == Margin::Unit::one) return json;
+  const bool is_length = margin.unit == Margin::Unit::length;
+  json["unit"] = is_length ? "length" : "length^2";
+  json["in_sampling_radii"] =
+      safe_double(margin.value / (is_length ? sampling_radius : square(sampling_radius)), margin.side);
+  return json;
+}
+nlohmann::ordered_json lower_json(const Rational& x, Margin::Unit unit, const Rational& sampling_radius) {
+  return bound_json({x, Margin::Side::lower, unit}, sampling_radius);
+}
+nlohmann::ordered_json upper_json(const Rational& x, Margin::Unit unit, const Rational& sampling_radius) {
+  return bound_json({x, Margin::Side::upper, unit}, sampling_radius);
+}
 
 std::vector<std::string> homology_texts(const ManifoldClaim& manifold) {
   std::vector<std::string> result;

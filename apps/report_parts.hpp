@@ -16,6 +16,14 @@ namespace delcert {
 [[nodiscard]] std::string decimal_lower(const Rational& x);
 [[nodiscard]] std::string decimal_upper(const Rational& x);
 
+/// A bound in JSON (docs/report-format.md): the exact number, the nearest double that is not better, from which side it
+/// bounds, its unit; of a length or its square also the double in units of ε or ε².
+[[nodiscard]] nlohmann::ordered_json bound_json(const Margin& margin, const Rational& sampling_radius);
+[[nodiscard]] nlohmann::ordered_json lower_json(const Rational& x, Margin::Unit unit = Margin::Unit::one,
+                                                const Rational& sampling_radius = Rational(1));
+[[nodiscard]] nlohmann::ordered_json upper_json(const Rational& x, Margin::Unit unit = Margin::Unit::one,
+                                                const Rational& sampling_radius = Rational(1));
+
 /// "Z", "Z^2", "Z": H₀ … H_m.
 [[nodiscard]] std::vector<std::string> homology_texts(const ManifoldClaim& manifold);
 

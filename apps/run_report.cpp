@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "apps/distortion_report.hpp"
 #include "apps/report_parts.hpp"
 #include "kernel/number/exact_text.hpp"
 
@@ -11,16 +12,182 @@ namespace delcert {
 
 namespace {
 
-std::string level_line(const RunReport& report, const std::string& level) {
-  const Claims& claims = report.claims;
-  const Rational& unit = report.sampling_radius;
-  if (level == "0") {
-    return fmt::format("input: net, Hypotheses 1{}", *claims.input->hypotheses_2 ? ", Hypotheses 2" : "");
+using Json = nlohmann::ordered_json;
+
+std::string head_text(const RunReport& report) {
+  const PerturbationParameters& algorithm = report.parameters.algorithm;
+  std::string out = fmt::format("{}, {} mode, {} candidates, seed {}\n\n", report.manifold,
+                                name_of(report.parameters.mode), name_of(algorithm.candidates), algorithm.seed);
+  if (report.group) {
+    out +=
+        fmt::format("group        verified: curvature {}, injectivity radius ≥ {}, H₁ = {}\n", report.group->curvature,
+                    decimal_lower(report.group->injectivity_radius), report.group->first_homology);
   }
+  if (report.metric) {
+    out +=
+        fmt::format("metric       positive definite everywhere: eigenvalues ≥ {}, ≤ {}\n",
+                    decimal_lower(report.metric->eigenvalues.lower), decimal_upper(report.metric->eigenvalues.upper));
+  }
+  out += fmt::format("net          {} points, ε = {}, μ₀ = {}", report.points, exact_text(report.sampling_radius),
+                     exact_text(algorithm.separation));
+  out += report.patch_factor ? fmt::format(", patches of radius {} ε\n", *report.patch_factor) : "\n";
+  for (const InputItem& item : report.input)
+    out += fmt::format("  {:<10} {} ({})\n", name_of(item.verdict), item.name, item.detail);
+  if (report.metric) {
+    const ChartDistortion& charts = report.metric->distortion;
+    out += fmt::format("charts       ξ₀ ≤ {} of each other, κ ≤ {} of the metric, rounded by ≤ {}\n",
+                       decimal_upper(charts.transition), decimal_upper(charts.metric), decimal_upper(charts.rounding));
+  }
+  return out;
+}
+
+std::string perturbation_text(const RunReport& report) {
+  if (report.parameters.mode == RunMode::none) return "perturbation none\n";
+  const PerturbationParameters& algorithm = report.parameters.algorithm;
+  std::string out = fmt::format("perturbation ρ₀ = {}, tolerance {}", exact_text(algorithm.perturbation),
+                                exact_text(algorithm.tolerance));
+  if (report.parameters.mode == RunMode::theory)
+    out += " = 2α̃₀, Γ₀² = " + exact_text(report.parameters.squared_flake_parameter);
+  out += "\n";
+  if (algorithm.clearance > Rational(0)) {
+    out += fmt::format("             second tolerance {}, the best of {}\n", exact_text(algorithm.clearance),
+                       algorithm.choices);
+  }
+  out += "             " + tries_text(report.statistics) + "\n             ";
+  if (report.first) {
+    out += fmt::format("at first {} stars not certified, {} not in agreement; ", report.first->failures,
+                       report.first->disagreeing);
+  }
+  return out + fmt::format("{} repair rounds, {} points placed anew\n", report.repair_rounds, report.repaired_points);
+}
+
+/// What was measured beyond the levels.
+std::string measures_text(const RunReport& report) {
+  const Rational& unit = report.sampling_radius;
+  std::string out;
+  if (const auto& margin = report.claims.delaunay_margin) {
+    const Rational squared = square(unit);
+    out +=
+        fmt::format("stability    the metric changes powers of points by ≤ {} ε², {} ε² are allowed: margin ≥ {} ε²\n",
+                    decimal_upper(margin->change / squared), decimal_lower(margin->allowed / squared),
+                    decimal_lower(margin->value() / squared));
+  }
+  if (report.stability) {
+    out += fmt::format("stars        {} of {} pairs of a star and a chart differ\n", report.stability->differing,
+                       report.stability->pairs);
+  }
+  if (report.flat) {
+    out += fmt::format("hinges       {} of {} not certainly locally Delaunay in the flat metric\n",
+                       report.flat->not_delaunay + report.flat->undecided, report.flat->hinges);
+  }
+  if (report.riemannian && report.riemannian->holds == Verdict::undecided) {
+    out += "Riemannian   not every star could be measured\n";
+  } else if (report.riemannian) {
+    out += fmt::format(
+        "Riemannian   thickness ≥ {} in charts at the points, stars within {} ε; Dyer, Vegter and Wintraecken ask for "
+        "{} ε\n",
+        decimal_lower(Rational::exactly(report.riemannian->thickness)),
+        decimal_upper(Rational::exactly(report.riemannian->star_radius) / unit),
+        decimal_lower(Rational::exactly(report.riemannian->scale) / unit));
+  }
+  return report.distortion ? out + distortion_text(*report.distortion) : out;
+}
+
+Json manifold_json(const RunReport& report) {
+  const Rational& unit = report.sampling_radius;
+  Json json{{"name", report.manifold}, {"family", report.family}, {"dimension", report.dimension.value}};
+  if (report.group) {
+    json["curvature"] = report.group->curvature;
+    json["injectivity_radius"] = lower_json(report.group->injectivity_radius, Margin::Unit::length, unit);
+    json["first_homology_of_the_group"] = report.group->first_homology;
+  }
+  if (report.metric) {
+    json["eigenvalues"] = {lower_json(report.metric->eigenvalues.lower), upper_json(report.metric->eigenvalues.upper)};
+  }
+  return json;
+}
+
+Json parameters_json(const RunReport& report) {
+  const PerturbationParameters& algorithm = report.parameters.algorithm;
+  Json json{{"mode", name_of(report.parameters.mode)},
+            {"candidates", name_of(algorithm.candidates)},
+            {"seed", algorithm.seed},
+            {"sampling_radius", exact_text(report.sampling_radius)},
+            {"separation", exact_text(algorithm.separation)},
+            {"perturbation", exact_text(algorithm.perturbation)},
+            {"tolerance", exact_text(algorithm.tolerance)},
+            {"clearance", exact_text(algorithm.clearance)},
+            {"choices", algorithm.choices},
+            {"flake_parameter_squared", exact_text(report.parameters.squared_flake_parameter)}};
+  if (report.patch_factor) json["patch_factor"] = *report.patch_factor;
+  return json;
+}
+
+Json statistics_json(const RunReport& report) {
+  const PerturbationStatistics& statistics = report.statistics;
+  Json json{{"placements", statistics.placements},           {"tries", statistics.tries},
+            {"most_tries", statistics.most_tries},           {"candidates", statistics.candidates},
+            {"most_candidates", statistics.most_candidates}, {"visited", statistics.visited}};
+  if (report.first) {
+    json["stars_not_certified_at_first"] = report.first->failures;
+    json["stars_not_in_agreement_at_first"] = report.first->disagreeing;
+  }
+  json["repair_rounds"] = report.repair_rounds;
+  json["repaired_points"] = report.repaired_points;
+  return json;
+}
+
+Json measures_json(const RunReport& report) {
+  const Rational& unit = report.sampling_radius;
+  const auto exactly = [](double x) { return Rational::exactly(x); };
+  Json json = Json::object();
+  if (report.metric) {
+    const ChartDistortion& charts = report.metric->distortion;
+    json["charts"] = {{"transition", upper_json(charts.transition)},
+                      {"metric", upper_json(charts.metric)},
+                      {"rounding", upper_json(charts.rounding)}};
+  }
+  if (const auto& margin = report.claims.delaunay_margin) {
+    constexpr auto squared = Margin::Unit::squared_length;
+    json["delaunay_margin"] = {{"edge", lower_json(margin->edge, Margin::Unit::length, unit)},
+                               {"change", upper_json(margin->change, squared, unit)},
+                               {"allowed", lower_json(margin->allowed, squared, unit)},
+                               {"margin", lower_json(margin->value(), squared, unit)},
+                               {"is_enough", report.claims.delaunay.has_value()}};
+  }
+  if (report.stability) {
+    json["star_chart_pairs"] = {{"all", report.stability->pairs},
+                                {"differing", report.stability->differing},
+                                {"stars_differing", report.stability->stars}};
+  }
+  if (report.flat) {
+    json["hinges"] = {{"all", report.flat->hinges},
+                      {"not_locally_delaunay", report.flat->not_delaunay},
+                      {"undecided", report.flat->undecided}};
+  }
+  if (report.riemannian && report.riemannian->holds != Verdict::undecided) {
+    json["riemannian_simplices"] = {
+        {"thickness", lower_json(exactly(report.riemannian->thickness))},
+        {"star_radius", upper_json(exactly(report.riemannian->star_radius), Margin::Unit::length, unit)},
+        {"most_star_radius", lower_json(exactly(report.riemannian->scale), Margin::Unit::length, unit)}};
+  }
+  if (report.distortion) json.update(distortion_json(*report.distortion));
+  return json;
+}
+
+}  // namespace
+
+std::string level_line(const Claims& claims, const std::string& level, const Rational& unit) {
+  const auto within = [&unit](const Rational& length) { return decimal_upper(length / unit); };
+  const auto beyond = [&unit](const Rational& length) { return decimal_lower(length / unit); };
+  if (level == "0" && claims.input->density)
+    return fmt::format("input: every point is within {} ε of the net", within(claims.input->density->density));
+  if (level == "0")
+    return *claims.input->hypotheses_2 ? "input: net, Hypotheses 1, Hypotheses 2" : "input: net, Hypotheses 1";
   if (level == "1") {
     return fmt::format("stars: protection ≥ {} ε, thickness ≥ {}, circumradius ≤ {} ε",
-                       decimal_lower(claims.stars->protection / unit), decimal_lower(claims.stars->thickness),
-                       decimal_upper(claims.stars->circumradius / unit));
+                       beyond(claims.stars->protection), decimal_lower(claims.stars->thickness),
+                       within(claims.stars->circumradius));
   }
   if (level == "2") {
     return fmt::format("manifold: {} simplices, Euler characteristic {}, homology {}{}", claims.manifold->simplices,
@@ -28,81 +195,76 @@ std::string level_line(const RunReport& report, const std::string& level) {
                        claims.manifold->closed ? "; closed" : "; of the stars of interior labels");
   }
   if (level == "2s") return "stable stars: every star is the same in the chart of each of its vertices";
-  if (level == "3") return "no forbidden configuration: " + claims.no_forbidden.value();
+  if (level == "3") return "no forbidden configuration: " + *claims.no_forbidden;
+  if (level == "4" && claims.delaunay->balls) {
+    return fmt::format("Delaunay in the manifold: protection ≥ {} ε, circumradius ≤ {} ε",
+                       beyond(claims.delaunay->balls->protection), within(claims.delaunay->balls->circumradius));
+  }
+  if (level == "4" && claims.delaunay->stability) {
+    return fmt::format("Delaunay for the distance of the metric: margin of stability ≥ {} ε²",
+                       decimal_lower(claims.delaunay->stability->margin / square(unit)));
+  }
   if (level == "4") return "Delaunay: the complex is the Delaunay complex of the points in the manifold";
-  if (level == "5") return "triangulation: it is homeomorphic to the manifold, by straight simplices";
-  return "metric: isometric to the manifold, self-Delaunay";
+  if (level == "5" && claims.triangulation->route == "affine-charts") {
+    return fmt::format(
+        "triangulation: by simplices that are straight in the torus, {} of them with agreeing lifts, one "
+        "sheet",
+        claims.manifold->simplices);
+  }
+  if (level == "5" && claims.triangulation->riemannian) {
+    return fmt::format(
+        "triangulation: by geodesic simplices, and by Dyer, Vegter and Wintraecken: thickness ≥ {}, stars within {} ε",
+        decimal_lower(claims.triangulation->riemannian->thickness), within(claims.triangulation->riemannian->radius));
+  }
+  if (level == "5") return "triangulation: by geodesic simplices";
+  const MetricClaim& metric = *claims.metric;
+  const std::string how = metric.self_delaunay ? "self-Delaunay, " : "";
+  if (metric.least_stretch == Rational(1) && metric.greatest_stretch == Rational(1))
+    return "metric: " + how + "isometric to the manifold";
+  return fmt::format("metric: {}bi-Lipschitz with factors ≥ {}, ≤ {}", how, decimal_lower(metric.least_stretch),
+                     decimal_upper(metric.greatest_stretch));
 }
 
-}  // namespace
+nlohmann::ordered_json levels_json(const Claims& claims, const Rational& sampling_radius) {
+  Json json = Json::object();
+  for (const ClaimedLevel& level : claimed_levels(claims)) {
+    Json& entries = json[level.name] = Json::object();
+    for (const LevelEntry& entry : level.entries) {
+      Json bounds = Json::array();
+      for (const Margin& margin : entry.margins) bounds.push_back(bound_json(margin, sampling_radius));
+      entries[entry.key] = bounds.empty() ? Json::parse(entry.json) : bounds.size() == 1 ? bounds[0] : bounds;
+    }
+  }
+  return json;
+}
 
 std::string report_text(const RunReport& report) {
-  const PerturbationParameters& algorithm = report.parameters.algorithm;
-  std::string out = fmt::format("{}, {} mode, {} candidates, seed {}\n\n", report.manifold,
-                                name_of(report.parameters.mode), name_of(algorithm.candidates), algorithm.seed);
-  out += fmt::format("net          {} points, ε = {}, μ₀ = {}\n", report.points, exact_text(report.sampling_radius),
-                     exact_text(algorithm.separation));
-  for (const InputItem& item : report.input) {
-    out += fmt::format("  {:<10} {} ({})\n", name_of(item.verdict), item.name, item.detail);
-  }
-  if (report.perturbed) {
-    out += fmt::format("perturbation ρ₀ = {}, tolerance 2α̃₀ = {}, Γ₀² = {}\n", exact_text(algorithm.perturbation),
-                       exact_text(algorithm.tolerance), exact_text(report.parameters.squared_flake_parameter));
-    out += "             " + tries_text(report.statistics) + "\n";
-    out += fmt::format("             {} repair rounds, {} points placed anew\n", report.repair_rounds,
-                       report.repaired_points);
-  } else {
-    out += "perturbation none\n";
-  }
-  out += "levels\n";
-  for (const std::string& level : report.claims.names()) {
-    out += fmt::format("  {:<3} {}\n", level, level_line(report, level));
-  }
+  std::string out = head_text(report) + perturbation_text(report) + "levels\n";
+  for (const std::string& level : report.claims.names())
+    out += fmt::format("  {:<3} {}\n", level, level_line(report.claims, level, report.sampling_radius));
   for (const std::string& reason : report.reasons) out += "  not reached: " + reason + "\n";
-  out += stages_text(report.stages);
-  out += fmt::format("peak memory  {:.0f} MiB\ncertificate  {}\n", report.peak_memory_mib, report.certificate);
-  return out;
+  return out + measures_text(report) + stages_text(report.stages) +
+         fmt::format("peak memory  {:.0f} MiB\ncertificate  {}\n", report.peak_memory_mib, report.certificate);
 }
 
 std::string report_json(const RunReport& report) {
-  const PerturbationParameters& algorithm = report.parameters.algorithm;
-  nlohmann::ordered_json json;
-  json["manifold"] = report.manifold;
-  json["mode"] = name_of(report.parameters.mode);
-  json["candidates"] = name_of(algorithm.candidates);
-  json["seed"] = algorithm.seed;
-  json["points"] = report.points;
-  json["simplices"] = report.simplices;
-  json["sampling_radius"] = exact_text(report.sampling_radius);
-  json["separation"] = exact_text(algorithm.separation);
-  json["perturbation"] = exact_text(algorithm.perturbation);
-  json["tolerance"] = exact_text(algorithm.tolerance);
-  json["flake_parameter_squared"] = exact_text(report.parameters.squared_flake_parameter);
-  for (const InputItem& item : report.input) {
-    json["input"].push_back({{"item", item.name}, {"verdict", name_of(item.verdict)}, {"values", item.detail}});
-  }
-  json["statistics"] = {{"placements", report.statistics.placements},
-                        {"tries", report.statistics.tries},
-                        {"most_tries", report.statistics.most_tries},
-                        {"candidates", report.statistics.candidates},
-                        {"most_candidates", report.statistics.most_candidates},
-                        {"visited", report.statistics.visited},
-                        {"repair_rounds", report.repair_rounds},
-                        {"repaired_points", report.repaired_points}};
-  json["levels"] = report.claims.names();
-  if (report.claims.stars) {
-    json["margins"] = {{"protection", exact_text(report.claims.stars->protection)},
-                       {"thickness", exact_text(report.claims.stars->thickness)},
-                       {"circumradius", exact_text(report.claims.stars->circumradius)}};
-  }
-  if (report.claims.manifold) {
-    json["euler_characteristic"] = report.claims.manifold->euler_characteristic;
-    json["homology"] = homology_texts(*report.claims.manifold);
-  }
-  json["not_reached"] = report.reasons;
-  json["stages"] = stages_json(report.stages);
-  json["peak_memory_mib"] = report.peak_memory_mib;
-  json["certificate"] = report.certificate;
+  Json input = Json::array();
+  for (const InputItem& item : report.input)
+    input.push_back({{"item", item.name}, {"verdict", name_of(item.verdict)}, {"values", item.detail}});
+  const Json json{{"format", "delcert-report"},
+                  {"version", 1},
+                  {"manifold", manifold_json(report)},
+                  {"parameters", parameters_json(report)},
+                  {"points", report.points},
+                  {"simplices", report.simplices},
+                  {"input", input},
+                  {"statistics", statistics_json(report)},
+                  {"levels", levels_json(report.claims, report.sampling_radius)},
+                  {"not_reached", report.reasons},
+                  {"measures", measures_json(report)},
+                  {"stages", stages_json(report.stages)},
+                  {"peak_memory_mib", report.peak_memory_mib},
+                  {"certificate", report.certificate}};
   return json.dump(2) + "\n";
 }
 

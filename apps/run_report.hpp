@@ -1,38 +1,84 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "apps/stage_clock.hpp"
 #include "kernel/manifold/input_check.hpp"
-#include "kernel/perturb/perturbation.hpp"
-#include "proofs/certificate/claims.hpp"
+#include "kernel/perturb/placement.hpp"
+#include "kernel/stars/stable_stars.hpp"
+#include "kernel/theorems/piecewise_flat.hpp"
+#include "kernel/theorems/riemannian_simplices.hpp"
+#include "proofs/certificate/metric_field_claims.hpp"
 #include "proofs/certificate/run_parameters.hpp"
+#include "proofs/certificate/space_form_distortion.hpp"
 
 namespace delcert {
 
-/// What `delcert certify` says of a run, for people and for programs.
+/// What `delcert certify` says of a run, for people and for programs. What a family does not have is empty and is not
+/// mentioned.
 struct RunReport {
+  /// Of a space form.
+  struct Group {
+    int curvature = 0;
+    Rational injectivity_radius;  ///< a lower bound
+    std::string first_homology;
+  };
+  /// Of a metric field.
+  struct Metric {
+    EigenvalueBounds eigenvalues;
+    ChartDistortion distortion;
+  };
+  /// Stars before any repair.
+  struct FirstStars {
+    std::size_t failures = 0;
+    std::size_t disagreeing = 0;  ///< with the star of another label
+  };
+
   std::string manifold;
+  std::string family;  ///< as in certificates
+  Dimension dimension{0};
+  std::optional<Group> group;
+  std::optional<Metric> metric;
   RunParameters parameters;
   Rational sampling_radius;
+  std::optional<int> patch_factor;  ///< the radius of patches, in sampling radii
   std::size_t points = 0;
   std::size_t simplices = 0;
   std::vector<InputItem> input;
-  bool perturbed = true;
   PerturbationStatistics statistics;
+  std::optional<FirstStars> first;
   int repair_rounds = 0;
   std::size_t repaired_points = 0;
   Claims claims;
   std::vector<std::string> reasons;  ///< for levels that were asked for and not reached
+  std::optional<StarStability> stability;
+  std::optional<PiecewiseFlatReport> flat;
+  std::optional<RiemannianSimplices> riemannian;
+  std::optional<SpaceFormDistortion> distortion;
   std::vector<StageClock::Stage> stages;
   double peak_memory_mib = 0;
   std::string certificate;  ///< the file
+
+  template <class Run>
+  void take(const Run& run) {
+    simplices = run.complex.simplices().size();
+    statistics = run.statistics;
+    repair_rounds = run.repair_rounds;
+    repaired_points = run.repaired_points;
+  }
 };
+
+/// What is said of a level that is claimed; lengths in this unit, the sampling radius.
+[[nodiscard]] std::string level_line(const Claims& claims, const std::string& level, const Rational& unit);
+/// All levels, by their names: the entries of the certificate, with every bound in full.
+[[nodiscard]] nlohmann::ordered_json levels_json(const Claims& claims, const Rational& sampling_radius);
 
 /// A page of text. Decimal figures in it are rounded in the safe direction and marked by ≥ or ≤.
 [[nodiscard]] std::string report_text(const RunReport& report);
-/// The same as JSON; exact numbers are strings.
+/// The same as JSON: docs/report-format.md.
 [[nodiscard]] std::string report_json(const RunReport& report);
 
 }  // namespace delcert

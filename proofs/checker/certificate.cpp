@@ -89,9 +89,9 @@ void Certificate::require_parameters() const {
 void Certificate::require_mode() const {
   if (!unperturbed) return;
   Report::require("form.mode", rho.exact.sign() == 0, "the mode is none, but perturbation is not 0");
-  if (kind() == Kind::flat && net_text.empty()) return;
+  if (!space_form && !metric_field && net_text.empty()) return;
   for (std::size_t k = 0; k < points_text.size(); ++k) {
-    const Rational original = kind() == Kind::flat ? exact_value(net_text[k]) : Rational(0);
+    const Rational original = space_form || metric_field ? Rational(0) : exact_value(net_text[k]);
     if (exact_value(points_text[k]) == original) continue;
     Report::require("form.mode", false, "the mode is none, but label " + std::to_string(k / m_size()) + " is moved");
   }
@@ -110,7 +110,7 @@ void Certificate::require_levels() const {
   Report::require("form.levels", any, "no level is claimed");
   Report::require("form.family", !has_boundary() || !(claimed[level_5] || claimed[level_6]),
                   "levels 5 and 6 are for closed manifolds");
-  Report::require("form.net-simplices", net_simplices.empty() || (claimed[level_0] && kind() == Kind::flat),
+  Report::require("form.net-simplices", net_simplices.empty() || (claimed[level_0] && !space_form && !metric_field),
                   "net_simplices is not empty although no level 0 looks at it");
   const auto size = static_cast<std::size_t>(m) + 1;
   for (std::size_t s = 0; s < net_simplices.size(); s += size) {
@@ -121,22 +121,21 @@ void Certificate::require_levels() const {
 }
 
 std::vector<Level> rests_on(std::size_t level, Kind kind) {
-  const bool on_space_form = kind == Kind::space_form;
   switch (level) {
     case level_0:
-      return on_space_form ? std::vector{level_4} : std::vector<Level>{};
+      return kind == Kind::space_form ? std::vector{level_4} : std::vector<Level>{};
     case level_1:
       return {level_2};
     case level_2:
-      return {level_1};
+      return has_core(kind) ? std::vector<Level>{} : std::vector{level_1};
     case level_2s:
-      return kind == Kind::flat ? std::vector{level_0, level_2} : std::vector{level_2};
+      return kind == Kind::ball || kind == Kind::torus ? std::vector{level_0, level_1} : std::vector{level_1};
     case level_3:
       return {level_0};
-    case level_5:
-      return {kind == Kind::metric_field ? level_2 : level_4};
+    case level_6:
+      return kind == Kind::torus ? std::vector{level_4, level_5} : std::vector{level_5};
     default:
-      return {level == level_4 ? level_2 : static_cast<Level>(level - 1)};
+      return {level_2};
   }
 }
 

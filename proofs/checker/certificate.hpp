@@ -16,7 +16,9 @@ inline constexpr std::array<std::string_view, 8> level_names = {"0", "1", "2", "
 enum Level : std::size_t { level_0, level_1, level_2, level_2s, level_3, level_4, level_5, level_6 };
 
 /// What rules there are depends on which kind of manifold it is.
-enum class Kind { flat, space_form, metric_field };
+enum class Kind { ball, torus, space_form, metric_field };
+/// Whether the core decides levels 2, 4, 5 and 6 (docs/levels/core.md). On other kinds levels 1 and 2 are one.
+constexpr bool has_core(Kind kind) { return kind == Kind::torus || kind == Kind::space_form; }
 /// The levels with which a level must be claimed.
 std::vector<Level> rests_on(std::size_t level, Kind kind);
 
@@ -72,17 +74,18 @@ struct Certificate {
   PointSet net, points;
   std::vector<bool> interior;
 
-  Kind kind() const { return space_form ? Kind::space_form : metric_field ? Kind::metric_field : Kind::flat; }
-  bool has_boundary() const { return !torus && kind() == Kind::flat; }
+  Kind kind() const {
+    return space_form ? Kind::space_form : metric_field ? Kind::metric_field : torus ? Kind::torus : Kind::ball;
+  }
+  bool has_boundary() const { return kind() == Kind::ball; }
   std::size_t m_size() const { return static_cast<std::size_t>(m); }
   std::size_t chart_size() const { return m_size() * (m_size() + 1) / 2; }
   /// On a metric field: the entries on and above the diagonal of the chart of a label, row by row.
   std::vector<Rational> chart_entries(Label i) const;
-  /// On a space form or a metric field: within rho epsilon + 2 (circumradius) + protection of p_i is what levels 1 and
-  /// 4 look at.
+  /// On a space form or a metric field: within rho epsilon + 2 (circumradius) + protection of p_i is what level 1 looks
+  /// at.
   Rational reach_1() const;
-  Rational reach_4() const;
-  /// What any level looks at.
+  /// How far from p_i any level looks; 0 if none does.
   Rational reach() const;
 
   /// How many integers describe an element: a vector, or parent and letter; none on a Euclidean ball.

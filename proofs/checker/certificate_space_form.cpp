@@ -8,14 +8,9 @@ Rational Certificate::reach_1() const {
   return rho.exact * epsilon.exact + Rational(2) * circumradius.exact + protection.exact;
 }
 
-Rational Certificate::reach_4() const {
-  return rho.exact * epsilon.exact + Rational(2) * ball_radius.exact + empty_margin.exact;
-}
-
 Rational Certificate::reach() const {
-  Rational result = reach_1();
+  Rational result = claimed[level_1] ? reach_1() : Rational(0);
   if (claimed[level_2s]) result = maximum(result, reach_2s.exact);
-  if (claimed[level_4]) result = maximum(result, reach_4());
   if (claimed[level_0]) result = maximum(result, (mu.exact + rho.exact) * epsilon.exact);
   return result;
 }

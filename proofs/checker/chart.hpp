@@ -7,17 +7,13 @@
 
 namespace delcert::checker {
 
-/// Coordinates about an original point in which a space form is looked at as if it were Euclidean: those of its chart,
-/// the inverse of exp, or conformal ones, in which balls are balls.
-enum class Coordinates { exponential, conformal };
-
-/// The lifts at distance <= radius of the original point p_i, in coordinates about it.
+/// The lifts at distance <= radius of the original point p_i, in the chart of it: the inverse of exp.
 class Chart {
  public:
-  Chart(const Certificate& c, const Lifts& lifts, Label i, const Rational& radius, Coordinates coordinates)
-      : c_(c), lifts_(lifts), label_(i), coordinates_(coordinates), seen_(lifts.around(i, radius)) {
+  Chart(const Certificate& c, const Lifts& lifts, Label i, const Rational& radius)
+      : c_(c), lifts_(lifts), label_(i), seen_(lifts.around(i, radius)) {
     for (const Seen& seen : seen_) {
-      filter_.push_back(in_coordinates(seen.conformal));
+      filter_.push_back(in_chart(seen.conformal));
       distance_.push_back(square_root(squared(filter_.back(), c.m_size())).lower());
     }
   }
@@ -25,7 +21,6 @@ class Chart {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::size_t size() const { return seen_.size(); }
   Label label(std::size_t at) const { return seen_[at].label; }
-  const Seen& seen(std::size_t at) const { return seen_[at]; }
   /// A lower bound of the distance from the origin of the coordinates.
   double distance(std::size_t at) const { return distance_[at]; }
   /// The place of the label, or `none`. Throws Undecided if two of its lifts might be within the radius.
@@ -34,15 +29,11 @@ class Chart {
   std::vector<std::size_t> find(Label first, const Label* others, Label& missing) const;
 
   template <class N>
-  Vector<N> conformal(std::size_t at) const {
-    return lifts_.conformal_about<N>(label_, seen_[at]);
-  }
-  template <class N>
   Vector<N> position(std::size_t at) const {
     if constexpr (std::is_same_v<N, Interval>) {
       return filter_[at];
     } else {
-      return in_coordinates(conformal<N>(at));
+      return in_chart(lifts_.conformal_about<N>(label_, seen_[at]));
     }
   }
   template <class N>
@@ -54,16 +45,13 @@ class Chart {
 
  private:
   template <class N>
-  Vector<N> in_coordinates(const Vector<N>& a) const {
-    if (coordinates_ == Coordinates::conformal) return a;
-    const int K = c_.space_form->K;
-    return add(Vector<N>{}, logarithm_factor(K, squared(a, c_.m_size()) / N(4)), a);
+  Vector<N> in_chart(const Vector<N>& a) const {
+    return add(Vector<N>{}, logarithm_factor(c_.space_form->K, squared(a, c_.m_size()) / N(4)), a);
   }
 
   const Certificate& c_;
   const Lifts& lifts_;
   Label label_;
-  Coordinates coordinates_;
   std::vector<Seen> seen_;  // sorted by label
   std::vector<Vector<Interval>> filter_;
   std::vector<double> distance_;

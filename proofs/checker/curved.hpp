@@ -69,18 +69,17 @@ Vector<N> seen_from(int K, std::size_t m, const Vector<N>& a, const Vector<N>& x
   return result;
 }
 
-/// 4 sin^2(d/2), d^2, 4 sinh^2(d/2): the squared length of the chord.
+/// The squared geodesic length, from the squared length 4 sin^2(d/2), d^2, 4 sinh^2(d/2) of the chord, d < pi.
 template <class N>
-N squared_chord(int K, std::size_t m, const Vector<N>& a, const Vector<N>& b) {
-  return squared(b - a, m) / ((N(1) + bend(K, m, a)) * (N(1) + bend(K, m, b)));
+N unrolled(int K, const N& chord) {
+  const N q = chord / (N(4) - N(K) * chord);  // tan^2 (d/2)
+  return N(4) * q * square(logarithm_factor(K, q));
 }
 
 /// The squared distance of two points given by conformal coordinates, less than pi apart.
 template <class N>
 N squared_distance(int K, std::size_t m, const Vector<N>& a, const Vector<N>& b) {
-  const N chord = squared_chord(K, m, a, b);
-  const N q = chord / (N(4) - N(K) * chord);  // tan^2 (d/2)
-  return N(4) * q * square(logarithm_factor(K, q));
+  return unrolled(K, squared(b - a, m) / ((N(1) + bend(K, m, a)) * (N(1) + bend(K, m, b))));
 }
 
 }  // namespace delcert::checker

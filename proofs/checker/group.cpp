@@ -1,5 +1,7 @@
 #include "proofs/checker/group.hpp"
 
+#include <algorithm>
+
 #include "proofs/checker/abelian_group.hpp"
 #include "proofs/checker/smith_form.hpp"
 
@@ -38,12 +40,14 @@ Group check_group(const SpaceForm& form, const Rational& reach, const Rational& 
       report.reject("group.generator", [&] { return "generator " + std::to_string(g) + " " + fault; });
   }
   if (!report.findings.empty()) return {};
-  Group group = form.K > 0    ? spherical_group(form, report)
-                : form.K == 0 ? flat_group(form, reach, spread, report)
-                              : hyperbolic_group(form, reach, spread, report);
-  for (const FieldMatrix& generator : form.generators)
-    group.orientable = group.orientable && generator.leading_minor(generator.order()).sign() > 0;
-  return group;
+  return form.K > 0    ? spherical_group(form, report)
+         : form.K == 0 ? flat_group(form, reach, spread, report)
+                       : hyperbolic_group(form, reach, spread, report);
+}
+
+bool keeps_orientation(const SpaceForm& form) {
+  return std::all_of(form.generators.begin(), form.generators.end(),
+                     [](const FieldMatrix& g) { return g.leading_minor(g.order()).sign() > 0; });
 }
 
 std::string first_homology(const Group& group) {

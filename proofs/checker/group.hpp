@@ -13,12 +13,14 @@ namespace delcert::checker {
 struct Group {
   std::vector<FieldMatrix> elements;  // the identity first
   std::string summary;
-  std::string size;        // "order 120", "14 sides", "6 cosets of its lattice"
-  bool orientable = true;  // whether all of them keep the orientation
+  std::string size;  // "order 120", "14 sides", "6 cosets of its lattice"
   /// Of a presentation: how many generators, and the exponents of each in the relations.
   std::size_t letters = 0;
   std::vector<std::vector<std::int64_t>> relations{};
 };
+
+/// Whether all generators keep the orientation. Precondition: they are isometries.
+bool keeps_orientation(const SpaceForm& form);
 
 /// The presented group made commutative, H_1 of the quotient.
 std::string first_homology(const Group& group);

@@ -24,17 +24,13 @@ SquareMatrix<Rational> matrix_of(const Certificate& c) {
 
 }  // namespace
 
-Identity identify(const Certificate& c, const Group* group) {
+Identity identify(const Certificate& c) {
   Identity result;
   result.dimension = c.m;
   result.name = printable(c.name);
   result.manifold_digest = sha256(c.manifold_text);
   if (c.space_form) {
     result.family = c.space_form->K > 0 ? "spherical" : c.space_form->K == 0 ? "flat" : "hyperbolic";
-    if (group == nullptr) return result;
-    result.size = group->size;
-    result.orientability = group->orientable ? "orientable" : "not orientable";
-    result.first_homology = first_homology(*group);
     return result;
   }
   result.orientability = "orientable";
@@ -56,7 +52,8 @@ std::string to_string(const Identity& identity, bool with_name) {
   std::string text = identity.family + ", dimension " + std::to_string(identity.dimension);
   if (!identity.size.empty()) text += ", " + identity.size;
   if (!identity.orientability.empty()) text += ", " + identity.orientability;
-  if (!identity.first_homology.empty()) text += ", H1 = " + identity.first_homology + " by its presentation";
+  text += identity.first_homology.empty() ? ", H1 not looked at"
+                                          : ", H1 = " + identity.first_homology + " by " + identity.homology_of;
   if (with_name) text += "; name \"" + identity.name + "\" as stated";
   text += "; SHA-256 of the manifold block " + identity.manifold_digest;
   if (!identity.file_digest.empty()) text += ", of the file " + identity.file_digest;

@@ -3,7 +3,6 @@
 #include <string>
 
 #include "proofs/checker/certificate.hpp"
-#include "proofs/checker/group.hpp"
 
 namespace delcert::checker {
 
@@ -12,16 +11,17 @@ namespace delcert::checker {
 struct Identity {
   std::string family;
   int dimension = 0;
-  std::string size;             // "14 sides", "squared volume 3/4"; empty if the group was not verified
-  std::string orientability;    // "orientable"; empty if the group was not verified
-  std::string first_homology;   // "Z^6", of a presentation of the group; empty if that was not verified
-  std::string name;             // as stated, safe to print
-  std::string manifold_digest;  // SHA-256 of the bytes of the manifold block, with its braces
-  std::string file_digest;      // SHA-256 of the file as it is
+  std::string size;            // "14 sides", "squared volume 3/4"; empty if the group was not verified
+  std::string orientability;   // "orientable"; empty if nothing was verified of the generators
+  std::string first_homology;  // "Z^6"; empty if it was not looked at
+  std::string homology_of = "its presentation";  // from what it was found
+  std::string name;                              // as stated, safe to print
+  std::string manifold_digest;                   // SHA-256 of the bytes of the manifold block, with its braces
+  std::string file_digest;                       // SHA-256 of the file as it is
 };
 
-/// Of the manifold block; `group` is null unless the family has a group that was verified.
-Identity identify(const Certificate& c, const Group* group);
+/// What the manifold block says, and nothing that is to be verified of a space form.
+Identity identify(const Certificate& c);
 
 /// One line. The name only if it may be said: it could be any word, "verified" among them.
 std::string to_string(const Identity& identity, bool with_name);

@@ -17,7 +17,7 @@ class StarChecker {
   void check(Label i) {
     ++stars;
     lifts_.clear();
-    check_facets(c_, i, report_);
+    if (c_.has_boundary()) check_facets(c_, i, report_);  // else core.facets
     for (std::size_t s = 0; s < c_.star_size(i); ++s) {
       const Label* labels = c_.star_simplex(i, s);
       // A simplex is looked at from its smallest interior label; it is in the star of each of its interior labels.

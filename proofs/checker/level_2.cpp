@@ -21,7 +21,7 @@ std::string listed(const std::vector<std::string>& groups) {
 
 }  // namespace
 
-std::string check_level_2(const Certificate& c, bool stars_hold, Report& report) {
+std::string check_level_2(const Certificate& c, bool is_manifold, Report& report) {
   const std::size_t count = c.simplex_count();
   const FaceComplex complex(c.m, simplices_of(c));
   const std::int64_t euler = complex.euler_characteristic();
@@ -34,7 +34,7 @@ std::string check_level_2(const Certificate& c, bool stars_hold, Report& report)
     });
   }
   // What is no manifold can have any homology, and that can take any time to find.
-  if (c.homology.empty() || !stars_hold || !report.findings.empty()) return found;
+  if (c.homology.empty() || !is_manifold || !report.findings.empty()) return found;
   const std::vector<std::string> groups = complex.homology();
   if (c.homology != groups) {
     report.reject("2.homology",

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <stdexcept>
 
-#include "proofs/checker/core/levels.hpp"
+#include "proofs/checker/core/core.hpp"
 #include "proofs/checker/expectation.hpp"
 #include "proofs/checker/metric_field_levels.hpp"
 #include "proofs/checker/space_form_levels.hpp"
@@ -36,8 +35,8 @@ Levels selection(const Certificate& certificate, const std::vector<std::string>&
   return chosen;
 }
 
-using Check = std::function<std::string(Report&)>;
-
+/// `check` takes a Report and returns in words what it looked at.
+template <class Check>
 LevelResult run_check(const std::string_view name, const Check& check) {
   const auto begin = std::chrono::steady_clock::now();
   LevelResult result;
@@ -53,66 +52,6 @@ LevelResult run_check(const std::string_view name, const Check& check) {
   result.findings = report.findings;
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
-}
-
-Check check_of_level(const AffineCharts& charts, std::size_t level) {
-  return [&charts, level](Report& report) -> std::string {
-    if (level == level_1) return check_stars_of_metric_field(charts, report);
-    if (level == level_2s) return check_stable_stars_of_metric_field(charts, report);
-    if (level == level_4) return check_delaunay_of_metric_field(charts, report);
-    if (level == level_5) return "follows from levels 1 and 2 in small patches of affine charts";
-    throw std::logic_error("a level that metric fields do not have");
-  };
-}
-
-Check check_of_level(const Certificate& c, std::size_t level, const Lifts* lifts) {
-  using Flat = std::string (*)(const Certificate&, Report&);
-  using Curved = std::string (*)(const Certificate&, const Lifts&, Report&);
-  const Flat follows = [](const Certificate&, Report&) -> std::string { return "follows from levels 1 and 2"; };
-  const std::array<Flat, level_names.size()> flat = {check_level_0, check_level_1, nullptr, check_level_2s,
-                                                     check_level_3, follows,       follows, follows};
-  const std::array<Curved, level_names.size()> curved = {check_input_on_space_form,
-                                                         check_stars_in_charts,
-                                                         nullptr,
-                                                         check_stable_stars_in_charts,
-                                                         nullptr,
-                                                         check_delaunay_on_space_form,
-                                                         check_triangulation_of_space_form,
-                                                         check_metric_of_space_form};
-  if (lifts != nullptr && curved[level] != nullptr)
-    return [&c, lifts, check = curved[level]](Report& report) { return check(c, *lifts, report); };
-  return [&c, check = flat[level]](Report& report) { return check(c, report); };
-}
-
-using CheckOfLevel = std::function<Check(std::size_t)>;
-
-/// Each level after those on which it rests: level 0 of a space form is the last, and elsewhere the first. Levels 1 and
-/// 2 are claimed together, and looked at together. Without `check_of` no level is looked at.
-void check_levels(const Certificate& c, const Levels& chosen, const CheckOfLevel* check_of, Outcome& outcome) {
-  std::vector<std::size_t> order = {level_0, level_1, level_2, level_2s, level_3, level_4, level_5, level_6};
-  if (c.kind() == Kind::space_form) std::rotate(order.begin(), order.begin() + 1, order.end());
-  Levels holds{};
-  std::array<std::optional<LevelResult>, level_names.size()> results;
-  for (const std::size_t level : order) {
-    if (!chosen[level] || check_of == nullptr) continue;
-    const std::vector<Level> bases = rests_on(level, c.kind());
-    const auto stands = [&](Level base) {
-      const bool both = holds[level_1] && holds[level_2];
-      return level == level_1 || level == level_2 || (base == level_1 || base == level_2 ? both : holds[base]);
-    };
-    if (!std::all_of(bases.begin(), bases.end(), stands)) continue;
-    const Check check = level == level_2 ? [&](Report& report) { return check_level_2(c, holds[level_1], report); }
-                                         : (*check_of)(level);
-    results[level] = run_check(level_names[level], check);
-    holds[level] = results[level]->status == 0;
-  }
-  for (std::size_t level = 0; level < level_names.size(); ++level) {
-    if (results[level]) {
-      outcome.levels.push_back(std::move(*results[level]));
-    } else if (c.claimed[level]) {
-      outcome.unchecked.emplace_back(level_names[level]);
-    }
-  }
 }
 
 /// Around the greatest distance of a point from o, halved: with the precision of balls.
@@ -144,6 +83,128 @@ Rational spread(const Certificate& c) {
   return Rational(static_cast<int>(std::ceil(sixteenths)) + 1) / Rational(16) + c.rho.exact * c.epsilon.exact;
 }
 
+/// The checks of a certificate, one after the other, and what they share.
+class Run {
+ public:
+  Run(const Certificate& certificate, const Levels& chosen, Outcome& outcome)
+      : c_(certificate), chosen_(chosen), outcome_(outcome) {}
+
+  void check_all() {
+    if (c_.metric_field) {
+      outcome_.levels.push_back(run_check("field", [&](Report& report) {
+        charts_.emplace(c_);
+        return check_metric_field(*charts_, report);
+      }));
+      if (outcome_.levels.back().status != 0) return list_levels();
+    }
+    for (const std::size_t level : order()) {
+      if (!chosen_[level] || !stands(level) || (needs_group(level) && !has_group())) continue;
+      results_[level] = run_check(level_names[level], [&](Report& report) { return check(level, report); });
+      holds_[level] = results_[level]->status == 0;
+      if (level == level_2 && !has_core(c_.kind()))
+        holds_[level_1] = holds_[level_2] = holds_[level_1] && holds_[level_2];
+    }
+    list_levels();
+  }
+
+  Identity identity() const {
+    Identity result = identify(c_);
+    if (!c_.space_form) return result;
+    // A matrix that is no isometry neither keeps nor changes an orientation.
+    if (holds_[level_2]) result.orientability = keeps_orientation(*c_.space_form) ? "orientable" : "not orientable";
+    if (group_holds_) {
+      result.size = group_.size;
+      result.first_homology = first_homology(group_);
+    } else if ((holds_[level_4] || holds_[level_5]) && !c_.homology.empty()) {
+      result.first_homology = c_.homology[1];
+      result.homology_of = "the complex";
+    }
+    return result;
+  }
+
+  /// Those that were claimed and not looked at, if nothing was.
+  void list_levels() {
+    if (group_result_) outcome_.levels.push_back(std::move(*group_result_));
+    for (std::size_t level = 0; level < level_names.size(); ++level) {
+      if (results_[level]) {
+        outcome_.levels.push_back(std::move(*results_[level]));
+      } else if (c_.claimed[level]) {
+        outcome_.unchecked.emplace_back(level_names[level]);
+      }
+    }
+  }
+
+ private:
+  std::vector<std::size_t> order() const {
+    if (c_.space_form) return {level_2, level_1, level_2s, level_4, level_5, level_6, level_0};
+    if (c_.torus) return {level_0, level_2, level_1, level_2s, level_3, level_4, level_5, level_6};
+    return {level_0, level_1, level_2, level_2s, level_3, level_4, level_5, level_6};
+  }
+
+  /// Where levels 1 and 2 rest on each other they are looked at together.
+  bool stands(std::size_t level) const {
+    if (!has_core(c_.kind()) && (level == level_1 || level == level_2)) return true;
+    const std::vector<Level> bases = rests_on(level, c_.kind());
+    return std::all_of(bases.begin(), bases.end(), [&](Level base) { return holds_[base]; });
+  }
+
+  /// Its injectivity radius and, but for level 5, its elements.
+  bool needs_group(std::size_t level) const {
+    return c_.space_form &&
+           (level == level_0 || level == level_1 || level == level_2s || (level == level_5 && c_.riemannian_simplices));
+  }
+  bool has_group() {
+    if (!group_result_) {
+      group_result_ = run_check("group", [&](Report& report) {
+        const Rational far = spread(c_), reach = c_.reach();
+        group_ = check_group(*c_.space_form, reach, far, report);
+        if (report.findings.empty() && (chosen_[level_0] || chosen_[level_1])) lifts_.emplace(c_, group_, reach, far);
+        return group_.summary;
+      });
+      group_holds_ = group_result_->status == 0;
+    }
+    return group_holds_;
+  }
+
+  std::string check(std::size_t level, Report& report) {
+    if (level == level_2) {
+      if (has_core(c_.kind())) core_.emplace(c_).check_manifold(report);
+      return check_level_2(c_, has_core(c_.kind()) ? report.findings.empty() : holds_[level_1], report);
+    }
+    if (core_ && level == level_4) return core_->check_delaunay(report);
+    if (core_ && level == level_5) return core_->check_triangulation(report);
+    if (core_ && level == level_6) return core_->check_metric(report);
+    if (c_.space_form) {
+      return level == level_0   ? check_input_on_space_form(c_, *lifts_, report)
+             : level == level_1 ? check_stars_in_charts(c_, *lifts_, report)
+                                : check_stable_stars_in_charts(c_, *lifts_, report);
+    }
+    if (charts_) {
+      return level == level_1    ? check_stars_of_metric_field(*charts_, report)
+             : level == level_2s ? check_stable_stars_of_metric_field(*charts_, report)
+             : level == level_4  ? check_delaunay_of_metric_field(*charts_, report)
+                                 : "follows from levels 1 and 2 in small patches of affine charts";
+    }
+    return level == level_0    ? check_level_0(c_, report)
+           : level == level_1  ? check_level_1(c_, report)
+           : level == level_2s ? check_level_2s(c_, report)
+           : level == level_3  ? check_level_3(c_, report)
+                               : "follows from levels 1 and 2";
+  }
+
+  const Certificate& c_;
+  const Levels& chosen_;
+  Outcome& outcome_;
+  Levels holds_{};
+  std::array<std::optional<LevelResult>, level_names.size()> results_;
+  std::optional<LevelResult> group_result_;
+  Group group_;
+  bool group_holds_ = false;
+  std::optional<core::Core> core_;
+  std::optional<Lifts> lifts_;
+  std::optional<AffineCharts> charts_;
+};
+
 }  // namespace
 
 Outcome check(std::string_view text, const std::vector<std::string>& selected, std::string_view expected) {
@@ -153,7 +214,7 @@ Outcome check(std::string_view text, const std::vector<std::string>& selected, s
   try {
     const Certificate certificate(text);
     const Levels chosen = selection(certificate, selected);
-    outcome.identity = identify(certificate, nullptr);
+    outcome.identity = identify(certificate);
     bool is_expected = true;
     if (!expected.empty()) {
       outcome.levels.push_back(run_check("manifold", [&](Report& report) -> std::string {
@@ -163,34 +224,9 @@ Outcome check(std::string_view text, const std::vector<std::string>& selected, s
       }));
       is_expected = outcome.levels.back().status == 0;
     }
-    Group group;
-    std::optional<Lifts> lifts;
-    if (certificate.space_form && is_expected) {
-      outcome.levels.push_back(run_check("group", [&](Report& report) {
-        const Rational far = spread(certificate), reach = certificate.reach();
-        group = check_group(*certificate.space_form, reach, far, report);
-        if (report.findings.empty()) lifts.emplace(certificate, group, reach, far);
-        return group.summary;
-      }));
-    }
-    std::optional<AffineCharts> charts;
-    outcome.identity = identify(certificate, lifts ? &group : nullptr);
-    bool ready = is_expected && (!certificate.space_form || lifts);
-    if (certificate.metric_field && is_expected) {
-      outcome.levels.push_back(run_check("field", [&](Report& report) {
-        charts.emplace(certificate);
-        return check_metric_field(*charts, report);
-      }));
-      ready = outcome.levels.back().status == 0;
-    }
-    if (chosen[level_2] && is_expected && !certificate.has_boundary() && !certificate.metric_field) {
-      outcome.levels.push_back(
-          run_check("core", [&](Report& report) { return core::check_levels(certificate, chosen, report); }));
-    }
-    const CheckOfLevel check_of = [&](std::size_t level) {
-      return charts ? check_of_level(*charts, level) : check_of_level(certificate, level, lifts ? &*lifts : nullptr);
-    };
-    check_levels(certificate, chosen, ready ? &check_of : nullptr, outcome);
+    Run run(certificate, chosen, outcome);
+    is_expected ? run.check_all() : run.list_levels();
+    outcome.identity = run.identity();
   } catch (const Malformed& reason) {
     outcome.status = 3;
     outcome.malformed = Finding{reason.rule, reason.what()};

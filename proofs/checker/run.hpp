@@ -12,18 +12,19 @@
 namespace delcert::checker {
 
 // Each function checks the rules of its level, records the broken ones in the report and returns in words what it
-// looked at. Throws Undecided. Levels 4, 5 and 6 have no rules of their own: they follow from levels 1 and 2.
+// looked at. Throws Undecided. Levels 4, 5 and 6 are the core's (core/core.hpp).
 std::string check_level_0(const Certificate& c, Report& report);
 std::string check_level_1(const Certificate& c, Report& report);
-/// The rule 2.homology is looked at only if the others of levels 1 and 2 hold: whether those of 1 do is an argument.
-std::string check_level_2(const Certificate& c, bool stars_hold, Report& report);
+/// The rules 2.count and, if the rules hold that make the complex a manifold, 2.homology: whether they do is an
+/// argument.
+std::string check_level_2(const Certificate& c, bool is_manifold, Report& report);
 std::string check_level_2s(const Certificate& c, Report& report);
 std::string check_level_3(const Certificate& c, Report& report);
 /// The parts of level 0 that show that the net is dense: the rule 0.cycle, and the rules 0.ball and 0.degree.
 void check_cycle(const Certificate& c, Report& report);
 void check_density(const Certificate& c, Report& report);
 
-/// The rule 1.facets for the star of i.
+/// The rule 1.facets for the star of i, where there is no core.
 void check_facets(const Certificate& c, Label i, Report& report);
 
 /// What became of one level: its exit status if it were alone, what was looked at, what is wrong.

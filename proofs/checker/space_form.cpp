@@ -51,7 +51,7 @@ SpaceForm::SpaceForm(int curvature, int dimension, Cursor& cursor)
   cursor.expect(",\"injectivity_radius\":");
   injectivity_radius = Quantity(exact_value(cursor.number()));
   Report::require("form.ranges", time.sign() == K, "time has not the sign of the curvature");
-  Report::require("form.ranges", injectivity_radius.exact.sign() > 0, "injectivity_radius is not positive");
+  Report::require("form.ranges", injectivity_radius.exact.sign() >= 0, "injectivity_radius is negative");
   // Without these there is no basis to compute in.
   if (!(gram == gram.transposed())) throw Malformed("form.gram", "the gram matrix is not symmetric");
   if (is_positive_definite(gram) != Verdict::proved)

@@ -94,8 +94,7 @@ std::string check_stars_in_charts(const Certificate& c, const Lifts& lifts, Repo
       report.reject("1.perturbation",
                     [&] { return "label " + std::to_string(i) + " is moved by more than perturbation epsilon"; });
     }
-    check_facets(c, i, report);
-    check_star(c, Chart(c, lifts, i, c.reach_1(), Coordinates::exponential), i, report);
+    check_star(c, Chart(c, lifts, i, c.reach_1()), i, report);
     simplices += c.star_size(i);
   }
   return std::to_string(simplices) +
@@ -111,7 +110,7 @@ std::string check_stable_stars_in_charts(const Certificate& c, const Lifts& lift
   for (Label j = 0; j < c.n; ++j) {
     std::set<Label> centres;
     for (std::size_t s = 0; s < c.star_size(j); ++s) centres.insert(c.star_simplex(j, s), c.star_simplex(j, s) + c.m);
-    const Chart chart(c, lifts, j, c.reach_2s.exact, Coordinates::exponential);
+    const Chart chart(c, lifts, j, c.reach_2s.exact);
     for (const Label i : centres) {
       for (std::size_t s = 0; s < c.star_size(i); ++s) {
         const Label* others = c.star_simplex(i, s);

@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+
+#include "kernel/number/exact_text.hpp"
 
 namespace delcert {
 namespace DELCERT_THIS_FILE {
@@ -58,6 +62,31 @@ TEST(ReportParts, what_has_four_digits_is_printed_as_it_is) {
   EXPECT_EQ(decimal_lower(Rational(-12341) / Rational(10000)), "-1.235e+00");
   EXPECT_EQ(decimal_upper(Rational(-12341) / Rational(10000)), "-1.234e+00");
   EXPECT_EQ(decimal_lower(Rational(0)), "0.000e+00");
+}
+
+TEST(ReportParts, bounds_are_on_the_safe_side_as_doubles_too) {
+  const Rational epsilon = Rational(1) / Rational(7);
+  for (const Rational& x : numbers()) {
+    for (const auto unit : {Margin::Unit::one, Margin::Unit::length, Margin::Unit::squared_length}) {
+      const auto lower = lower_json(x, unit, epsilon);
+      const auto upper = upper_json(x, unit, epsilon);
+      EXPECT_EQ(parse_exact(lower["exact"].get<std::string>()), x);
+      EXPECT_EQ(lower["bound"], "lower");
+      EXPECT_EQ(upper["bound"], "upper");
+      EXPECT_LE(Rational::exactly(lower["value"].get<double>()), x);
+      EXPECT_GE(Rational::exactly(upper["value"].get<double>()), x);
+      EXPECT_LE(upper["value"].get<double>() - lower["value"].get<double>(),
+                0x1p-51 * std::abs(upper["value"].get<double>()));
+      EXPECT_EQ(lower.contains("in_sampling_radii"), unit != Margin::Unit::one);
+      if (unit == Margin::Unit::one) continue;
+      const Rational relative = x * Rational(unit == Margin::Unit::length ? 7 : 49);
+      EXPECT_LE(Rational::exactly(lower["in_sampling_radii"].get<double>()), relative);
+      EXPECT_GE(Rational::exactly(upper["in_sampling_radii"].get<double>()), relative);
+    }
+  }
+  EXPECT_EQ(upper_json(Rational(1))["unit"], "1");
+  EXPECT_EQ(upper_json(Rational(1), Margin::Unit::length, epsilon)["unit"], "length");
+  EXPECT_EQ(upper_json(Rational(1), Margin::Unit::squared_length, epsilon)["unit"], "length^2");
 }
 
 }  // namespace DELCERT_THIS_FILE

@@ -36,6 +36,28 @@ TEST(Identity, says_of_which_manifold_the_verdict_speaks) {
   EXPECT_EQ(first_line(sealed(disc().document())).find("manifold   euclidean-ball, dimension 2, radius "), 0U);
 }
 
+/// Levels 2, 4, 5 and 6 do without the group: its size is not known then, and H_1 is that of the complex.
+TEST(Identity, without_the_group_is_that_of_the_complex) {
+  const auto described = [](const SpaceFormSample& sample, const Json& homology) {
+    Json document = sample.document();
+    if (!homology.empty()) document["levels"]["2"]["homology"] = homology;
+    const CheckerRun run = run_checker_with(temporary_file(sealed(document)));
+    EXPECT_EQ(run.status, 0) << run.output;
+    EXPECT_EQ(run.output.find("level group"), std::string::npos) << run.output;
+    return run.output.substr(0, run.output.find("; name"));
+  };
+  const Json of_bottle = {"Z", "Z + Z/2", "0"};
+  const std::set<std::string> levels = {"2", "5", "6"};
+  EXPECT_EQ(described(klein_bottle().claiming(levels), of_bottle),
+            "manifold   flat, dimension 2, not orientable, H1 = Z + Z/2 by the complex");
+  EXPECT_EQ(described(klein_bottle().claiming(levels), {}),
+            "manifold   flat, dimension 2, not orientable, H1 not looked at");
+  EXPECT_EQ(described(klein_bottle().claiming({"2"}), of_bottle),
+            "manifold   flat, dimension 2, not orientable, H1 not looked at");
+  EXPECT_EQ(described(bolza_surface().claiming({"2", "4"}), {"Z", "Z^4", "Z"}),
+            "manifold   hyperbolic, dimension 2, orientable, H1 = Z^4 by the complex");
+}
+
 TEST(Identity, has_the_digests_of_the_block_and_of_the_file) {
   const Json document = bolza_surface().document();
   for (const std::string& bytes : {sealed(document), zstd_compressed(sealed(document))}) {

@@ -20,7 +20,7 @@ delcert_complex_test(seifert-weber "  2 .*\n  5 .*\n  6 .*not reached: level 4: 
 delcert_complex_test(dodecahedral-29 "  2 .*\n  5 .*\n  6 .*not reached: level 4: " "Z, Z/29, 0, Z")
 
 delcert_cli_test(certify-complex-json STATUS 0 ERROR "^$"
-  OUTPUT "\"levels\": ..*\"5\".*\"homology\": .*\"Z.4\".*\"checker\": .*\"status\": \"verified\""
+  OUTPUT "\"delcert-complex-report\".*\"levels\": .*\"homology\": .*\"Z.4\".*\"5\": .*\"checker\": .*\"status\": \"verified\""
   COMMAND ${delcert} certify --complex ${complexes}/genus-2.toml --json --output complex-json.json)
 delcert_cli_test(certify-complex-few-levels STATUS 0 OUTPUT "levels\n  2 [^\n]*\nchecked" ERROR "^$"
   COMMAND ${delcert} certify --complex ${complexes}/klein-bottle-9.toml --levels 2 --output complex-few.json)

@@ -28,13 +28,13 @@ delcert_run_test(ball-lattice --manifold disk --lattice 12 --seed 1 LEVELS "${ba
 delcert_run_test(torus-3 --manifold torus-3 --radius 1/24 --seed 1 LEVELS "${all}")
 
 delcert_run_test(metric-field --manifold torus-2-hills --radius 1/40 --seed 1 LEVELS
-  "metric       positive definite everywhere.*levels\n  1 .*\n  2 .*homology Z, Z.2, Z\n  2s .*\n  5 .*\n  not reached: level 4: .*margin of stability ≥ -[0-9].*\nstability .*margin ≥ -[0-9]")
+  "metric       positive definite everywhere.*levels\n  1 .*\n  2 .*homology Z, Z.2, Z; closed\n  2s .*\n  5 .*\n  not reached: level 4: .*margin of stability ≥ -[0-9].*\nstability .*margin ≥ -[0-9]")
 delcert_run_test(torus-of-revolution --manifold torus-2-of-revolution --radius 1/40 --seed 1 LEVELS
-  "metric       positive definite everywhere.*levels\n  1 .*\n  2 .*Euler characteristic 0, homology Z, Z.2, Z\n  5 .*\n  not reached: level 2s: ")
+  "metric       positive definite everywhere.*levels\n  1 .*\n  2 .*Euler characteristic 0, homology Z, Z.2, Z; closed\n  5 .*\n  not reached: level 2s: ")
 delcert_run_test(constant-metric-field --manifold torus-2-anisotropic --radius 1/30 --seed 1 LEVELS
   "levels\n  1 .*\n  2 .*\n  2s .*\n  4 .*Delaunay for the distance of the metric: margin of stability ≥ [0-9].*\n  5 .*\nstability .*margin ≥ [0-9]")
 delcert_cli_test(certify-metric-field-json STATUS 0 ERROR "^$"
-  OUTPUT "\"levels\": .*\"4\",.*\"delaunay_margin\": .*\"edge\": \"[0-9].*\"margin\": \"[0-9].*\"is_enough\": true"
+  OUTPUT "\"levels\": .*\"4\": .*\"edge\": .*\"exact\": \"[0-9].*\"delaunay_margin\": .*\"is_enough\": true"
   COMMAND ${delcert} certify --manifold torus-2-anisotropic --radius 1/20 --json --output anisotropic.json)
 
 delcert_cli_test(certify-raw-lattice STATUS 1 OUTPUT "^$" ERROR "nothing is certified.*star of 0: simplex"

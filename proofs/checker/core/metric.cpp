@@ -4,13 +4,6 @@
 namespace delcert::checker::core {
 namespace {
 
-/// The squared geodesic length, from that of the chord.
-template <class N>
-N unrolled(int K, const N& chord) {
-  const N q = chord / (N(4) - N(K) * chord);  // tan^2 (d/2)
-  return N(4) * q * square(logarithm_factor(K, q));
-}
-
 /// cot alpha + cot beta > weight for the angles opposite to an edge, from the squared lengths: with s = a^2 + b^2 - e^2
 /// and r = 4 a^2 b^2 - s^2, cot alpha = s / sqrt r.
 template <class N>

@@ -18,6 +18,7 @@ struct Forgery {
 std::vector<Forgery> form_forgeries();
 std::vector<Forgery> level_0_forgeries();
 std::vector<Forgery> star_forgeries();  // levels 1, 2, 2s
+std::vector<Forgery> core_forgeries();
 std::vector<Forgery> configuration_forgeries();
 std::vector<Forgery> space_form_forgeries();
 /// In metric_field_test.cpp and metric_field_delaunay_test.cpp, as they are made from a run.
@@ -27,5 +28,7 @@ std::vector<Forgery> metric_field_delaunay_forgeries();
 /// The certificates from which the forgeries are made, by name; they are valid.
 std::vector<std::pair<std::string, std::string>> valid_certificates();
 std::vector<std::pair<std::string, std::string>> valid_space_form_certificates();
+/// Of an octahedron that claims levels 2, 4, 5 and 6 and no injectivity radius.
+std::pair<std::string, std::string> valid_certificate_of_a_complex();
 
 }  // namespace delcert::checker_tests

@@ -62,7 +62,9 @@ std::vector<Forgery> form_forgeries() {
     d["parameters"]["perturbation"] = "0";
   });
   forge("separation is 0", "form.ranges", input, [](Json& d) { d["parameters"]["separation"] = "0"; });
-  forge("level 5 without level 4", "form.levels", torus, [](Json& d) { d["levels"].erase("4"); });
+  forge("level 6 without level 5", "form.levels", torus, [](Json& d) { d["levels"].erase("5"); });
+  forge("level 6 of a flat torus without level 4", "form.levels", torus, [](Json& d) { d["levels"].erase("4"); });
+  forge("level 1 without level 2", "form.levels", wide_torus().claiming({"1"}).document(), [](Json&) {});
   forge("level 2s without level 0", "form.levels", wide_torus().claiming({"1", "2", "2s"}).document(), [](Json&) {});
   forge("no level is claimed", "form.levels", wide_torus().claiming({}).document(), [](Json&) {});
   forge("level 5 of a ball", "form.family", ball, [](Json& d) { d["levels"]["5"]["route"] = "space-form"; });

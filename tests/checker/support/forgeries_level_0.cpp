@@ -81,10 +81,11 @@ std::vector<Forgery> level_0_forgeries() {
     for (Json& simplex : d["net_simplices"]) std::swap(simplex[0], simplex[1]);
   });
   forge("no net simplices in a ball", "0.degree", ball, [](Json& d) { d["net_simplices"] = Json::array(); });
-  forge("a point shifted by a generator of the lattice", "0.perturbation", wide, [](Json& d) {
-    Model model = wide_torus().model;
-    d["points"][40][0] = (model.points[40][0] + Fraction{1, 1}).text();
-  });
+  forge("a point shifted by a generator of the lattice", "0.perturbation", wide_torus().claiming({"0"}).document(),
+        [](Json& d) {
+          Model model = wide_torus().model;
+          d["points"][40][0] = (model.points[40][0] + Fraction{1, 1}).text();
+        });
   forge("perturbation radius too small", "0.perturbation", wide,
         [](Json& d) { d["parameters"]["perturbation"] = "1/200"; });
   forge("short lattice vectors", "0.patch", wide, [&](Json& d) {

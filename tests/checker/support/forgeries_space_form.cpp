@@ -28,6 +28,7 @@ std::vector<std::pair<std::string, std::string>> valid_space_form_certificates()
     document["levels"]["2"]["homology"] = groups;
     result.emplace_back(name, sealed(document));
   }
+  result.push_back(valid_certificate_of_a_complex());
   SpaceFormSample riemannian = klein_bottle();
   riemannian.levels.insert("5r");
   result.emplace_back("Klein bottle of Riemannian simplices", sealed(riemannian.document()));
@@ -117,12 +118,14 @@ std::vector<Forgery> forgeries_of_stars() {
     return [=](Json& j) { j["levels"]["2"]["homology"] = groups; };
   };
   const int other = static_cast<int>(icosphere().model.size()) / 2;
-  forge("two points of the sphere exchanged", "1.vertices", renamed(icosphere().claiming({"1", "2"}), [other](int j) {
-          return j == 0 ? other : j == other ? 0 : j;
-        }));
-  forge("a hole in the sphere", "1.facets", pierced(icosphere(), 20));
-  forge("a hole in the projective space", "1.facets", pierced(projective_space(), 20));
-  forge("a hole in the Klein bottle", "1.facets", pierced(klein_bottle(), 20));
+  const SpaceFormSample exchanged = renamed(icosphere().claiming({"1", "2"}), [other](int j) {
+    return j == 0 ? other : j == other ? 0 : j;
+  });
+  result.push_back(
+      {"two points of the sphere exchanged", "core.facets", sealed(exchanged.document()), 1, {"core.stars"}});
+  forge("a hole in the sphere", "core.facets", pierced(icosphere(), 20));
+  forge("a hole in the projective space", "core.facets", pierced(projective_space(), 20));
+  forge("a hole in the Klein bottle", "core.facets", pierced(klein_bottle(), 20));
   forge("the Euler characteristic of a sphere", "2.count", bolza_surface(),
         [](Json& j) { j["levels"]["2"]["euler_characteristic"] = 2; });
   forge("a tetrahedron too few is counted", "2.count", cell_600(),
@@ -192,6 +195,10 @@ std::vector<Forgery> space_form_forgeries() {
   forge("points moved although none should be", "1.perturbation", projective_space(), parameter("perturbation", 0));
   forge("protection too large in a chart", "1.protection", icosphere(),
         level("1", "protection", 2.1 * sphere.protection));
+  forge("balls smaller than any simplex", "1.vertices", icosphere(),
+        level("1", "circumradius", 0.3 * sphere.circumradius));
+  forge("charts of a Klein bottle that may be thin", "1.patch", klein_bottle().claiming({"1", "2"}),
+        [](Json& j) { j["manifold"]["injectivity_radius"] = "0"; });
   forge("thickness too large in a chart", "1.thickness", cell_600(), level("1", "thickness", 1.6 * solid.thickness));
   forge("a circumradius too small in a chart", "1.radius", bolza_surface(),
         level("1", "circumradius", bolza.circumradius / 1.011));
@@ -206,7 +213,7 @@ std::vector<Forgery> space_form_forgeries() {
   });
   forge("charts that need not show so much", "2s.reach", bolza_surface(), level("2s", "reach", bolza.reach / 1.02));
   forge("charts that show too much", "2s.patch", icosphere(), level("2s", "reach", 1));
-  forge("balls that go around the projective space", "4.lifts", projective_space(), level("4", "circumradius", 0.757));
+  forge("balls as large as half a sphere", "4.ball", projective_space(), level("4", "circumradius", 1.6));
   forge("circumballs larger than stated", "4.ball", cell_600(), level("4", "circumradius", solid.ball / 1.011));
   forge("circumballs of the Bolza surface larger than stated", "4.ball", bolza_surface(),
         level("4", "circumradius", bolza.ball / 1.011));

@@ -67,16 +67,12 @@ CheckerRun run_checker(const std::string& bytes, const std::string& without_rule
   if (json.is_discarded()) return result;
   const auto add = [&](const nlohmann::json& finding) {
     const auto rule = finding["rule"].get<std::string>();
-    if (!rule.starts_with("core.")) result.rules.insert(rule);
-    if (result.message.empty())
-      result.message = finding["rule"].get<std::string>() + ": " + finding["what"].get<std::string>();
+    result.rules.insert(rule);
+    if (result.message.empty()) result.message = rule + ": " + finding["what"].get<std::string>();
   };
   if (!json["malformed"].is_null()) add(json["malformed"]);
   for (const auto& level : json["levels"]) {
-    for (const auto& finding : level["findings"]) {
-      add(finding);
-      if (level["level"] == "core") result.core.insert(finding["rule"].get<std::string>());
-    }
+    for (const auto& finding : level["findings"]) add(finding);
   }
   return result;
 }

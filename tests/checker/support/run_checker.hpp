@@ -9,8 +9,7 @@ namespace delcert::checker_tests {
 struct CheckerRun {
   int status = -1;              // the exit status; -1 if the program was killed by a signal
   std::string output;           // what it printed
-  std::set<std::string> rules;  // the rules that it says are broken, but for those named core.*
-  std::set<std::string> core;   // what the core says is broken
+  std::set<std::string> rules;  // the rules that it says are broken
   std::string message;          // the first of them with its text
   double seconds = 0;           // of processor time
   long peak_kib = 0;            // the most memory that any run so far has used

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+
+#include "apps/family.hpp"
+#include "kernel/run/chart_run.hpp"
+#include "support/error.hpp"
+
+namespace delcert {
+
+/// What is done alike wherever a manifold is seen through charts, on space forms and on metric fields.
+template <int m, class ChartAtlas>
+class ChartFamily : public Family {
+ public:
+  void run(RunRequest request, const Progress& progress) override {
+    request.certify_model = certifies_model_;
+    run_.emplace(run_in_charts<m>(*atlas_, geometry(), report.parameters.algorithm, request, progress));
+    report.take(*run_);
+    report.first = RunReport::FirstStars{run_->first_failures, run_->first_agreement.stars};
+    if (run_->is_certified()) return;
+    std::vector<StarFailure> failures = run_->star_failures;
+    for (const auto& more : {run_->agreement.failures, run_->model.failures})
+      failures.insert(failures.end(), more.begin(), more.end());
+    throw Rejection(star_failures_text(failures, run_->repair_rounds) + disagreement_text(run_->agreement.labels));
+  }
+
+ protected:
+  explicit ChartFamily(bool certifies_model) : certifies_model_(certifies_model) {}
+
+  [[nodiscard]] virtual ModelGeometry geometry() const = 0;
+
+  /// In measured mode, with what suits this dimension.
+  void choose_measured_parameters(const CertifyOptions& options) {
+    ParameterChoice choice = options.choice;
+    choice.mode = options.no_perturbation ? RunMode::none : RunMode::measured;
+    if (!options.no_perturbation && !choice.tolerance)
+      choice.tolerance = measured_parameters(Dimension(m), choice.seed).tolerance;
+    report.parameters = parameters_for(Dimension(m), report.parameters.algorithm.separation, choice);
+  }
+
+  void take_atlas(ChartAtlas atlas) {
+    atlas_.emplace(std::move(atlas));
+    report.points = atlas_->size();
+    report.sampling_radius = atlas_->sampling_radius();
+  }
+  [[nodiscard]] PointList centres() const {
+    PointList result;
+    for (std::uint32_t index = 0; index < atlas_->size(); ++index) {
+      const auto& centre = atlas_->centre(Label(index));
+      result.emplace_back(centre.begin(), centre.end());
+    }
+    return result;
+  }
+
+  std::optional<ChartAtlas> atlas_;
+  std::optional<ChartRun<m>> run_;
+
+ private:
+  bool certifies_model_;
+};
+
+}  // namespace delcert

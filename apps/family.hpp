@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "apps/certify_options.hpp"
+#include "apps/run_report.hpp"
+#include "kernel/manifold/any_manifold.hpp"
+#include "kernel/sample/point_file.hpp"
+
+namespace delcert {
+
+/// A net as `delcert sample` writes it.
+struct NetText {
+  PointList points;
+  std::string coordinates;  ///< which they are; empty for those of the frame
+  /// Of the covering radius: a certified lower bound where the sampling radius is a certified upper one, or a guess.
+  std::optional<Rational> covering_radius_lower = {};
+  std::optional<double> covering_radius_about = {};
+};
+
+/// A manifold on its way from a net to a certificate: what the families do differently, in the order of the calls. What
+/// is found is written into the report.
+class Family {
+ public:
+  RunReport report;
+
+  Family() = default;
+  Family(const Family&) = delete;
+  Family& operator=(const Family&) = delete;
+  virtual ~Family() = default;
+
+  /// Makes or reads the net, and all that is measured of it. Throws what sampling and reading throw.
+  virtual void make_net(const NetSource& source, const Progress& progress) = 0;
+  [[nodiscard]] virtual NetText net() const = 0;
+  /// Completes what the command line leaves open. Throws Rejection unless the net and the manifold are fit for it.
+  virtual void choose_parameters(const CertifyOptions& options, const Progress& progress) = 0;
+  /// Throws Rejection, which names the stars that failed, unless everything is certified.
+  virtual void run(RunRequest request, const Progress& progress) = 0;
+  virtual void derive(const LevelSelection& selection, const Progress& progress) = 0;
+  virtual void write(const std::string& path, const Progress& progress) const = 0;
+};
+
+/// Verified: that a group acts as it should, that a metric is one. Throws Rejection.
+[[nodiscard]] std::unique_ptr<Family> family_of(const AnyManifold& manifold, StageClock& clock);
+
+[[nodiscard]] std::unique_ptr<Family> family_of(const ManifoldDescription& manifold);
+[[nodiscard]] std::unique_ptr<Family> family_of(const SpaceFormDescription& manifold);
+[[nodiscard]] std::unique_ptr<Family> family_of(const MetricFieldDescription& manifold);
+
+}  // namespace delcert

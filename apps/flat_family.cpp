@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include "apps/family.hpp"
+#include "kernel/sample/net_measure.hpp"
+#include "kernel/sample/separation.hpp"
+#include "kernel/simplex/dimensions.hpp"
+#include "proofs/certificate/content.hpp"
+#include "proofs/certificate/flat_claims.hpp"
+#include "support/error.hpp"
+
+namespace delcert {
+
+namespace {
+
+/// Flat tori and Euclidean balls.
+template <int m>
+class FlatFamily final : public Family {
+ public:
+  explicit FlatFamily(ManifoldDescription manifold)
+      : manifold_(std::move(manifold)), space_(flat_space_of<m>(manifold_)) {
+    report.manifold = manifold_.name;
+    report.family = name_of(manifold_.family);
+    report.dimension = Dimension(m);
+  }
+
+  void make_net(const NetSource& source, const Progress& progress) override {
+    PointSet<m> net(source.points<m>(space_, progress));
+    density_ = measure_density<m>(space_, net, source.radius, progress);
+    atlas_.emplace(space_, std::move(net), density_.sampling_radius);
+    report.points = atlas_->size();
+    report.sampling_radius = density_.sampling_radius;
+    report.parameters.algorithm.separation = measure_separation<m>(*atlas_);
+  }
+
+  [[nodiscard]] NetText net() const override {
+    NetText result{{}, "", density_.covering_radius_lower};
+    for (std::uint32_t index = 0; index < atlas_->size(); ++index) {
+      const auto& point = atlas_->net().exact(Label(index));
+      result.points.emplace_back(point.begin(), point.end());
+    }
+    return result;
+  }
+
+  void choose_parameters(const CertifyOptions& options, const Progress&) override {
+    const Rational separation = report.parameters.algorithm.separation;
+    report.parameters = parameters_for(Dimension(m), separation, options.choice);
+    report.input = check_input<m>(*atlas_, separation, report.parameters.algorithm.perturbation);
+    std::string failed;
+    for (const InputItem& item : report.input) {
+      if (!is_proved(item.verdict))
+        failed += fmt::format("\n  {} {} ({})", name_of(item.verdict), item.name, item.detail);
+    }
+    if (!failed.empty()) throw Rejection("the input does not satisfy Hypotheses 1:" + failed);
+  }
+
+  void run(RunRequest request, const Progress& progress) override {
+    run_.emplace(run_algorithm<m>(*atlas_, report.parameters.algorithm, request, progress));
+    report.take(*run_);
+    if (run_->is_certified()) return;
+    std::vector<StarFailure> failures = run_->protection.failures;
+    failures.insert(failures.end(), run_->combinatorial_failures.begin(), run_->combinatorial_failures.end());
+    throw Rejection(star_failures_text(failures, run_->repair_rounds));
+  }
+
+  void derive(const LevelSelection& selection, const Progress& progress) override {
+    report.claims = derive_claims<m>(*atlas_, report.parameters, *run_, selection, progress, report.reasons);
+  }
+
+  void write(const std::string& path, const Progress& progress) const override {
+    write_certificate<m>(
+        path, content_of<m>(manifold_, *atlas_, density_.simplices, report.parameters, *run_, report.claims), progress);
+  }
+
+ private:
+  ManifoldDescription manifold_;
+  FlatSpace<m> space_;
+  NetDensity<m> density_;
+  std::optional<FlatAtlas<m>> atlas_;
+  std::optional<RunResult<m>> run_;
+};
+
+}  // namespace
+
+std::unique_ptr<Family> family_of(const ManifoldDescription& manifold) {
+  return with_dimension(manifold.dimension,
+                        [&]<int m>() -> std::unique_ptr<Family> { return std::make_unique<FlatFamily<m>>(manifold); });
+}
+
+}  // namespace delcert

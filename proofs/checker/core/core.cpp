@@ -1,0 +1,67 @@
+#include "proofs/checker/core/core.hpp"
+
+#include "proofs/checker/core/reader.hpp"
+#include "proofs/checker/core/rules.hpp"
+
+namespace delcert::checker::core {
+namespace {
+
+/// The theorem of Dyer, Vegter and Wintraecken; the injectivity radius is that of the group.
+void check_riemannian(Complex& complex, const Certificate& c, Report& report) {
+  const Rational& radius = c.riemannian_radius.exact;
+  const SpaceForm& form = *c.space_form;
+  if (less(form.injectivity_radius.exact, Rational(4) * radius) == Verdict::proved ||
+      (form.K != 0 && less(c.riemannian_thickness.exact, Rational(6) * radius) == Verdict::proved)) {
+    report.reject("5.radius", [] { return "radius is more than injectivity radius / 4 or thickness / 6"; });
+  }
+  check_riemannian_simplices(complex, c.riemannian_thickness, c.riemannian_radius, report);
+}
+
+}  // namespace
+
+Core::Core(const Certificate& c) : c_(c), data_(data_of(c)) {}
+
+void Core::check_manifold(Report& report) {
+  if (!are_isometries(data_, report)) return;
+  complex_.emplace(data_);
+  core::check_manifold(*complex_, report);
+}
+
+void Core::check_quotient(Report& report) {
+  if (!quotient_) {
+    Report found;
+    core::check_quotient(*complex_, found);
+    quotient_ = std::move(found);
+  }
+  report.findings.insert(report.findings.end(), quotient_->findings.begin(), quotient_->findings.end());
+}
+
+std::string Core::check_delaunay(Report& report) {
+  check_quotient(report);
+  check_hinges(*complex_, report);
+  std::string text = std::to_string(complex_->hinges.size()) + " facets locally Delaunay";
+  if (!c_.space_form) return text;
+  check_margins(*complex_, c_.ball_radius, c_.empty_margin, report);
+  return text + ", circumradius <= " + rounded_up(c_.ball_radius.exact) + ", all other points farther than " +
+         rounded_down(c_.empty_margin.exact);
+}
+
+std::string Core::check_triangulation(Report& report) {
+  check_quotient(report);
+  std::string text =
+      "a connected complex with a loop for each of " + std::to_string(data_.loops.size()) + " generators";
+  if (!c_.riemannian_simplices) return text;
+  check_riemannian(*complex_, c_, report);
+  return text + "; Riemannian simplices of thickness >= " + rounded_down(c_.riemannian_thickness.exact) + " within " +
+         rounded_up(c_.riemannian_radius.exact);
+}
+
+std::string Core::check_metric(Report& report) {
+  if (!c_.space_form) return "follows from levels 4 and 5";
+  if (c_.self_delaunay) check_cotangents(*complex_, c_.weight, report);
+  check_stretching(*complex_, c_.least_stretch, c_.greatest_stretch, report);
+  return std::string(c_.self_delaunay ? "self-Delaunay, " : "") + "distances stretched by " +
+         rounded_down(c_.least_stretch.exact) + " to " + rounded_up(c_.greatest_stretch.exact);
+}
+
+}  // namespace delcert::checker::core

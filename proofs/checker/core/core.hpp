@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+
+#include "proofs/checker/certificate.hpp"
+#include "proofs/checker/core/complex.hpp"
+
+namespace delcert::checker::core {
+
+/// The rules of docs/levels/core.md for levels 2, 4, 5 and 6 of a flat torus or a space form; those of level 2 first,
+/// the others only if these hold. Each returns in words what was looked at. Throws Undecided.
+class Core {
+ public:
+  explicit Core(const Certificate& c);
+  Core(const Core&) = delete;
+  Core& operator=(const Core&) = delete;
+
+  void check_manifold(Report& report);
+  std::string check_delaunay(Report& report);       // 4
+  std::string check_triangulation(Report& report);  // 5
+  std::string check_metric(Report& report);         // 6
+
+ private:
+  /// Levels 4 and 5: looked at once, and reported with both.
+  void check_quotient(Report& report);
+
+  const Certificate& c_;
+  const Data data_;
+  std::optional<Complex> complex_;
+  std::optional<Report> quotient_;
+};
+
+}  // namespace delcert::checker::core

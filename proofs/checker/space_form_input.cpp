@@ -1,0 +1,44 @@
+#include "proofs/checker/run.hpp"
+#include "proofs/checker/space_form_levels.hpp"
+
+namespace delcert::checker {
+
+/// Separation of the original points; density by that of the perturbed ones.
+std::string check_input_on_space_form(const Certificate& c, const Lifts& lifts, Report& report) {
+  const int K = c.space_form->K;
+  const Rational twelve = Rational(12) * c.epsilon.exact;
+  const bool fits = K <= 0 || decide_with_balls([&] {
+                      Ball pi;
+                      arb_const_pi(pi.raw(), Ball::precision);
+                      return less(Ball(18) * c.epsilon.as<Ball>(), pi);
+                    });
+  if (less(c.space_form->injectivity_radius.exact, twelve) == Verdict::proved || !fits) {
+    report.reject("0.patch", [] {
+      return "12 epsilon is not at most the injectivity radius, or 9 epsilon not below a quarter of a great circle";
+    });
+  }
+  if (less(c.density.exact, c.ball_radius.exact + c.rho.exact * c.epsilon.exact) == Verdict::proved)
+    report.reject("0.density", [] { return "density is less than circumradius + perturbation epsilon"; });
+  check_distortion(c, report);
+  for (Label i = 0; i < c.n; ++i) {
+    for (const Seen& seen : lifts.around(i, (c.mu.exact + c.rho.exact) * c.epsilon.exact)) {
+      if (seen.label == i && seen.element == 0) continue;
+      const bool apart = decide_enclosed([&]<class N>(In<N>) {
+        return less_equal(square(c.mu.as<N>() * c.epsilon.as<N>()),
+                          squared_distance(K, c.m_size(), Vector<N>{}, lifts.net_about<N>(i, seen)));
+      });
+      if (apart) continue;
+      report.reject("0.separation", [&] {
+        return "labels " + std::to_string(i) + " and " + std::to_string(seen.label) +
+               " are closer than separation epsilon";
+      });
+    }
+  }
+  return std::to_string(c.n) + " points, separation >= " + rounded_down(c.mu.exact * c.epsilon.exact) +
+         ", density <= " + rounded_up(c.density.exact) +
+         (less(c.density.exact, c.epsilon.exact) == Verdict::proved ? ", below" : ", not below") +
+         " the sampling radius, distortion <= " + rounded_up(c.transition_distortion.exact) +
+         ", against M <= " + rounded_up(c.metric_distortion.exact);
+}
+
+}  // namespace delcert::checker

@@ -1,0 +1,75 @@
+#include "apps/run_report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace delcert {
+namespace DELCERT_THIS_FILE {
+
+using Json = nlohmann::ordered_json;
+
+/// A run on a flat torus that claims level 1; of its family alone.
+RunReport sample() {
+  RunReport report;
+  report.manifold = "torus";
+  report.family = "flat-torus";
+  report.dimension = Dimension(2);
+  report.parameters.mode = RunMode::measured;
+  report.parameters.algorithm.separation = Rational(1);
+  report.sampling_radius = Rational(1) / Rational(10);
+  report.points = 5;
+  report.simplices = 10;
+  report.claims.stars = StarMargins{Rational(1) / Rational(20), Rational(1) / Rational(3), Rational(1) / Rational(8)};
+  return report;
+}
+
+bool mentions(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(RunReport, says_the_same_in_both_forms) {
+  const RunReport report = sample();
+  EXPECT_TRUE(mentions(report_text(report),
+                       "  1   stars: protection ≥ 5.000e-01 ε, thickness ≥ 3.333e-01, circumradius ≤ 1.250e+00 ε\n"));
+  const Json json = Json::parse(report_json(report));
+  EXPECT_EQ(json["levels"].size(), 1U);
+  const Json& margins = json["levels"]["1"];
+  EXPECT_EQ(margins["protection"]["in_sampling_radii"], 0.5);
+  EXPECT_EQ(margins["thickness"]["exact"], "1/3");
+  EXPECT_EQ(margins["circumradius"]["value"], 0.125);
+  EXPECT_EQ(json["points"], 5);
+}
+
+TEST(RunReport, leaves_out_what_the_family_does_not_have) {
+  RunReport report = sample();
+  for (const char* part : {"group ", "metric ", "patches", "charts ", "hinges", "stability", "at first"})
+    EXPECT_FALSE(mentions(report_text(report), part)) << part;
+  EXPECT_TRUE(Json::parse(report_json(report))["measures"].empty());
+  EXPECT_FALSE(Json::parse(report_json(report))["manifold"].contains("curvature"));
+  report.group = RunReport::Group{-1, Rational(3), "Z^4"};
+  report.patch_factor = 9;
+  report.stability.emplace().pairs = 4;
+  EXPECT_TRUE(mentions(report_text(report), "curvature -1, injectivity radius ≥ 3.000e+00, H₁ = Z^4\n"));
+  EXPECT_TRUE(mentions(report_text(report), ", patches of radius 9 ε\n"));
+  EXPECT_EQ(Json::parse(report_json(report))["manifold"]["curvature"], -1);
+  EXPECT_EQ(Json::parse(report_json(report))["measures"]["star_chart_pairs"]["all"], 4);
+}
+
+TEST(RunReport, has_the_bounds_of_every_level_with_their_units) {
+  RunReport report = sample();
+  report.claims.manifold = ManifoldClaim{10, 0, true, {{1, {}}}};
+  report.claims.delaunay = DelaunayClaim{{}, DelaunayClaim::Stability{Rational(1), Rational(1) / Rational(200)}};
+  report.claims.metric = MetricClaim{true, {}};
+  report.reasons = {"level 5: no"};
+  const std::string text = report_text(report);
+  EXPECT_TRUE(mentions(text, "margin of stability ≥ 5.000e-01 ε²\n")) << text;
+  EXPECT_TRUE(mentions(text, "metric: self-Delaunay, isometric to the manifold\n")) << text;
+  EXPECT_TRUE(mentions(text, "  not reached: level 5: no\n")) << text;
+  const Json levels = Json::parse(report_json(report))["levels"];
+  EXPECT_EQ(levels["2"], Json::parse(R"({"simplices":10,"euler_characteristic":0,"closed":true,"homology":["Z"]})"));
+  EXPECT_EQ(levels["4"]["margin"]["unit"], "length^2");
+  EXPECT_EQ(levels["4"]["margin"]["in_sampling_radii"], 0.5);
+  EXPECT_EQ(levels["6"]["bilipschitz"][1]["bound"], "upper");
+}
+
+}  // namespace DELCERT_THIS_FILE
+}  // namespace delcert
