@@ -73,8 +73,8 @@ ExitStatus certify(const CertifyOptions& options, const ComplexDescription& comp
   clock.begin("delcert-check");
   report.checker = verified(complex, proposal).output;
   if (!has_loops) {
-    throw Rejection(complex.name + ": the group of the complex does not contain " + listed(given.without_loop) +
-                    ": no closed path of edges was found for it; the group may be smaller than stated");
+    throw Rejection(complex.name + ": the group of the complex does not seem to contain " + listed(given.without_loop) +
+                    ": no closed path of edges along it was found among the nearest places");
   }
   proposal.accept();
 

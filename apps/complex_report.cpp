@@ -24,7 +24,7 @@ std::string report_text(const ComplexReport& report) {
   std::string out = fmt::format(
       "{}, a complex of dimension {}, curvature {}\n\n"
       "complex      {} points, edges ≤ ε = {}\n"
-      "group        {} generators; {} elements occur besides 1\n"
+      "group        generators: {}; elements besides the identity: {}\n"
       "levels\n",
       printable(report.manifold), report.dimension, sign_of(report.curvature), report.points,
       decimal_upper(claims.longest_edge), report.generators, report.elements);

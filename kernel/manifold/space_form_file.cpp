@@ -2,6 +2,7 @@
 
 #include "kernel/manifold/group_reader.hpp"
 #include "kernel/manifold/quotient/space_form_families.hpp"
+#include "kernel/number/exact_text.hpp"
 #include "support/error.hpp"
 
 namespace delcert {

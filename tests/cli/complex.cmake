@@ -56,7 +56,7 @@ delcert_broken_complex(generator klein-bottle-9 1 "core.(facets|sign|stars): .*s
 delcert_broken_complex(no-isometry klein-bottle-9 1 "klein-bottle-9: generator g: " "0, -1]]" "0, 2]]")
 delcert_broken_complex(points klein-bottle-9 1 "core.facets: .* are on the same side of a facet"
   "b1 = " "B1 = " "c2 = " "b1 = " "B1 = " "c2 = ")
-delcert_broken_complex(subgroup klein-bottle-9 1 "the group of the complex does not contain h: no closed path"
+delcert_broken_complex(subgroup klein-bottle-9 1 "does not seem to contain h: no closed path"
   "[generators]\n" "[generators]\nh = [[1, 0, 0], [\"1/2\", 1, 0], [0, 0, 1]]\n")
 delcert_broken_complex(missing-in-subgroup klein-bottle-9 1 "core.facets: .* is in 1 simplices"
   "[generators]\n" "[generators]\nh = [[1, 0, 0], [\"1/2\", 1, 0], [0, 0, 1]]\n" "[\"a0\", \"a1\", \"b0\"], " "")
