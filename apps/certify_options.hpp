@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "apps/net_source.hpp"
-#include "kernel/stars/star_complex.hpp"
 #include "proofs/certificate/claims.hpp"
 #include "proofs/certificate/run_parameters.hpp"
 
@@ -25,10 +24,5 @@ struct CertifyOptions {
   std::string output;
   bool json = false;
 };
-
-/// Why nothing is certified: how many failures, and the first ten of them.
-[[nodiscard]] std::string star_failures_text(const std::vector<StarFailure>& failures, int repair_rounds);
-/// All labels whose stars disagree with another, on a line of its own; empty if there are none.
-[[nodiscard]] std::string disagreement_text(const std::vector<Label>& labels);
 
 }  // namespace delcert

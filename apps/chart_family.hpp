@@ -4,7 +4,6 @@
 
 #include "apps/family.hpp"
 #include "kernel/run/chart_run.hpp"
-#include "support/error.hpp"
 
 namespace delcert {
 
@@ -17,11 +16,9 @@ class ChartFamily : public Family {
     run_.emplace(run_in_charts<m>(*atlas_, geometry(), report.parameters.algorithm, request, progress));
     report.take(*run_);
     report.first = RunReport::FirstStars{run_->first_failures, run_->first_agreement.stars};
-    if (run_->is_certified()) return;
-    std::vector<StarFailure> failures = run_->star_failures;
-    for (const auto& more : {run_->agreement.failures, run_->model.failures})
-      failures.insert(failures.end(), more.begin(), more.end());
-    throw Rejection(star_failures_text(failures, run_->repair_rounds) + disagreement_text(run_->agreement.labels));
+    if (!run_->is_certified()) {
+      refuse_stars({run_->star_failures, run_->agreement.failures, run_->model.failures}, run_->agreement.labels);
+    }
   }
 
  protected:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -40,6 +41,11 @@ class Family {
   virtual void run(RunRequest request, const Progress& progress) = 0;
   virtual void derive(const LevelSelection& selection, const Progress& progress) = 0;
   virtual void write(const std::string& path, const Progress& progress) const = 0;
+
+ protected:
+  /// Throws Rejection: how many failures there are, the first ten of them, and all labels whose stars disagree.
+  [[noreturn]] void refuse_stars(std::initializer_list<std::vector<StarFailure>> failures,
+                                 const std::vector<Label>& disagreeing = {}) const;
 };
 
 /// Verified: that a group acts as it should, that a metric is one. Throws Rejection.

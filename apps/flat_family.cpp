@@ -56,10 +56,7 @@ class FlatFamily final : public Family {
   void run(RunRequest request, const Progress& progress) override {
     run_.emplace(run_algorithm<m>(*atlas_, report.parameters.algorithm, request, progress));
     report.take(*run_);
-    if (run_->is_certified()) return;
-    std::vector<StarFailure> failures = run_->protection.failures;
-    failures.insert(failures.end(), run_->combinatorial_failures.begin(), run_->combinatorial_failures.end());
-    throw Rejection(star_failures_text(failures, run_->repair_rounds));
+    if (!run_->is_certified()) refuse_stars({run_->protection.failures, run_->combinatorial_failures});
   }
 
   void derive(const LevelSelection& selection, const Progress& progress) override {

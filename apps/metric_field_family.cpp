@@ -2,6 +2,7 @@
 #include "kernel/sample/separation.hpp"
 #include "proofs/certificate/content.hpp"
 #include "proofs/certificate/metric_field_claims.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

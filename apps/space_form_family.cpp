@@ -5,6 +5,7 @@
 #include "kernel/sample/space_form_net.hpp"
 #include "proofs/certificate/content.hpp"
 #include "proofs/certificate/space_form_claims.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 
