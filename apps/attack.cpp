@@ -12,6 +12,7 @@
 #include "apps/commands.hpp"
 #include "apps/interruption.hpp"
 #include "apps/progress_line.hpp"
+#include "properties/attack/attempt.hpp"
 #include "properties/attack/twins.hpp"
 #include "support/atomic_file.hpp"
 #include "support/error.hpp"

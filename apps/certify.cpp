@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "apps/certification.hpp"
+#include "apps/certify_complex.hpp"
 #include "apps/commands.hpp"
 #include "apps/exact_option.hpp"
 #include "kernel/parallel/threads.hpp"
@@ -24,6 +25,27 @@ LevelSelection parse_levels(const std::string& text) {
   return result;
 }
 
+/// --complex in the place of --manifold; what is about nets is not for it.
+void add_complex_option(CLI::App& command, const std::shared_ptr<CertifyOptions>& options) {
+  command.get_option("--manifold")->required(false);
+  command
+      .add_option("--complex", options->complex,
+                  "A triangulation with group elements, in place of a manifold and a net (docs/complex-file.md)")
+      ->type_name("FILE");
+}
+
+void require_manifold_or_complex(const CLI::App& command) {
+  if (command.get_option("--complex")->count() == 0) {
+    if (command.get_option("--manifold")->count() == 0) throw CLI::RequiredError("--manifold");
+    return;
+  }
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    const bool fits = name == "--complex" || name == "--levels" || name == "--output" || name == "--json";
+    if (option->count() > 0 && !fits) throw CLI::ExcludesError("--complex", name);
+  }
+}
+
 }  // namespace
 
 void add_certify(CLI::App& program, Action& chosen) {
@@ -31,6 +53,7 @@ void add_certify(CLI::App& program, Action& chosen) {
   CLI::App* command =
       program.add_subcommand("certify", "Perturb a net, compute its Delaunay complex and write a certificate");
   options->source.add_options(*command, true);
+  add_complex_option(*command, options);
   const std::map<std::string, RunMode> modes{{"theory", RunMode::theory}, {"measured", RunMode::measured}};
   const std::map<std::string, CandidateRule> rules{
       {"pruned", CandidateRule::pruned}, {"whole", CandidateRule::whole}, {"printed", CandidateRule::printed}};
@@ -75,10 +98,16 @@ void add_certify(CLI::App& program, Action& chosen) {
       "  delcert certify --manifold my-torus.toml --points net.txt --levels 0,1,2,4,5,6\n"
       "  delcert certify --manifold bolza-surface --radius 1/10 --output bolza.json.zst\n"
       "  delcert certify --manifold sphere-2 --icosphere 24\n"
+      "  delcert certify --complex examples/complexes/genus-2.toml\n"
       "  delcert certify --manifold torus-2-hills --radius 1/40 --seed 1\n"
       "  delcert certify --manifold torus-2 --lattice 30 --no-perturbation      (exits 1, naming stars)");
-  command->callback([options, mode, &chosen] {
+  command->callback([options, command, mode, &chosen] {
+    require_manifold_or_complex(*command);
     options->mode_is_given = mode->count() > 0;
+    if (!options->complex.empty()) {
+      chosen = [options] { return certify_complex(*options); };
+      return;
+    }
     chosen = [options] {
       const ThreadLimit limit(options->threads);
       options->choice.seed = options->source.seed;

@@ -12,6 +12,7 @@ namespace delcert {
 
 /// The command line of `delcert certify`.
 struct CertifyOptions {
+  std::string complex;  ///< a file, instead of a manifold and a net
   NetSource source;
   ParameterChoice choice;
   bool mode_is_given = false;

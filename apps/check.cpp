@@ -2,28 +2,15 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
-#include <filesystem>
-#include <stdexcept>
 #include <system_error>
 
-#include "apps/checker_path.hpp"
+#include "apps/checker_process.hpp"
 #include "apps/commands.hpp"
 
 namespace delcert {
 
-namespace fs = std::filesystem;
-
 void run_checker(const std::vector<std::string>& arguments) {
-  const fs::path self = fs::read_symlink("/proc/self/exe");
-  const char* search_path = std::getenv("PATH");
-  const auto candidates = checker_candidates(self, search_path == nullptr ? "" : search_path);
-  const fs::path checker = first_executable(candidates);
-  if (checker.empty()) {
-    std::string places;
-    for (const fs::path& candidate : candidates) places += "\n  " + candidate.string();
-    throw std::runtime_error("delcert-check is not installed; looked for" + places);
-  }
+  const std::filesystem::path checker = installed_checker();
   std::vector<std::string> words{checker.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;

@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "support/error.hpp"
+#include "properties/attack/claim_library.hpp"
 
 namespace delcert {
 

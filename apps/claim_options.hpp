@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "properties/attack/attempt.hpp"
+#include "proofs/formula/claim.hpp"
+#include "properties/instances/instance_class.hpp"
 
 namespace delcert {
 

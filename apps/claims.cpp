@@ -7,6 +7,7 @@
 #include "apps/commands.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "properties/attack/paper_labels.hpp"
+#include "properties/attack/claim_library.hpp"
 
 namespace delcert {
 

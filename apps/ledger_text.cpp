@@ -14,7 +14,7 @@ namespace delcert {
 
 namespace {
 
-constexpr int digits = 6;
+constexpr int digits_of_ledger = 6;
 constexpr int digits_of_estimates = 3;
 
 std::vector<LedgerEntry> selected_entries(const Ledger& ledger, const ConstantNames& only) {
@@ -32,8 +32,8 @@ std::string parameters_sentence(const Ledger& ledger) {
 
 /// One number where both bounds print alike, an interval otherwise.
 std::string enclosure_text(const Bounds& bounds) {
-  const std::string lower = decimal_lower(bounds.lower, digits);
-  const std::string upper = decimal_upper(bounds.upper, digits);
+  const std::string lower = decimal_lower(bounds.lower, digits_of_ledger);
+  const std::string upper = decimal_upper(bounds.upper, digits_of_ledger);
   return lower == upper ? lower : "[" + lower + ", " + upper + "]";
 }
 
@@ -52,8 +52,8 @@ std::string decimal_latex(const std::string& decimal) {
 
 std::string value_latex(const LedgerEntry& entry) {
   if (entry.is_estimate) return decimal_latex(decimal_lower(entry.value.lower, digits_of_estimates));
-  const std::string lower = decimal_lower(entry.value.lower, digits);
-  const std::string upper = decimal_upper(entry.value.upper, digits);
+  const std::string lower = decimal_lower(entry.value.lower, digits_of_ledger);
+  const std::string upper = decimal_upper(entry.value.upper, digits_of_ledger);
   if (lower == upper) return decimal_latex(lower);
   return "[" + decimal_latex(lower) + ", " + decimal_latex(upper) + "]";
 }
@@ -76,12 +76,12 @@ nlohmann::ordered_json ledger_object(const Ledger& ledger, const ConstantNames& 
     if (entry.is_estimate) {
       object["estimate"] = decimal_lower(entry.value.lower, digits_of_estimates);
     } else {
-      object["lower"] = decimal_lower(entry.value.lower, digits);
-      object["upper"] = decimal_upper(entry.value.upper, digits);
+      object["lower"] = decimal_lower(entry.value.lower, digits_of_ledger);
+      object["upper"] = decimal_upper(entry.value.upper, digits_of_ledger);
     }
     if (entry.log2) {
-      object["log2_lower"] = decimal_lower(entry.log2->lower, digits);
-      object["log2_upper"] = decimal_upper(entry.log2->upper, digits);
+      object["log2_lower"] = decimal_lower(entry.log2->lower, digits_of_ledger);
+      object["log2_upper"] = decimal_upper(entry.log2->upper, digits_of_ledger);
     }
     object["source"] = entry.source;
   }

@@ -5,7 +5,7 @@
 
 #include "apps/commands.hpp"
 #include "proofs/tables/constant_table.hpp"
-#include "properties/attack/attempt.hpp"
+#include "properties/attack/claim_library.hpp"
 #include "support/error.hpp"
 
 namespace delcert {

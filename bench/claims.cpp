@@ -16,6 +16,7 @@
 #include "kernel/simplex/thickness.hpp"
 #include "proofs/formula/simplex_object.hpp"
 #include "properties/attack/tally.hpp"
+#include "properties/attack/claim_library.hpp"
 
 namespace delcert {
 namespace {

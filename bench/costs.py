@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 """What runs cost: measures it, records it in bench/costs.json, and writes the tables of README.md and
-docs/performance.md between their marks, <!-- costs: NAME --> and <!-- costs: end -->.
+docs/performance.md, and those of the members in docs/space-forms.md, between their marks, <!-- costs: NAME --> and
+<!-- costs: end -->.
 
-  bench/costs.py measure [--build build/release] [--long]   all of it, in less than ten minutes on two idle cores
+  bench/costs.py measure [--build build/release] [--long] [--members]   all of it, in less than ten minutes on two idle cores
   bench/costs.py render                                     the tables again from the record
   bench/costs.py check [--build build/release]              whether the tables are those of the record, and the record is
                                                             of these programs: the cheap runs are made again, and what
                                                             they count has to be what is recorded, times are not looked at
 
---long also measures the runs that take minutes; without it their figures stay, marked by † once the programs count
+--long also measures the runs that take minutes, --members certifies and checks all members; without these their figures stay, marked by † once the programs count
 otherwise than when they were measured. Tables of bench/ratios, bench/claims and bench/tangential_complex are measured
 where these have been built (-DDELCERT_BENCHMARKS=ON, target `benchmarks`), and stay as they are elsewhere.
 """
@@ -16,6 +17,7 @@ where these have been built (-DDELCERT_BENCHMARKS=ON, target `benchmarks`), and 
 import argparse
 import hashlib
 import json
+import math
 import os
 import re
 import statistics
@@ -32,16 +34,20 @@ MARK = re.compile(r"(<!-- costs: (?!end)([a-z0-9-]+) -->\n).*?(<!-- costs: end -
 class Run:
     """A certified run that tables speak of."""
 
-    def __init__(self, manifold, radius, seed=0, threads=1, cheap=False, long=False):
+    def __init__(self, manifold, radius, seed=0, threads=1, cheap=False, long=False, member=False):
         self.manifold, self.radius, self.seed, self.threads = manifold, radius, seed, threads
-        self.cheap, self.long = cheap, long
+        self.cheap, self.long, self.member = cheap, long, member
         self.is_flat = manifold.startswith("torus-")
-        self.name = f"{manifold} {radius} seed {seed} threads {threads}"
+        self.name = f"{manifold} {radius} seed {seed} threads {threads}" + (" member" if member else "")
 
     def certify(self, program, output):
         command = [program, "certify", "--manifold", self.manifold, "--radius", self.radius, "--seed", str(self.seed)]
-        command += ["--json", "--output", output]
-        return command if self.is_flat else command + ["--threads", str(self.threads)]
+        return command + ["--json", "--threads", str(self.threads), "--output", output]
+
+    def is_due(self, arguments, record):
+        """Whether this time it is measured."""
+        asked = arguments.long if self.long else arguments.members if self.member else True
+        return asked or (self.cheap and self.name not in record["runs"])
 
 
 TORI = [Run("torus-2", "1/24", cheap=True), Run("torus-2", "1/100", cheap=True), Run("torus-2", "1/400"),
@@ -53,7 +59,18 @@ SIZES = [Run("sphere-2", "3/32", 1, cheap=True), Run("sphere-2", "3/100", 1), Ru
          Run("sphere-2", "299/100000", 1, 2, long=True)]
 THREADS = [[Run("sphere-2", "1/50", 1, threads) for threads in (1, 2, 4)],
            [Run("sphere-3", "3/20", 1, threads) for threads in (1, 2, 4)]]
-ALL = {run.name: run for run in TORI + FORMS + SIZES + sum(THREADS, [])}
+MEMBERS = [Run(manifold, radius, 1, 2, member=True, cheap=manifold in ("klein-bottle", "projective-plane", "bolza-surface"))
+           for manifold, radius in [("sphere-2", "1/10"), ("sphere-2", "1/50"), ("projective-plane", "1/10"),
+                                    ("klein-bottle", "1/24"), ("bolza-surface", "1/10"), ("klein-quartic", "1/10"),
+                                    ("regular-polygon-surface-3", "1/10"), ("sphere-3", "3/20"), ("sphere-3", "1/10"),
+                                    ("projective-space-3", "13/100"), ("quaternion-space", "13/200"),
+                                    ("lens-space-5-2", "13/250"), ("lens-space-7-2", "37/1000"),
+                                    ("poincare-sphere", "13/500"), ("flat-torus-3", "1/24"), ("flat-half-turn", "1/24"),
+                                    ("flat-third-turn", "1/24"), ("flat-quarter-turn", "1/24"), ("flat-sixth-turn", "1/24"),
+                                    ("hantzsche-wendt", "1/24"), ("flat-first-amphicosm", "1/24"),
+                                    ("flat-second-amphicosm", "1/24"), ("flat-first-amphidicosm", "1/24"),
+                                    ("flat-second-amphidicosm", "1/24"), ("seifert-weber-space", "9/125")]]
+ALL = {run.name: run for run in TORI + FORMS + SIZES + sum(THREADS, []) + MEMBERS}
 BENCHES = {"ratios": ["ratios", "3"],
            "claims": ["claims", "--benchmark_filter=^(thickness-and-singular-value|crude-circumradius-bound).*k=3,m=3",
                       "--benchmark_min_time=0.5", "--benchmark_format=json"],
@@ -102,6 +119,39 @@ def counts(report, certificate, check):
             "check": {"levels": [level["level"] for level in check["levels"]], "decisions": check["decisions"]}}
 
 
+def disagreeing_without_perturbation(run, build):
+    """How many stars of the net itself do not agree with the star of another label."""
+    with tempfile.TemporaryDirectory() as folder:
+        command = run.certify(build / "apps/delcert", os.path.join(folder, "never.json")) + ["--no-perturbation"]
+        result = subprocess.run([str(word) for word in command], capture_output=True, text=True)
+    if result.returncode == 0:
+        return 0
+    found = re.search(r"(\d+) stars are not in agreement with another", result.stderr)
+    if result.returncode == 1 and "nothing is certified" in result.stderr:
+        return int(found[1]) if found else 0
+    raise SystemExit(f"costs.py: {run.name} without perturbation: exit status {result.returncode}: {result.stderr}")
+
+
+def homology_of_simplices(build, certificate):
+    """What `delcert homology` finds in a file that has the simplices of the certificate and nothing else."""
+    bare = certificate + ".simplices"
+    Path(bare).write_text(json.dumps({"simplices": json.loads(Path(certificate).read_text())["simplices"]}))
+    groups = json.loads(timed([build / "apps/delcert", "homology", bare, "--json"])[0])["homology"]
+    os.remove(bare)
+    return groups
+
+
+def of_member(run, build, certificate, report):
+    """What the table of members says besides."""
+    stars, measures = report["levels"]["1"], report.get("measures", {})
+    return {"raw": disagreeing_without_perturbation(run, build),
+            "differ": measures.get("star_chart_pairs", {}).get("stars_differing", 0),
+            "hinges": [measures.get("hinges", {}).get(key, 0) for key in ("not_locally_delaunay", "undecided", "all")],
+            "margins": [stars["protection"]["in_sampling_radii"], stars["thickness"]["value"],
+                        stars["circumradius"]["in_sampling_radii"]],
+            "homology": homology_of_simplices(build, certificate)}
+
+
 def once(run, build, folder):
     certificate = os.path.join(folder, "certificate.json")
     text, certify = timed(run.certify(build / "apps/delcert", certificate))
@@ -110,6 +160,11 @@ def once(run, build, folder):
     text, check = timed([checker, "--json", certificate])
     result = {"counts": counts(report, certificate, json.loads(text)), "certify": certify, "check": check,
               "stages": {stage["stage"]: round(stage["seconds"], 4) for stage in report["stages"]}}
+    # The seconds of these levels alone, as the checker tells them; it has one thread.
+    result["check 2 4 5 6"] = sum(level["seconds"] for level in json.loads(text)["levels"]
+                                  if level["level"] in ("2", "4", "5", "6"))
+    if run.member:
+        result["counts"]["member"] = of_member(run, build, certificate, report)
     if run.is_flat:
         result["check without 3"] = timed([checker, "--json", "--levels", "0,1,2,4,5", certificate])[1]
     os.remove(certificate)
@@ -147,10 +202,9 @@ def write(file, record):
 
 def measure_all(arguments, record, file):
     for name, run in ALL.items():
-        if run.long and not arguments.long and name in record["runs"]:
-            continue
-        if run.long and not arguments.long:
-            print(f"{name}: left out, --long measures it", flush=True)
+        if not run.is_due(arguments, record):
+            if name not in record["runs"]:
+                print(f"{name}: left out, {'--long' if run.long else '--members'} measures it", flush=True)
             continue
         record["runs"][name] = measure(run, arguments.build)
         one = record["runs"][name]
@@ -158,7 +212,7 @@ def measure_all(arguments, record, file):
         print(f"{name}: certify {one['certify']['wall']} s, check {one['check']['wall']} s", flush=True)
     identity = identity_of(record)
     for name, run in ALL.items():
-        if name in record["runs"] and (not run.long or arguments.long):
+        if name in record["runs"] and run.is_due(arguments, record):
             record["runs"][name]["programs"] = identity
     for name, command in BENCHES.items():
         program = arguments.build / "bench" / command[0]
@@ -176,6 +230,11 @@ def seconds(x):
 
 def memory(mib):
     return f"{mib:.0f} MiB" if mib < 1000 else f"{mib / 1024:.1f} GiB"
+
+
+def decimals(x, digits, rounded):
+    """Rounded to the side on which the bound is one."""
+    return f"{rounded(x * 10**digits) / 10**digits:.{digits}f}"
 
 
 def thousands(n):
@@ -252,6 +311,54 @@ class Tables:
         return self.table("| net | all levels, s | without level 3, s | check : certify | peak MiB |",
                           "|---|--:|--:|--:|--:|", rows)
 
+    def checks_by_levels(self):
+        chosen = [TORI[6], FORMS[0], SIZES[2], FORMS[1]] + FORMS[2:]
+        rows = []
+        for run in chosen:
+            one = self.of(run)
+            if one and "check 2 4 5 6" in one:
+                certify, core, every = one["certify"]["user"], one["check 2 4 5 6"], one["check"]["user"]
+                rows.append([f"{run.manifold}, {run.radius}{self.mark(run)}", thousands(one["counts"]["points"]), f"{certify:.2f}",
+                             f"{core:.2f}", f"{core / certify:.3f}", f"{every:.2f}", f"{every / certify:.2f}"])
+        return self.table("| run | points | certify, s | check 2 4 5 6, s | : certify | check, s | : certify |",
+                          "|---|--:|--:|--:|--:|--:|--:|", rows)
+
+    def members(self):
+        rows = []
+        for run in MEMBERS:
+            one = self.of(run)
+            if one:
+                counted = one["counts"]
+                member, statistics_ = counted["member"], counted["statistics"]
+                protection, thickness, circumradius = member["margins"]
+                rows.append([run.manifold + self.mark(run), run.radius, str(counted["points"]), str(counted["simplices"]),
+                             f"{statistics_['tries'] / statistics_['placements']:.1f}", str(member["raw"]),
+                             str(member["differ"]), decimals(protection, 5, math.floor), decimals(thickness, 4, math.floor),
+                             decimals(circumradius, 3, math.ceil), " ".join(counted["levels"]),
+                             ", ".join(member["homology"])])
+        return self.table("| manifold | ε | points | simplices | tries | raw | differ | δ/ε ≥ | thickness ≥ | R/ε ≤ | levels | homology |",
+                          "|---|---|" + "--:|" * 8 + "---|---|", rows)
+
+    def costs_of_members(self):
+        rows = []
+        for run in MEMBERS:
+            one = self.of(run)
+            if one:
+                stages = one["stages"]
+                net = sum(stages.get(part, 0) for part in ("verify the group", "read or sample the net", "throw darts", "fill gaps"))
+                rows.append([run.manifold + self.mark(run), run.radius, f"{net:.2f}",
+                             f"{stages.get('colour', 0) + stages['perturb']:.2f}", f"{one['certify']['wall']:.2f}",
+                             f"{one['check']['user']:.2f}", f"{one['check 2 4 5 6']:.2f}", f"{one['certify']['mib']:.0f}",
+                             f"{one['check']['mib']:.0f}"])
+        return self.table("| manifold | ε | group, net | perturb | certify | check | of which 2 4 5 6 | MiB | MiB, check |",
+                          "|---|---|" + "--:|" * 7, rows)
+
+    def hinges(self):
+        wrong = [f"{member['hinges'][0] + member['hinges'][1]} of {member['hinges'][2]} of {run.manifold} at {run.radius}"
+                 for run, member in ((run, self.of(run)["counts"]["member"]) for run in MEMBERS if self.of(run))
+                 if member["hinges"][0] + member["hinges"][1] > 0]
+        return (", ".join(wrong) or "none") + "; of the other members none.\n"
+
     def sizes(self):
         rows = []
         for run in SIZES:
@@ -297,7 +404,9 @@ class Tables:
 
     def all(self):
         result = {"readme-tori": self.readme_tori(), "readme-forms": self.readme_forms(), "whole-runs": self.whole_runs(),
-                  "checks-of-tori": self.checks_of_tori(), "sizes": self.sizes(), "threads": self.threads()}
+                  "checks-of-tori": self.checks_of_tori(), "checks-by-levels": self.checks_by_levels(),
+                  "sizes": self.sizes(), "threads": self.threads(), "members": self.members(),
+                  "members-costs": self.costs_of_members(), "members-hinges": self.hinges()}
         for name, text in self.record["benches"].items():
             result[name] = self.claims() if name == "claims" else text
             if name == "claims":
@@ -311,7 +420,7 @@ def rendered(text, tables):
 
 
 def pages(root):
-    return [root / "README.md", root / "docs/performance.md"]
+    return [root / "README.md", root / "docs/performance.md", root / "docs/space-forms.md"]
 
 
 def render(root, record):
@@ -357,6 +466,7 @@ def main():
     parser.add_argument("action", choices=["measure", "render", "check"])
     parser.add_argument("--build", type=Path, default=ROOT / "build/release")
     parser.add_argument("--long", action="store_true")
+    parser.add_argument("--members", action="store_true")
     parser.add_argument("--root", type=Path, default=ROOT, help="where the pages and the record are")
     arguments = parser.parse_args()
     file = arguments.root / "bench/costs.json"

@@ -21,7 +21,8 @@ foreach(folder support kernel proofs/constants proofs/certificate proofs/formula
 endforeach()
 install(FILES ${PROJECT_BINARY_DIR}/generated/delcert_version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/delcert)
 
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/manifolds ${PROJECT_SOURCE_DIR}/examples/claims DESTINATION ${CMAKE_INSTALL_DATADIR}/delcert)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/manifolds ${PROJECT_SOURCE_DIR}/examples/claims ${PROJECT_SOURCE_DIR}/examples/complexes
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/delcert)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
   ${PROJECT_SOURCE_DIR}/CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -5,6 +5,7 @@
 #include "properties/attack/tally.hpp"
 #include "properties/attack/twins.hpp"
 #include "support/progress.hpp"
+#include "properties/attack/claim_library.hpp"
 
 namespace {
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -54,7 +55,7 @@ class LoopSearch {
   [[nodiscard]] std::optional<std::vector<LoopStep>> find(const Motion& target, std::size_t most_places = 1000000) {
     nodes_.assign(1, {0, motions_.identity(), 0, {}});
     known_.clear();
-    known_[0] = {0};
+    known_[0].emplace(far_from_start(0, nodes_[0].motion), 0);
     std::priority_queue<std::pair<double, std::size_t>, std::vector<std::pair<double, std::size_t>>, std::greater<>>
         open;
     open.push({0, 0});
@@ -78,6 +79,11 @@ class LoopSearch {
     LoopStep step;
   };
 
+  /// The same, up to rounding, for the same places.
+  double far_from_start(std::uint32_t label, const Motion& motion) const {
+    return motions_.remaining(label, motion, motions_.identity());
+  }
+
   /// The vertices of the simplex that are new.
   std::vector<std::size_t> neighbours_in(std::uint32_t number, std::size_t here) {
     const PlacedSimplex<m>& simplex = simplices_[number];
@@ -88,11 +94,14 @@ class LoopSearch {
     for (std::uint32_t to = 0; to <= m; ++to) {
       if (to == from) continue;
       const Motion motion = motions_.product(base, motions_.of(element_at<m>(simplex, to)));
-      std::vector<std::size_t>& places = known_[simplex[to]];
+      auto& places = known_[simplex[to]];
+      const double far = far_from_start(simplex[to], motion);
+      const double rounding = 1e-6 * (1 + std::abs(far));
       bool is_known = false;
-      for (const std::size_t place : places) is_known = is_known || motions_.are_same(nodes_[place].motion, motion);
+      for (auto at = places.lower_bound(far - rounding); at != places.upper_bound(far + rounding) && !is_known; ++at)
+        is_known = motions_.are_same(nodes_[at->second].motion, motion);
       if (is_known) continue;
-      places.push_back(nodes_.size());
+      places.emplace(far, nodes_.size());
       result.push_back(nodes_.size());
       nodes_.push_back({simplex[to], motion, here, {number, from, to}});
     }
@@ -110,7 +119,7 @@ class LoopSearch {
   std::vector<std::size_t> first_;  // simplices with a label: at_[first_[label]] … at_[first_[label + 1] − 1]
   std::vector<std::uint32_t> at_;
   std::vector<Node> nodes_;
-  std::map<std::uint32_t, std::vector<std::size_t>> known_;
+  std::map<std::uint32_t, std::multimap<double, std::size_t>> known_;  // places of a label, by how far from the start
 };
 
 }  // namespace delcert

@@ -104,19 +104,19 @@ class Isometries {
  public:
   using Motion = ModelMatrix<double, m>;
 
-  Isometries(const SpaceFormAtlas<m>& atlas, const ElementWords& words) : form_(atlas.form().form()) {
-    for (std::uint32_t number = 0; number <= words.words().size(); ++number) {
-      matrices_.push_back(approximation(words.matrix(number)));
-      inverses_.push_back(approximation(form_.inverse_of(words.matrix(number))));
+  Isometries(const InvariantForm& form, const std::vector<FieldMatrix>& elements,
+             const std::vector<Vector<Rational, m>>& points)
+      : form_(form) {
+    for (const FieldMatrix& element : elements) {
+      matrices_.push_back(approximation(element));
+      inverses_.push_back(approximation(form_.inverse_of(element)));
     }
-    const double curvature = form_.curvature() == Curvature::zero       ? 0
-                             : form_.curvature() == Curvature::positive ? 1
-                                                                        : -1;
-    for (std::uint32_t index = 0; index < atlas.size(); ++index) {
+    const double curvature = sign_of(form_.curvature());
+    for (const Vector<Rational, m>& centre : points) {
       std::array<double, static_cast<std::size_t>(m)> a{};
       double squared = 0;
       for (std::size_t axis = 0; axis < m; ++axis) {
-        a[axis] = approximate_double(atlas.centre(Label(index))[axis]);
+        a[axis] = approximate_double(centre[axis]);
         squared += a[axis] * a[axis];
       }
       const double deviation = curvature * squared / 4;
@@ -155,12 +155,12 @@ class Isometries {
     return result;
   }
   [[nodiscard]] bool are_same(const Motion& a, const Motion& b) const {
-    double most = 0;
     for (std::size_t row = 0; row <= m; ++row) {
-      for (std::size_t column = 0; column <= m; ++column)
-        most = std::max(most, std::abs(a[row][column] - b[row][column]) / (1 + std::abs(a[row][column])));
+      for (std::size_t column = 0; column <= m; ++column) {
+        if (!(std::abs(a[row][column] - b[row][column]) < 1e-6 * (1 + std::abs(a[row][column])))) return false;
+      }
     }
-    return most < 1e-6;
+    return true;
   }
   /// −cos d, d², cosh d.
   [[nodiscard]] double remaining(std::uint32_t label, const Motion& a, const Motion& target) const {
@@ -195,20 +195,34 @@ class Isometries {
 
 /// The element that a path is: the product of g_a⁻¹ g_b over its steps.
 template <int m>
-FieldMatrix product_along(const std::vector<LoopStep>& loop, const PlacedComplex<m>& complex, const InvariantForm& form,
-                          const ElementWords& words) {
-  FieldMatrix result = words.matrix(0);
+FieldMatrix product_along(const std::vector<LoopStep>& loop, const std::vector<PlacedSimplex<m>>& simplices,
+                          const InvariantForm& form, const std::vector<FieldMatrix>& elements) {
+  FieldMatrix result = elements.front();
   for (const LoopStep& step : loop) {
-    const PlacedSimplex<m>& simplex = complex.simplices[step.simplex];
-    const std::uint32_t from = element_at<m>(simplex, step.from);
-    const std::uint32_t to = element_at<m>(simplex, step.to);
+    const std::uint32_t from = element_at<m>(simplices[step.simplex], step.from);
+    const std::uint32_t to = element_at<m>(simplices[step.simplex], step.to);
     if (from == to) continue;
-    result = result * form.inverse_of(words.matrix(from)) * words.matrix(to);
+    result = result * form.inverse_of(elements[from]) * elements[to];
   }
   return result;
 }
 
 }  // namespace
+
+template <int m>
+std::vector<std::optional<std::vector<LoopStep>>> loops_along(
+    const InvariantForm& form, const std::vector<Vector<Rational, m>>& points, const std::vector<FieldMatrix>& elements,
+    const std::vector<FieldMatrix>& letters, const std::vector<PlacedSimplex<m>>& simplices, std::size_t most_places) {
+  const Isometries<m> motions(form, elements, points);
+  LoopSearch<m, Isometries<m>> search(simplices, points.size(), motions);
+  std::vector<std::optional<std::vector<LoopStep>>> result;
+  for (const FieldMatrix& letter : letters) {
+    auto loop = search.find(motions.approximation(letter), most_places);
+    if (loop && !(product_along<m>(*loop, simplices, form, elements) == letter)) loop.reset();
+    result.push_back(std::move(loop));
+  }
+  return result;
+}
 
 template <int m>
 PlacedComplex<m> placed_complex(const FlatAtlas<m>& atlas, const PointSet<m>& points, const StarComplex<m>& complex) {
@@ -243,12 +257,14 @@ PlacedComplex<m> placed_complex(const SpaceFormAtlas<m>& atlas, const ChartCompl
   }
   for (const auto& word : words.words()) result.elements.emplace_back(word.begin(), word.end());
   if (words.letter_count() == 0) return result;
-  const Isometries<m> motions(atlas, words);
-  LoopSearch<m, Isometries<m>> search(result.simplices, atlas.size(), motions);
-  for (std::size_t at = 0; at < words.letter_count(); ++at) {
-    const FieldMatrix& generator = words.letter(static_cast<std::int32_t>(at) + 1);
-    auto loop = search.find(motions.approximation(generator));
-    if (!loop || !(product_along<m>(*loop, result, form, words) == generator)) no_loop(at);
+  std::vector<FieldMatrix> elements, letters;
+  for (std::uint32_t number = 0; number <= words.words().size(); ++number) elements.push_back(words.matrix(number));
+  for (std::size_t at = 1; at <= words.letter_count(); ++at)
+    letters.push_back(words.letter(static_cast<std::int32_t>(at)));
+  std::vector<Vector<Rational, m>> points;
+  for (std::uint32_t index = 0; index < atlas.size(); ++index) points.push_back(atlas.centre(Label(index)));
+  for (auto& loop : loops_along<m>(form, points, elements, letters, result.simplices)) {
+    if (!loop) no_loop(result.loops.size());
     result.loops.push_back(std::move(*loop));
   }
   return result;
@@ -263,8 +279,11 @@ PlacedComplex<m> placed_complex(const MetricFieldAtlas<m>&, const ChartComplex<m
   template PlacedComplex<m> placed_complex<m>(const FlatAtlas<m>&, const PointSet<m>&, const StarComplex<m>&);
 DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
 #undef DELCERT_INSTANTIATE
-#define DELCERT_INSTANTIATE(m)                                                                   \
-  template PlacedComplex<m> placed_complex<m>(const SpaceFormAtlas<m>&, const ChartComplex<m>&); \
+#define DELCERT_INSTANTIATE(m)                                                                        \
+  template std::vector<std::optional<std::vector<LoopStep>>> loops_along<m>(                          \
+      const InvariantForm&, const std::vector<Vector<Rational, m>>&, const std::vector<FieldMatrix>&, \
+      const std::vector<FieldMatrix>&, const std::vector<PlacedSimplex<m>>&, std::size_t);            \
+  template PlacedComplex<m> placed_complex<m>(const SpaceFormAtlas<m>&, const ChartComplex<m>&);      \
   template PlacedComplex<m> placed_complex<m>(const MetricFieldAtlas<m>&, const ChartComplex<m>&);
 DELCERT_INSTANTIATE(2)
 DELCERT_INSTANTIATE(3)

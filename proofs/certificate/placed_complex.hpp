@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "kernel/manifold/flat_atlas.hpp"
@@ -25,6 +26,15 @@ struct PlacedComplex {
   /// translations. None on balls and metric fields.
   std::vector<std::vector<LoopStep>> loops;
 };
+
+/// For each of these isometries, the letters of a group, an edge path of the complex from label 0 to label 0 along it,
+/// compared exactly; none where none is found among so many places (`LoopSearch::find`). `points` are conformal
+/// coordinates; `elements` are those of the simplices by their numbers, the identity first.
+template <int m>
+[[nodiscard]] std::vector<std::optional<std::vector<LoopStep>>> loops_along(
+    const InvariantForm& form, const std::vector<Vector<Rational, m>>& points, const std::vector<FieldMatrix>& elements,
+    const std::vector<FieldMatrix>& letters, const std::vector<PlacedSimplex<m>>& simplices,
+    std::size_t most_places = 1000000);
 
 /// Throw std::logic_error if a loop is not found or is not what it should be: then the complex is not connected, or
 /// does not generate the group.

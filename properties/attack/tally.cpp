@@ -6,6 +6,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "properties/attack/attempt.hpp"
+#include "properties/attack/hypothesis_limits.hpp"
 #include "support/error.hpp"
 
 namespace delcert {

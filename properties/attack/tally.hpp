@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "kernel/number/ladder.hpp"
-#include "properties/attack/attempt.hpp"
+#include "proofs/formula/evaluation.hpp"
+#include "properties/attack/hypothesis_limits.hpp"
 
 namespace delcert {
 

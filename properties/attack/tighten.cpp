@@ -7,6 +7,9 @@
 #include <nlopt.hpp>
 #include <stdexcept>
 
+#include "properties/attack/attempt.hpp"
+#include "properties/attack/claim_variants.hpp"
+#include "properties/attack/hypothesis_limits.hpp"
 #include "support/error.hpp"
 
 namespace delcert {

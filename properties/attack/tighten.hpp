@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "properties/attack/attempt.hpp"
+#include "proofs/formula/claim.hpp"
+#include "proofs/formula/evaluation.hpp"
+#include "properties/instances/instance_class.hpp"
 #include "support/progress.hpp"
 
 namespace delcert {

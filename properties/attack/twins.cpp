@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "properties/attack/attempt.hpp"
+#include "properties/attack/claim_library.hpp"
+#include "properties/attack/claim_variants.hpp"
 #include "properties/attack/shrink.hpp"
 #include "properties/attack/tally.hpp"
 #include "properties/attack/tighten.hpp"

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "properties/attack/attempt.hpp"
 #include "properties/attack/witness.hpp"
 #include "support/progress.hpp"
 

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <ostream>
 
-#include "properties/attack/attempt.hpp"
+#include "properties/attack/hypothesis_limits.hpp"
 #include "properties/attack/shrink.hpp"
 #include "properties/attack/witness.hpp"
 

@@ -8,6 +8,7 @@
 #include "support/error.hpp"
 #include "tests/properties/attack/small_claims.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "properties/attack/claim_library.hpp"
 
 namespace delcert {
 namespace DELCERT_THIS_FILE {

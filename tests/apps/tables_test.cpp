@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "proofs/tables/constant_table.hpp"
-#include "properties/attack/attempt.hpp"
+#include "properties/attack/claim_library.hpp"
 #include "properties/attack/paper_labels.hpp"
 
 namespace delcert {

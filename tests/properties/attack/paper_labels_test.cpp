@@ -6,7 +6,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "properties/attack/attempt.hpp"
+#include "properties/attack/claim_library.hpp"
 
 namespace delcert::test {
 namespace DELCERT_THIS_FILE {

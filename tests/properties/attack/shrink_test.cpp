@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "properties/attack/attempt.hpp"
 #include "properties/attack/tally.hpp"
 #include "support/error.hpp"
 #include "tests/properties/attack/small_claims.hpp"

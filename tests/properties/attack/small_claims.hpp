@@ -4,7 +4,8 @@
 #include <string>
 
 #include "proofs/formula/simplex_object.hpp"
-#include "properties/attack/attempt.hpp"
+#include "properties/attack/claim_library.hpp"
+#include "properties/instances/instance_class.hpp"
 
 namespace delcert::test {
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "properties/attack/attempt.hpp"
 #include "support/error.hpp"
 #include "tests/properties/attack/small_claims.hpp"
 

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "properties/attack/attempt.hpp"
 #include "tests/properties/attack/small_claims.hpp"
 
 namespace delcert {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "properties/attack/claim_library.hpp"
 #include "support/error.hpp"
 #include "tests/properties/attack/small_claims.hpp"
 #include "tests/support/temporary_folder.hpp"

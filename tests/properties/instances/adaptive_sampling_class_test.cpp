@@ -2,6 +2,7 @@
 
 #include "proofs/formula/simplex_object.hpp"
 #include "tests/properties/instances/net_checks.hpp"
+#include "properties/attack/claim_library.hpp"
 
 namespace delcert::test {
 namespace DELCERT_THIS_FILE {

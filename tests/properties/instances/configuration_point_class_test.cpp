@@ -7,6 +7,7 @@
 
 #include "proofs/formula/simplex_object.hpp"
 #include "properties/attack/attempt.hpp"
+#include "properties/attack/claim_library.hpp"
 #include "support/error.hpp"
 
 namespace delcert {

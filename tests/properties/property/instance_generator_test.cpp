@@ -9,6 +9,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "properties/attack/attempt.hpp"
+#include "properties/attack/claim_library.hpp"
+
 namespace delcert::test {
 namespace DELCERT_THIS_FILE {
 

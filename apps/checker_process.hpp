@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace delcert {
+
+/// The program delcert-check of this installation. Throws std::runtime_error, naming the places where it was looked
+/// for.
+[[nodiscard]] std::filesystem::path installed_checker();
+
+/// What a program printed on standard output, and how it ended.
+struct CheckerRun {
+  int status = 0;  ///< its exit status; 128 + the signal that ended it
+  std::string output;
+};
+
+/// Runs `checker --json` on a file and waits for it. Standard error is that of this process. Throws
+/// std::system_error if it cannot be started.
+[[nodiscard]] CheckerRun run_checker_on(const std::filesystem::path& checker, const std::filesystem::path& certificate);
+
+}  // namespace delcert

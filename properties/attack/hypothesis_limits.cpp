@@ -1,0 +1,83 @@
+#include "properties/attack/hypothesis_limits.hpp"
+
+#include <algorithm>
+
+#include "proofs/formula/evaluation.hpp"
+#include "proofs/formula/type_check.hpp"
+
+namespace delcert {
+
+namespace {
+
+constexpr long fine = -60;
+constexpr unsigned enough_bits = 30;
+
+/// A number of the range: an end that belongs to it, any number, or one near the lower end.
+Rational draw_parameter(const ParameterRange& range, Choices& choices) {
+  const Rational width = range.upper - range.lower;
+  const double kind = choices.unit();
+  const Rational where = choices.fraction(16);
+  if (kind < 0.25 && range.has_upper) return range.upper;
+  if (kind < 0.35 && range.has_lower) return range.lower;
+  // Neither 0 nor 1, so that open ends are safe.
+  const Rational inside = (where + Rational::power_of_two(-17));
+  if (kind < 0.75) return range.lower + width * inside;
+  return range.lower + width * inside * Rational::power_of_two(-choices.between(1, 40));
+}
+
+/// A lower bound of the term, within 2⁻³⁰ of it.
+std::optional<Rational> quick_lower_bound(const Expression& term, Scene& scene) {
+  {
+    const RoundingGuard guard;
+    const auto value = Evaluation<Interval>(scene).number(term);
+    if (value && value->lower() > 0 && value->upper() - value->lower() <= 0x1p-30 * value->lower()) {
+      return Rational::exactly(value->lower());
+    }
+  }
+  return lower_bound(term, scene, enough_bits);
+}
+
+}  // namespace
+
+HypothesisLimits::HypothesisLimits(const Claim& claim) {
+  for (const Hypothesis& hypothesis : claim.hypotheses) collect(hypothesis.formula);
+}
+
+void HypothesisLimits::collect(const ExpressionPointer& statement) {
+  if (statement->operation == Operation::conjunction) {
+    for (const auto& part : statement->children) collect(part);
+    return;
+  }
+  const bool turned = statement->operation == Operation::greater || statement->operation == Operation::greater_equal;
+  if (!turned && statement->operation != Operation::less && statement->operation != Operation::less_equal) return;
+  const auto& name = statement->children[turned ? 1 : 0];
+  const auto& term = statement->children[turned ? 0 : 1];
+  if (name->operation != Operation::name) return;
+  const bool is_strict = statement->operation == Operation::less || statement->operation == Operation::greater;
+  limits_.push_back({name->text, term, is_strict, free_names(*term)});
+}
+
+std::optional<Rational> HypothesisLimits::most(const std::string& name, const Bindings& bound, bool exact) const {
+  std::optional<Rational> result;
+  Scene scene(bound);
+  for (const Limit& limit : limits_) {
+    const bool known = std::all_of(limit.needs.begin(), limit.needs.end(),
+                                   [&](const std::string& need) { return bound.contains(need); });
+    if (limit.name != name || !known) continue;
+    std::optional<Rational> here = exact ? exact_value(*limit.term, scene) : std::nullopt;
+    if (!here) here = quick_lower_bound(*limit.term, scene);
+    if (!here) here = Rational(0);
+    if (limit.is_strict) *here -= absolute(*here) * Rational::power_of_two(fine);
+    result = result ? minimum(*result, *here) : *here;
+  }
+  return result;
+}
+
+std::optional<Instance> draw_instance(const Claim& claim, const HypothesisLimits& limits, const Shape& shape,
+                                      Choices& choices) {
+  Bindings given;
+  for (const auto& [name, range] : claim.parameters) given[name] = draw_parameter(range, choices);
+  return instance_class(claim.instance).draw(shape, given, limits, choices);
+}
+
+}  // namespace delcert
