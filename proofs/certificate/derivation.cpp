@@ -37,4 +37,10 @@ void Derivation::derive_stability(const StarStability& stability, double own_rea
   }
 }
 
+void Derivation::widen_reach() {
+  if (!claims.stable_stars || !claims.stars) return;
+  const Rational enough = Rational(4) * claims.stars->circumradius + shift;
+  if (lies_within(enough)) claims.stable_stars->reach = maximum(*claims.stable_stars->reach, enough);
+}
+
 }  // namespace delcert

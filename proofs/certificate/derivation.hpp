@@ -33,6 +33,9 @@ struct Derivation {
   }
   /// Level 2s, where level 2 is reached. `own_reach` is what the stars need in their own charts.
   void derive_stability(const StarStability& stability, double own_reach);
+  /// Of isometric charts: states a reach of 4 circumradii and the shift, if it lies within a patch, since level 2s then
+  /// follows from level 1.
+  void widen_reach();
   bool derive_margins(const LocalMargins& found);
 };
 

@@ -83,6 +83,7 @@ Claims derive_claims(const SpaceFormAtlas<m>& atlas, const RunParameters& parame
                         parameters.algorithm.perturbation * atlas.sampling_radius()};
   derivation.derive_stars(run);
   derivation.derive_stability(measures.stability, run.margins.reach);
+  if (curvature == Curvature::zero) derivation.widen_reach();
   derive_delaunay(derivation, run.model, curvature, patch,
                   Rational(SpaceFormAtlas<m>::patch_factor) * atlas.sampling_radius() <= patch);
   derive_triangulation(derivation, measures.simplices, curvature, injectivity_radius);
