@@ -36,5 +36,18 @@ sources=$(cd "$project" && find support kernel proofs properties apps -path prop
 [[ -n $sources && $looked_at == "$sources" ]] || fail "clang-tidy looks at other files:
 $(diff <(echo "$sources") <(echo "$looked_at"))"
 
+# unlisted ROOT: pages that the index of the documentation does not link to, and links of it that lead nowhere.
+unlisted() {
+  (cd "$1/docs" || exit
+    links=$(grep -o '](\([^)#]*\)' README.md | cut -c3- | sort -u)
+    comm -13 <(echo "$links") <(find . -name '*.md' ! -path './decisions/*' ! -path ./README.md | cut -c3- | sort)
+    for link in $links; do [[ -e $link ]] || echo "$link is no file"; done)
+}
+[[ -z $(unlisted "$project") ]] || fail "docs/README.md does not list: $(unlisted "$project")"
+mkdir -p "$work/pages/docs"
+touch "$work/pages/docs/listed.md" "$work/pages/docs/forgotten.md"
+echo '[a](listed.md) [b](gone.md)' >"$work/pages/docs/README.md"
+[[ $(unlisted "$work/pages") == $'forgotten.md\ngone.md is no file' ]] || fail "the index of pages is not held to the pages"
+
 echo "$failures failures"
 exit $((failures > 0))
