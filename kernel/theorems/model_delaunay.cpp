@@ -92,7 +92,7 @@ class ModelCheck {
     report.failures.insert(report.failures.end(), failures.begin(), failures.end());
   }
 
-  /// 4.lifts: 4r < 2·inj.
+  /// 4r < 2·inj.
   void check_lifts(const ModelGeometry& geometry) {
     if (report.failures.empty() &&
         Rational(2) * Rational::exactly(report.circumradius) >= geometry.injectivity_radius) {

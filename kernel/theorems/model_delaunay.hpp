@@ -13,12 +13,12 @@ struct ModelReport {
   std::vector<StarFailure> failures;
 };
 
-/// The rules 4.ball, 4.empty and 4.lifts of Theorem 4X (docs/levels/space-forms.md), each simplex at its smallest
+/// The rules 4.ball and 4.empty with what Theorem C4 follows from (docs/levels/core.md), each simplex at its smallest
 /// interior label with the lifts that the chart of that label shows: the circumball exists (on the sphere with a radius
 /// below a right angle), every other lift is strictly outside of it, and four times the largest radius is less than
 /// twice the injectivity radius. Decided in conformal coordinates about the centre of the chart, in which the balls of
-/// X are the balls that do not reach the boundary of the model. With the stars certified in their charts (4.facets) and
-/// in agreement (2.agreement) the complex is the Delaunay complex of M.
+/// X are the balls that do not reach the boundary of the model. With the stars certified in their charts and in
+/// agreement the complex is the Delaunay complex of M.
 /// Precondition: rounding to nearest.
 template <int m>
 [[nodiscard]] ModelReport check_model_delaunay(const Atlas<m>& atlas, const PointSet<m>& points,
