@@ -15,8 +15,8 @@
 #include "kernel/simplex/singular_values.hpp"
 #include "kernel/simplex/thickness.hpp"
 #include "proofs/formula/simplex_object.hpp"
-#include "properties/attack/tally.hpp"
 #include "properties/attack/claim_library.hpp"
+#include "properties/attack/tally.hpp"
 
 namespace delcert {
 namespace {
