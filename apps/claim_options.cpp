@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
-#include "support/error.hpp"
 #include "properties/attack/claim_library.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 

@@ -6,8 +6,8 @@
 #include "apps/claim_options.hpp"
 #include "apps/commands.hpp"
 #include "kernel/number/exact_text.hpp"
-#include "properties/attack/paper_labels.hpp"
 #include "properties/attack/claim_library.hpp"
+#include "properties/attack/paper_labels.hpp"
 
 namespace delcert {
 

@@ -2,10 +2,10 @@
 
 #include <iostream>
 
+#include "properties/attack/claim_library.hpp"
 #include "properties/attack/tally.hpp"
 #include "properties/attack/twins.hpp"
 #include "support/progress.hpp"
-#include "properties/attack/claim_library.hpp"
 
 namespace {
 

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <fstream>
 
+#include "properties/attack/claim_library.hpp"
 #include "support/error.hpp"
 #include "tests/properties/attack/small_claims.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "properties/attack/claim_library.hpp"
 
 namespace delcert {
 namespace DELCERT_THIS_FILE {

@@ -1,8 +1,8 @@
 #include "properties/instances/adaptive_sampling_class.hpp"
 
 #include "proofs/formula/simplex_object.hpp"
-#include "tests/properties/instances/net_checks.hpp"
 #include "properties/attack/claim_library.hpp"
+#include "tests/properties/instances/net_checks.hpp"
 
 namespace delcert::test {
 namespace DELCERT_THIS_FILE {

@@ -8,8 +8,8 @@
 #include "kernel/simplex/cayley_menger.hpp"
 #include "proofs/formula/simplex_object.hpp"
 #include "properties/attack/attempt.hpp"
-#include "properties/attack/hypothesis_limits.hpp"
 #include "properties/attack/claim_library.hpp"
+#include "properties/attack/hypothesis_limits.hpp"
 #include "support/error.hpp"
 
 namespace delcert {

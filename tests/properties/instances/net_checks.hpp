@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "properties/attack/attempt.hpp"
-#include "properties/attack/hypothesis_limits.hpp"
 #include "properties/attack/claim_library.hpp"
+#include "properties/attack/hypothesis_limits.hpp"
 #include "properties/attack/witness.hpp"
 #include "tests/properties/instances/class_checks.hpp"
 

@@ -1,8 +1,8 @@
 #include "properties/instances/run_class.hpp"
 
-#include "tests/properties/instances/net_checks.hpp"
 #include "properties/attack/claim_library.hpp"
 #include "properties/attack/claim_variants.hpp"
+#include "tests/properties/instances/net_checks.hpp"
 
 namespace delcert::test {
 namespace DELCERT_THIS_FILE {

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "properties/attack/attempt.hpp"
-#include "properties/attack/hypothesis_limits.hpp"
 #include "properties/attack/claim_library.hpp"
+#include "properties/attack/hypothesis_limits.hpp"
 #include "properties/instances/configuration_map.hpp"
 #include "support/error.hpp"
 
