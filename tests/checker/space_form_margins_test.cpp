@@ -55,6 +55,23 @@ TEST_P(SpaceFormMargins, hold_and_little_more_does_not) {
   expect("0.density", [&](delcert::Claims& claims) { claims.input->density->density /= more; });
 }
 
+/// A flat run states so large a reach that level 2s follows; with less of it the charts are looked at one by one, which
+/// says the same until the reach is too small.
+TEST(FlatSpaceFormMargins, are_those_that_looking_at_each_of_them_finds) {
+  const auto sample = certified("klein-bottle", Rational(1) / Rational(24));
+  ASSERT_TRUE(sample.claims.stars && sample.claims.stable_stars);
+  const Rational enough = Rational(4) * sample.claims.stars->circumradius;
+  ASSERT_GT(*sample.claims.stable_stars->reach, enough);
+  for (const auto& [factor, status] :
+       {std::pair(Rational(1), 0), {Rational(999) / Rational(1000), 0}, {Rational(1) / Rational(2), 1}}) {
+    delcert::Claims claims = sample.claims;
+    *claims.stable_stars->reach *= factor;
+    const CheckerRun run = sample.check(claims);
+    EXPECT_EQ(run.status, status) << run.message;
+    EXPECT_EQ(run.rules, status == 0 ? std::set<std::string>{} : std::set<std::string>{"2s.reach"}) << run.message;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Runs, SpaceFormMargins, testing::Values("projective-plane", "bolza-surface"));
 
 }  // namespace

@@ -195,6 +195,13 @@ std::vector<Forgery> space_form_forgeries() {
   forge("points moved although none should be", "1.perturbation", projective_space(), parameter("perturbation", 0));
   forge("protection too large in a chart", "1.protection", icosphere(),
         level("1", "protection", 2.1 * sphere.protection));
+  // Flat charts, in which a simplex is looked at once.
+  forge("protection too large in a chart of the Klein bottle", "1.protection", klein_bottle(),
+        level("1", "protection", 2.1 * klein.protection));
+  forge("thickness too large in a chart of the Klein bottle", "1.thickness", klein_bottle(),
+        level("1", "thickness", 1.6 * klein.thickness));
+  forge("a circumradius too small in a chart of the Klein bottle", "1.radius", klein_bottle(),
+        level("1", "circumradius", klein.circumradius / 1.011));
   forge("balls smaller than any simplex", "1.vertices", icosphere(),
         level("1", "circumradius", 0.3 * sphere.circumradius));
   forge("charts of a Klein bottle that may be thin", "1.patch", klein_bottle().claiming({"1", "2"}),
@@ -212,6 +219,8 @@ std::vector<Forgery> space_form_forgeries() {
     j["levels"] = levels;
   });
   forge("charts that need not show so much", "2s.reach", bolza_surface(), level("2s", "reach", bolza.reach / 1.02));
+  forge("charts of the Klein bottle that need not show so much", "2s.reach", klein_bottle(),
+        level("2s", "reach", klein.reach / 1.02));
   forge("charts that show too much", "2s.patch", icosphere(), level("2s", "reach", 1));
   forge("balls as large as half a sphere", "4.ball", projective_space(), level("4", "circumradius", 1.6));
   forge("circumballs larger than stated", "4.ball", cell_600(), level("4", "circumradius", solid.ball / 1.011));
