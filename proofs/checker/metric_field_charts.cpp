@@ -37,7 +37,7 @@ TorusCells::TorusCells(std::size_t m, const std::vector<Vector<Interval>>& point
   for (std::size_t j = 0; j < points.size(); ++j) vertices_[next[cell_of[j]]++] = {static_cast<Label>(j), lifts[j]};
 }
 
-AffineCharts::AffineCharts(const Certificate& c) : c_(c) {
+AffineCharts::AffineCharts(const Certificate& c) : StarCharts(c) {
   const std::size_t m = c.m_size();
   for (Label i = 0; i < c.n; ++i) {
     matrices_.push_back(upper_triangle(m, c.chart_entries(i)));
@@ -90,28 +90,20 @@ Vertices AffineCharts::within(const TorusCells& cells, Label i, double radius, b
 Vertices AffineCharts::around(Label i, double radius) const { return within(cells_[0], i, radius, true); }
 Vertices AffineCharts::originals_around(Label i, double radius) const { return within(cells_[1], i, radius, false); }
 
-AffineChart::AffineChart(const AffineCharts& charts, Label i, const Quantity& radius)
-    : charts_(charts), label_(i), seen_(charts.around(i, radius.filter.upper())) {
-  for (const Vertex& v : seen_) {
-    filter_.push_back(charts.seen<Interval>(i, v));
-    const Vector<Interval>& x = filter_.back();
-    distance_.push_back(square_root(dot(x, x, charts.certificate().m_size())).lower());
-  }
+ShownPoints<Rational> AffineCharts::shown(Label i, const Quantity& radius) const {
+  ShownPoints<Rational> result(c_.m_size());
+  Vertices vertices = around(i, radius.filter.upper());
+  for (const Vertex& v : vertices) result.add(v.label, seen<Interval>(i, v));
+  result.exact = [this, i, vertices = std::move(vertices)](std::size_t at) { return seen<Rational>(i, vertices[at]); };
+  return result;
 }
 
-std::vector<std::size_t> AffineChart::find(Label first, const Label* others, std::string& reason) const {
-  std::vector<std::size_t> places;
-  for (int k = -1; k < charts_.certificate().m; ++k) {
-    const Label label = k < 0 ? first : others[k];
-    const auto [begin, end] = std::equal_range(seen_.begin(), seen_.end(), Vertex{label, {}},
-                                               [](const Vertex& a, const Vertex& b) { return a.label < b.label; });
-    if (end - begin != 1) {
-      reason = "its chart shows " + std::to_string(end - begin) + " lifts of label " + std::to_string(label);
-      return {};
-    }
-    places.push_back(static_cast<std::size_t>(begin - seen_.begin()));
-  }
-  return places;
+std::string AffineCharts::fault_of_patches(Level level) const {
+  const Rational reach =
+      level == level_1 ? c_.reach_1() + c_.rho.exact * c_.epsilon.exact : Rational(c_.reach_2s.exact);
+  if (less(reach, c_.metric_field->patch_radius.exact) == Verdict::proved) return "";
+  return std::string(level == level_1 ? "2 perturbation + 2 circumradius + protection" : "reach") +
+         " is not below patch_radius";
 }
 
 }  // namespace delcert::checker

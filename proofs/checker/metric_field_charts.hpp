@@ -3,8 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "proofs/checker/certificate.hpp"
-#include "proofs/checker/simplex.hpp"
+#include "proofs/checker/chart_stars.hpp"
 
 namespace delcert::checker {
 
@@ -29,11 +28,10 @@ class TorusCells {
 };
 
 /// The affine charts of a metric field: x -> A_i (x - p_i).
-class AffineCharts {
+class AffineCharts : public StarCharts<Rational> {
  public:
   explicit AffineCharts(const Certificate& c);
 
-  const Certificate& certificate() const { return c_; }
   const SquareMatrix<Rational>& matrix(Label i) const { return matrices_[i]; }
   /// p_i + A_i^-1 y_i: the perturbed point in R^m.
   template <class N>
@@ -60,6 +58,11 @@ class AffineCharts {
   Vertices around(Label i, double radius) const;
   Vertices originals_around(Label i, double radius) const;
 
+  ShownPoints<Rational> shown(Label i, const Quantity& radius) const override;
+  Vector<Interval> home(Label i, In<Interval>) const override { return c_.points.position<Interval>({i, {}}); }
+  Vector<Rational> home(Label i, In<Rational>) const override { return c_.points.position<Rational>({i, {}}); }
+  std::string fault_of_patches(Level level) const override;
+
  private:
   template <class N>
   Vector<N> applied(Label i, const Vector<N>& x, const Vertex& v) const {
@@ -82,48 +85,12 @@ class AffineCharts {
   std::array<double, 4> cell_widths() const;
   Vertices within(const TorusCells& cells, Label i, double radius, bool perturbed) const;
 
-  const Certificate& c_;
   std::vector<SquareMatrix<Rational>> matrices_;
   std::vector<SquareMatrix<Interval>> filters_;
   std::vector<std::array<double, 4>> stretches_;  // upper bounds of sqrt((B_i^-1)_kk)
   std::vector<Vector<Rational>> points_;
   std::vector<Vector<Interval>> originals_, enclosed_;
   std::vector<TorusCells> cells_;  // of perturbed and of original points
-};
-
-/// The perturbed points that chart i shows within a radius.
-class AffineChart {
- public:
-  AffineChart(const AffineCharts& charts, Label i, const Quantity& radius);
-
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::size_t size() const { return seen_.size(); }
-  const Vertex& vertex(std::size_t at) const { return seen_[at]; }
-  /// A lower bound of the distance from the origin of the chart.
-  double distance(std::size_t at) const { return distance_[at]; }
-  template <class N>
-  Vector<N> position(std::size_t at) const {
-    if constexpr (std::is_same_v<N, Interval>) {
-      return filter_[at];
-    } else {
-      return charts_.seen<N>(label_, seen_[at]);
-    }
-  }
-  template <class N>
-  std::vector<Vector<N>> positions(const std::vector<std::size_t>& places) const {
-    std::vector<Vector<N>> result;
-    for (const std::size_t at : places) result.push_back(position<N>(at));
-    return result;
-  }
-  /// The places of the label and the others; empty, with a reason, if one is not seen exactly once.
-  std::vector<std::size_t> find(Label first, const Label* others, std::string& reason) const;
-
- private:
-  const AffineCharts& charts_;
-  Label label_;
-  Vertices seen_;
-  std::vector<Vector<Interval>> filter_;
-  std::vector<double> distance_;
 };
 
 template <class F>

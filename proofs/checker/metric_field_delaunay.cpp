@@ -32,11 +32,11 @@ std::string check_delaunay_of_metric_field(const AffineCharts& charts, Report& r
     report.reject("4.stability", [] { return "the metric may change powers of points by too much for this margin"; });
   const Quantity reach(c.reach_1());
   for (Label i = 0; i < c.n; ++i) {
-    const AffineChart chart(charts, i, reach);
+    const ShownPoints<Rational> chart = charts.shown(i, reach);
     for (std::size_t s = 0; s < c.star_size(i); ++s) {
       const Label* others = c.star_simplex(i, s);
-      std::string reason;
-      const std::vector<std::size_t> vertices = chart.find(i, others, reason);
+      Label missing = 0;
+      const std::vector<std::size_t> vertices = chart.find(i, others, missing);
       if (vertices.empty()) continue;  // 1.vertices has it
       const bool long_enough =
           decide([&]<class N>(In<N>) { return has_edge(c.metric, chart.positions<N>(vertices), c.edge.as<N>()); });

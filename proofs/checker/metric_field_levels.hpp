@@ -10,9 +10,8 @@ namespace delcert::checker {
 /// The rules field.*, whatever level is looked at.
 std::string check_metric_field(const AffineCharts& charts, Report& report);
 
-// The levels of metric fields other than 2, which is that of all families, and 5, which follows. As those of run.hpp.
-std::string check_stars_of_metric_field(const AffineCharts& charts, Report& report);         // 1
-std::string check_stable_stars_of_metric_field(const AffineCharts& charts, Report& report);  // 2s
-std::string check_delaunay_of_metric_field(const AffineCharts& charts, Report& report);      // 4
+/// Level 4 of metric fields, as those of run.hpp. Levels 1 and 2s are those of chart_stars.hpp, 2 is that of all
+/// families, and 5 follows.
+std::string check_delaunay_of_metric_field(const AffineCharts& charts, Report& report);
 
 }  // namespace delcert::checker

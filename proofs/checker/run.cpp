@@ -9,6 +9,7 @@
 #include "proofs/checker/expectation.hpp"
 #include "proofs/checker/group.hpp"
 #include "proofs/checker/metric_field_levels.hpp"
+#include "proofs/checker/space_form_charts.hpp"
 #include "proofs/checker/space_form_levels.hpp"
 
 namespace delcert::checker {
@@ -149,13 +150,13 @@ class Run {
         if (!report.findings.empty()) return "";
         lifts_.emplace(c_, core_->complex(), core_->is_delaunay());
       }
-      return level == level_0   ? check_input_on_space_form(c_, *lifts_, report)
-             : level == level_1 ? check_stars_in_charts(c_, *lifts_, report)
-                                : check_stable_stars_in_charts(c_, *lifts_, report);
+      if (level == level_0) return check_input_on_space_form(c_, *lifts_, report);
+      const SpaceFormCharts charts(c_, *lifts_);
+      return level == level_1 ? check_stars(charts, report) : check_stable_stars(charts, report);
     }
     if (charts_) {
-      return level == level_1    ? check_stars_of_metric_field(*charts_, report)
-             : level == level_2s ? check_stable_stars_of_metric_field(*charts_, report)
+      return level == level_1    ? check_stars(*charts_, report)
+             : level == level_2s ? check_stable_stars(*charts_, report)
              : level == level_4  ? check_delaunay_of_metric_field(*charts_, report)
                                  : "follows from levels 1 and 2 in small patches of affine charts";
     }
