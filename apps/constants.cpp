@@ -6,7 +6,7 @@
 #include "apps/exact_option.hpp"
 #include "apps/ledger_text.hpp"
 #include "apps/list_option.hpp"
-#include "proofs/formula/formula_error.hpp"
+#include "kernel/formula/formula_error.hpp"
 
 namespace delcert {
 

@@ -41,6 +41,13 @@ BigInterval half_turn() {
   return result.copy();
 }
 
+BigInterval natural_logarithm_of_two() {
+  Result result;
+  mpfi_const_log2(result.get());
+  return result.copy();
+}
+
+BigInterval exponential(const BigInterval& x) { return value_of(mpfi_exp, x); }
 BigInterval sine(const BigInterval& x) { return value_of(mpfi_sin, x); }
 BigInterval cosine(const BigInterval& x) { return value_of(mpfi_cos, x); }
 BigInterval hyperbolic_sine(const BigInterval& x) { return value_of(mpfi_sinh, x); }

@@ -10,6 +10,8 @@ namespace delcert {
 
 /// π.
 [[nodiscard]] BigInterval half_turn();
+[[nodiscard]] BigInterval natural_logarithm_of_two();
+[[nodiscard]] BigInterval exponential(const BigInterval& x);
 [[nodiscard]] BigInterval sine(const BigInterval& x);
 [[nodiscard]] BigInterval cosine(const BigInterval& x);
 [[nodiscard]] BigInterval hyperbolic_sine(const BigInterval& x);

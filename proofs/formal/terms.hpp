@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "proofs/formula/expression.hpp"
+#include "kernel/formula/expression.hpp"
 
 namespace delcert {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <fstream>
 
-#include "proofs/formula/formula_error.hpp"
+#include "kernel/formula/formula_error.hpp"
+#include "kernel/formula/token.hpp"
 #include "proofs/formula/formula_reader.hpp"
 #include "proofs/formula/step_reader.hpp"
-#include "proofs/formula/token.hpp"
 #include "support/error.hpp"
 
 namespace delcert {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "proofs/formula/parser.hpp"
+#include "kernel/formula/parser.hpp"
 #include "proofs/formula/step.hpp"
 #include "proofs/formula/vocabulary.hpp"
 

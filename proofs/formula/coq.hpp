@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "proofs/formula/expression.hpp"
+#include "kernel/formula/expression.hpp"
 
 namespace delcert {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "proofs/formula/parser.hpp"
+#include "kernel/formula/parser.hpp"
 #include "proofs/formula/toml_position.hpp"
 #include "proofs/formula/type_check.hpp"
 

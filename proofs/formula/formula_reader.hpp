@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "proofs/formula/formula_error.hpp"
+#include "kernel/formula/formula_error.hpp"
 #include "proofs/formula/step.hpp"
 #include "proofs/formula/vocabulary.hpp"
 #include "support/toml_reader.hpp"

@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "kernel/formula/expression.hpp"
 #include "proofs/formula/claim.hpp"
-#include "proofs/formula/expression.hpp"
 
 namespace delcert {
 

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "kernel/formula/expression.hpp"
 #include "kernel/number/rational.hpp"
 
 namespace delcert {
@@ -35,22 +36,5 @@ using Binding = std::variant<Rational, long, ObjectPointer>;
 
 /// The names of an instance and what they stand for, in alphabetical order.
 using Bindings = std::map<std::string, Binding>;
-
-/// The type of an expression: `number`, `integer`, `truth`, the kind of an object, or a finite set of one of these.
-struct Type {
-  std::string name;
-  bool is_set = false;
-
-  friend bool operator==(const Type& a, const Type& b) = default;
-  /// For messages: "number", "set of simplex".
-  [[nodiscard]] std::string text() const { return is_set ? "set of " + name : name; }
-};
-
-namespace types {
-inline const Type number{"number", false};
-inline const Type integer{"integer", false};
-inline const Type truth{"truth", false};
-inline const Type integers{"integer", true};
-}  // namespace types
 
 }  // namespace delcert

@@ -1,9 +1,9 @@
 #include "proofs/formula/step.hpp"
 
-#include "proofs/formula/formula_error.hpp"
-#include "proofs/formula/parser.hpp"
+#include "kernel/formula/formula_error.hpp"
+#include "kernel/formula/parser.hpp"
+#include "kernel/formula/token.hpp"
 #include "proofs/formula/substitution.hpp"
-#include "proofs/formula/token.hpp"
 
 namespace delcert {
 

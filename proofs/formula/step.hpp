@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "proofs/formula/expression.hpp"
+#include "kernel/formula/expression.hpp"
 
 namespace delcert {
 

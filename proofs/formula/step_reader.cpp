@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "proofs/formula/parser.hpp"
-#include "proofs/formula/token.hpp"
+#include "kernel/formula/parser.hpp"
+#include "kernel/formula/token.hpp"
 #include "proofs/formula/type_check.hpp"
 
 namespace delcert {

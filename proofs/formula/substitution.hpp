@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "proofs/formula/expression.hpp"
+#include "kernel/formula/expression.hpp"
 
 namespace delcert {
 

@@ -5,7 +5,7 @@
 #include <set>
 #include <string_view>
 
-#include "proofs/formula/formula_error.hpp"
+#include "kernel/formula/formula_error.hpp"
 
 namespace delcert {
 

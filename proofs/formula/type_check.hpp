@@ -1,6 +1,6 @@
 #pragma once
 
-#include "proofs/formula/expression.hpp"
+#include "kernel/formula/expression.hpp"
 #include "proofs/formula/vocabulary.hpp"
 
 namespace delcert {

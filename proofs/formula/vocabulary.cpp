@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "proofs/formula/formula_error.hpp"
-#include "proofs/formula/parser.hpp"
-#include "proofs/formula/token.hpp"
+#include "kernel/formula/formula_error.hpp"
+#include "kernel/formula/parser.hpp"
+#include "kernel/formula/token.hpp"
 #include "proofs/formula/type_check.hpp"
 #include "support/error.hpp"
 

@@ -9,10 +9,11 @@
 #include <variant>
 #include <vector>
 
+#include "kernel/formula/expression.hpp"
 #include "kernel/number/algebraic.hpp"
 #include "kernel/number/surd.hpp"
 #include "kernel/simplex/partial.hpp"
-#include "proofs/formula/expression.hpp"
+#include "proofs/formula/object.hpp"
 
 namespace delcert {
 

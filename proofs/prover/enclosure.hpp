@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "proofs/formula/expression.hpp"
+#include "kernel/formula/expression.hpp"
 #include "proofs/prover/bernstein.hpp"
 #include "proofs/prover/extended_interval.hpp"
 

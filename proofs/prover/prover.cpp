@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "kernel/formula/formula_text.hpp"
 #include "proofs/formula/evaluation.hpp"
-#include "proofs/formula/formula_text.hpp"
 #include "proofs/prover/goal.hpp"
 #include "support/error.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "proofs/formula/formula_text.hpp"
+#include "kernel/formula/formula_text.hpp"
 #include "proofs/formula/substitution.hpp"
 #include "proofs/formula/type_check.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "proofs/formula/formula_text.hpp"
+#include "kernel/formula/formula_text.hpp"
 
 namespace delcert {
 

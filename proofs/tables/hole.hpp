@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "kernel/formula/expression.hpp"
 #include "kernel/number/rational.hpp"
-#include "proofs/formula/expression.hpp"
 
 namespace delcert {
 

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
+#include "kernel/formula/formula_error.hpp"
 #include "proofs/formula/builtin_claims.hpp"
-#include "proofs/formula/formula_error.hpp"
 #include "properties/instances/instance_class.hpp"
 #include "support/error.hpp"
 

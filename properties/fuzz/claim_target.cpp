@@ -1,5 +1,5 @@
 // Claims: what is accepted is printed, read again as the same formula and put into LaTeX.
-#include "proofs/formula/formula_text.hpp"
+#include "kernel/formula/formula_text.hpp"
 #include "proofs/formula/latex.hpp"
 #include "properties/fuzz/fuzz_target.hpp"
 #include "properties/instances/instance_class.hpp"

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "kernel/formula/formula_error.hpp"
 #include "proofs/formula/arithmetic_vocabulary.hpp"
-#include "proofs/formula/formula_error.hpp"
 #include "proofs/formula/simplex_vocabulary.hpp"
 #include "support/error.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "proofs/formula/parser.hpp"
+#include "kernel/formula/parser.hpp"
 #include "proofs/formula/type_check.hpp"
 #include "properties/instances/instance_class.hpp"
 

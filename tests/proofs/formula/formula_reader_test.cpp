@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "proofs/formula/parser.hpp"
+#include "kernel/formula/parser.hpp"
 #include "tests/proofs/formula/vocabulary_checks.hpp"
 
 namespace delcert {

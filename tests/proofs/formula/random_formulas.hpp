@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "proofs/formula/expression.hpp"
+#include "kernel/formula/expression.hpp"
 
 namespace delcert::formulas {
 

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "proofs/formula/formula_error.hpp"
-#include "proofs/formula/formula_text.hpp"
-#include "proofs/formula/parser.hpp"
+#include "kernel/formula/formula_error.hpp"
+#include "kernel/formula/formula_text.hpp"
+#include "kernel/formula/parser.hpp"
 #include "proofs/formula/type_check.hpp"
 #include "tests/proofs/formula/vocabulary_checks.hpp"
 

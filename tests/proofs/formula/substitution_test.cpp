@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "proofs/formula/formula_text.hpp"
+#include "kernel/formula/formula_text.hpp"
 #include "proofs/formula/type_check.hpp"
 #include "tests/proofs/formula/vocabulary_checks.hpp"
 

@@ -4,9 +4,9 @@
 
 #include <utility>
 
+#include "kernel/formula/formula_error.hpp"
+#include "kernel/formula/parser.hpp"
 #include "proofs/formula/arithmetic_vocabulary.hpp"
-#include "proofs/formula/formula_error.hpp"
-#include "proofs/formula/parser.hpp"
 #include "proofs/formula/simplex_object.hpp"
 #include "proofs/formula/simplex_vocabulary.hpp"
 

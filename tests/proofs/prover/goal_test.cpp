@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "proofs/formula/formula_text.hpp"
+#include "kernel/formula/formula_text.hpp"
 #include "tests/proofs/prover/prove_text.hpp"
 
 namespace delcert {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "proofs/formula/parser.hpp"
+#include "kernel/formula/parser.hpp"
 
 namespace delcert {
 namespace DELCERT_THIS_FILE {

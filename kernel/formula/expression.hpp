@@ -5,12 +5,29 @@
 #include <string>
 #include <vector>
 
-#include "proofs/formula/object.hpp"
+#include "kernel/number/rational.hpp"
 
 namespace delcert {
 
 struct Function;
 struct Definition;
+
+/// The type of an expression: `number`, `integer`, `truth`, the kind of an object, or a finite set of one of these.
+struct Type {
+  std::string name;
+  bool is_set = false;
+
+  friend bool operator==(const Type& a, const Type& b) = default;
+  /// For messages: "number", "set of simplex".
+  [[nodiscard]] std::string text() const { return is_set ? "set of " + name : name; }
+};
+
+namespace types {
+inline const Type number{"number", false};
+inline const Type integer{"integer", false};
+inline const Type truth{"truth", false};
+inline const Type integers{"integer", true};
+}  // namespace types
 
 enum class Operation : unsigned char {
   literal,        ///< a rational number

@@ -1,4 +1,4 @@
-#include "proofs/formula/formula_text.hpp"
+#include "kernel/formula/formula_text.hpp"
 
 #include <algorithm>
 #include <string_view>

@@ -1,4 +1,4 @@
-#include "proofs/formula/expression.hpp"
+#include "kernel/formula/expression.hpp"
 
 #include <gtest/gtest.h>
 

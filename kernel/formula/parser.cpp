@@ -1,12 +1,12 @@
-#include "proofs/formula/parser.hpp"
+#include "kernel/formula/parser.hpp"
 
 #include <algorithm>
 #include <optional>
 #include <unordered_map>
 #include <utility>
 
-#include "proofs/formula/formula_error.hpp"
-#include "proofs/formula/token.hpp"
+#include "kernel/formula/formula_error.hpp"
+#include "kernel/formula/token.hpp"
 
 namespace delcert {
 

@@ -1,9 +1,9 @@
-#include "proofs/formula/formula_text.hpp"
+#include "kernel/formula/formula_text.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "proofs/formula/parser.hpp"
+#include "kernel/formula/parser.hpp"
 #include "tests/proofs/formula/random_formulas.hpp"
 
 namespace delcert {

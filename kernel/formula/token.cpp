@@ -1,11 +1,11 @@
-#include "proofs/formula/token.hpp"
+#include "kernel/formula/token.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <utility>
 
-#include "proofs/formula/formula_error.hpp"
+#include "kernel/formula/formula_error.hpp"
 
 namespace delcert {
 

@@ -1,4 +1,4 @@
-#include "proofs/formula/formula_error.hpp"
+#include "kernel/formula/formula_error.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "proofs/formula/token.hpp"
+#include "kernel/formula/token.hpp"
 
 #include <gtest/gtest.h>
 
 #include <utility>
 
-#include "proofs/formula/formula_error.hpp"
+#include "kernel/formula/formula_error.hpp"
 
 namespace delcert {
 namespace DELCERT_THIS_FILE {

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "proofs/formula/expression.hpp"
+#include "kernel/formula/expression.hpp"
 
 namespace delcert {
 

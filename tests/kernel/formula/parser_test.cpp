@@ -1,11 +1,11 @@
-#include "proofs/formula/parser.hpp"
+#include "kernel/formula/parser.hpp"
 
 #include <gtest/gtest.h>
 
 #include <utility>
 
-#include "proofs/formula/formula_error.hpp"
-#include "proofs/formula/formula_text.hpp"
+#include "kernel/formula/formula_error.hpp"
+#include "kernel/formula/formula_text.hpp"
 
 namespace delcert {
 namespace DELCERT_THIS_FILE {
