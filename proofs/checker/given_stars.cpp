@@ -88,8 +88,11 @@ std::string check_given_stars(const Certificate& c, Report& report) {
     const auto reject = [&](const char* rule, const char* what) {
       report.reject(rule, [&] { return "in its chart the star of " + std::to_string(i) + what; });
     };
-    if (!star.has_sides()) reject("1f.sides", " has two simplices on the same side of a face, or a flat one");
-    if (!star.has_ray()) reject("1f.ray", " goes around it more than once");
+    if (!star.has_sides()) {
+      reject("1f.sides", " has two simplices on the same side of a face, or a flat one");
+    } else if (!star.has_ray()) {
+      reject("1f.ray", " goes around it more than once");
+    }
   }
   return std::to_string(c.n) + " stars, straight in the charts of their labels, are embedded and full";
 }
