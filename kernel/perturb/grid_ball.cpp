@@ -1,13 +1,15 @@
 #include "kernel/perturb/grid_ball.hpp"
 
+#include <algorithm>
+
 #include "kernel/simplex/dimensions.hpp"
 
 namespace delcert {
 
 namespace {
 
-/// Fewer steps are doubles, with one bit to spare.
-constexpr unsigned most_bits_of_few = 52;
+/// Of a number of steps, so many bits are drawn into a double; the others only tell what is exactly meant.
+constexpr unsigned head_bits = 52;
 
 }  // namespace
 
@@ -19,15 +21,17 @@ GridBall<m>::GridBall(const FrameMetric<m>& metric, const MetricOn<Filter, m>& e
       centre_(centre),
       squared_radius_(square(radius)),
       enclosed_squared_radius_(scalar_from<Filter>(squared_radius_)),
-      step_(Rational::power_of_two(exponent)),
-      enclosed_step_(scalar_from<Filter>(step_)) {
+      step_(Rational::power_of_two(exponent)) {
   for (std::size_t at = 0; at < m; ++at) {
     Axis& axis = axes_[at];
     const Rational half = square_root_upper(squared_radius_ * metric.inverse_diagonal(at), 32);
     const Integer first = floor_of((centre[at] - half) / step_);
     axis.count = ceiling_of((centre[at] + half) / step_) - first + 1;
     axis.bits = static_cast<unsigned>(msb(axis.count)) + 1;
-    if (axis.bits <= most_bits_of_few) axis.few = axis.count.template convert_to<std::uint64_t>();
+    axis.rest = axis.bits > head_bits ? axis.bits - head_bits : 0;
+    axis.head_of_count = Integer(axis.count >> axis.rest).template convert_to<std::uint64_t>();
+    axis.unit = scalar_from<Filter>(Rational::power_of_two(exponent + static_cast<long>(axis.rest)));
+    axis.words.resize((axis.bits + 31) / 32);
     axis.first = Rational(first) * step_;
     axis.from_zero = scalar_from<Filter>(axis.first);
     axis.from_centre = scalar_from<Filter>(axis.first - centre[at]);
@@ -48,21 +52,37 @@ void GridBall<m>::draw(CounterRandom& random) {
 
 template <int m>
 void GridBall<m>::choose(CounterRandom& random, Axis& axis) {
-  if (axis.few > 0) {
-    do {
-      axis.chosen = random.next_bits(axis.bits);
-    } while (axis.chosen >= axis.few);
-  } else {
-    do {
-      axis.chosen_of_many = random.next_integer(axis.bits);
-    } while (axis.chosen_of_many >= axis.count);
-  }
+  do {
+    axis.head = 0;
+    unsigned missing = std::min(axis.bits, head_bits);
+    unsigned left = axis.bits;
+    for (std::uint32_t& word : axis.words) {
+      const unsigned taken = std::min(left, 32U);
+      left -= taken;
+      word = random.next_word() >> (32 - taken);
+      const unsigned used = std::min(missing, taken);
+      missing -= used;
+      if (used > 0) axis.head = (axis.head << used) | (word >> (taken - used));
+    }
+  } while (axis.head > axis.head_of_count || (axis.head == axis.head_of_count && chosen(axis) >= axis.count));
 }
 
 template <int m>
-Filter GridBall<m>::length(const Axis& axis) const {
-  if (axis.few > 0) return Filter::exactly(static_cast<double>(axis.chosen)) * enclosed_step_;
-  return scalar_from<Filter>(Rational(axis.chosen_of_many) * step_);
+Integer GridBall<m>::chosen(const Axis& axis) {
+  Integer result = 0;
+  unsigned left = axis.bits;
+  for (const std::uint32_t word : axis.words) {
+    const unsigned taken = std::min(left, 32U);
+    left -= taken;
+    result = (result << taken) + word;
+  }
+  return result;
+}
+
+template <int m>
+Filter GridBall<m>::length(const Axis& axis) {
+  const auto head = static_cast<double>(axis.head);
+  return (axis.rest == 0 ? Filter::exactly(head) : Filter::between(head, head + 1)) * axis.unit;
 }
 
 template <int m>
@@ -77,7 +97,7 @@ Vector<Rational, m> GridBall<m>::exact() const {
   Vector<Rational, m> result;
   for (std::size_t at = 0; at < m; ++at) {
     const Axis& axis = axes_[at];
-    result[at] = axis.first + (axis.few > 0 ? Rational(axis.chosen) : Rational(axis.chosen_of_many)) * step_;
+    result[at] = axis.first + Rational(chosen(axis)) * step_;
   }
   return result;
 }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "kernel/chart/atlas.hpp"
 #include "kernel/random/counter_random.hpp"
 
@@ -26,17 +29,20 @@ class GridBall {
   struct Axis {
     Rational first;
     Integer count;
-    unsigned bits = 0;       // of count
-    Filter from_zero;        // first
-    Filter from_centre;      // first − centre
-    std::uint64_t few = 0;   // count, if it has at most 52 bits
-    std::uint64_t chosen{};  // how many steps, if it has
-    Integer chosen_of_many;  // otherwise
+    unsigned bits = 0;  // of count
+    unsigned rest = 0;  // of these, how many come after the first 52
+    std::uint64_t head_of_count = 0;
+    Filter from_zero;                  // first
+    Filter from_centre;                // first − centre
+    Filter unit;                       // a length of 2^rest steps
+    std::vector<std::uint32_t> words;  // how many steps were chosen, 32 bits each, the last word what remains of them
+    std::uint64_t head = 0;            // the first 52 bits of that
   };
 
   static void choose(CounterRandom& random, Axis& axis);
-  /// Of that many steps.
-  [[nodiscard]] Filter length(const Axis& axis) const;
+  [[nodiscard]] static Integer chosen(const Axis& axis);
+  /// Of the chosen steps.
+  [[nodiscard]] static Filter length(const Axis& axis);
   [[nodiscard]] bool is_in_ball() const;
 
   const FrameMetric<m>& metric_;
@@ -45,7 +51,6 @@ class GridBall {
   Rational squared_radius_;
   Filter enclosed_squared_radius_;
   Rational step_;
-  Filter enclosed_step_;
   Vector<Axis, m> axes_;
   Vector<Filter, m> enclosure_{};
   Vector<Filter, m> from_centre_{};

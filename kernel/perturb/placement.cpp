@@ -100,7 +100,7 @@ template <int m>
 std::optional<Vector<Rational, m>> Placement<m>::first_good(Label i, GridBall<m>& ball, std::uint32_t& tries) {
   while (tries < parameters_.most_tries) {
     ++tries;
-    draw(i, ball);
+    draw(i, state_.attempts[i.value]++, ball);
     Vector<Rational, m> x = ball.exact();
     if (test_.accepts(x)) return x;
   }
@@ -111,26 +111,47 @@ template <int m>
 std::optional<Vector<Rational, m>> Placement<m>::best_good(Label i, GridBall<m>& ball, std::uint32_t& tries) {
   delaunay_.prepare(i, test_);
   const double enough = approximate_double(parameters_.clearance * atlas_.sampling_radius(i));
+  // A test takes much longer than a draw: the farthest of the first positions are tested first, and of those that
+  // follow only what would be better.
+  struct Drawn {
+    std::uint32_t attempt;
+    double clearance;
+  };
+  const auto draw_next = [&] {
+    const std::uint32_t attempt = state_.attempts[i.value]++;
+    ++tries;
+    draw(i, attempt, ball);
+    return Drawn{attempt, delaunay_.clearance(ball.enclosure())};
+  };
+  std::vector<Drawn> drawn;
+  while (drawn.size() < parameters_.choices && tries < parameters_.most_tries) drawn.push_back(draw_next());
+  std::stable_sort(drawn.begin(), drawn.end(),
+                   [](const Drawn& a, const Drawn& b) { return a.clearance > b.clearance; });
   std::optional<Vector<Rational, m>> best;
   double farthest = 0;
-  // A test takes long, so only positions that would be better than the best so far are tested.
-  for (std::uint32_t chosen = 0; tries < parameters_.most_tries; ++chosen) {
-    if (best && chosen >= parameters_.choices && (farthest >= enough || chosen >= 16 * parameters_.choices)) break;
-    ++tries;
-    draw(i, ball);
-    const double clearance = delaunay_.clearance(ball.enclosure());
-    if (best && clearance <= farthest) continue;
+  for (const Drawn& position : drawn) {
+    draw(i, position.attempt, ball);
     Vector<Rational, m> x = ball.exact();
     if (!test_.accepts(x)) continue;
     best = std::move(x);
-    farthest = clearance;
+    farthest = position.clearance;
+    break;
+  }
+  for (auto chosen = drawn.size(); tries < parameters_.most_tries; ++chosen) {
+    if (best && (farthest >= enough || chosen >= 16 * std::size_t{parameters_.choices})) break;
+    const Drawn position = draw_next();
+    if (best && position.clearance <= farthest) continue;
+    Vector<Rational, m> x = ball.exact();
+    if (!test_.accepts(x)) continue;
+    best = std::move(x);
+    farthest = position.clearance;
   }
   return best;
 }
 
 template <int m>
-void Placement<m>::draw(Label i, GridBall<m>& ball) {
-  CounterRandom random(parameters_.seed, RandomPurpose::perturbation, i.value, state_.attempts[i.value]++);
+void Placement<m>::draw(Label i, std::uint32_t attempt, GridBall<m>& ball) const {
+  CounterRandom random(parameters_.seed, RandomPurpose::perturbation, i.value, attempt);
   ball.draw(random);
 }
 

@@ -59,7 +59,8 @@ class Placement {
   [[nodiscard]] std::optional<Vector<Rational, m>> first_good(Label i, GridBall<m>& ball, std::uint32_t& tries);
   /// By the second tolerance.
   [[nodiscard]] std::optional<Vector<Rational, m>> best_good(Label i, GridBall<m>& ball, std::uint32_t& tries);
-  void draw(Label i, GridBall<m>& ball);
+  /// The position of an attempt: the same whenever it is asked for.
+  void draw(Label i, std::uint32_t attempt, GridBall<m>& ball) const;
 
   const Atlas<m>& atlas_;
   const PerturbationParameters& parameters_;

@@ -45,15 +45,6 @@ class CounterRandom {
     }
     return result;
   }
-  /// The same for at most 64 bits.
-  [[nodiscard]] std::uint64_t next_bits(unsigned bits) {
-    std::uint64_t result = 0;
-    for (unsigned taken = 0; taken < bits; taken += 32) {
-      const unsigned wanted = bits - taken < 32 ? bits - taken : 32;
-      result = (result << wanted) + (next_word() >> (32 - wanted));
-    }
-    return result;
-  }
 
  private:
   using Generator = r123::Philox4x32;

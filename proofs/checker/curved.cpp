@@ -32,10 +32,11 @@ Interval logarithm_factor(int K, const Interval& q) {
       return joined(logarithm_factor(K, exactly(q.lower())), logarithm_factor(K, exactly(q.upper()))).enclosure();
     });
   }
-  // The sum of (-K q)^k / (2k + 1). What is left out is at most q^13 / (27 (1 - q)) < 2^-56.
+  // The sum of (-K q)^k / (2k + 1). What is left out is at most q^13 / (27 (1 - q)) < 2^-56; or q^4 / (9 (1 - q)).
   const Interval argument = K > 0 ? -q : q;
   Interval sum(0);
-  for (std::size_t k = terms; k-- > 0;) sum = sum * argument + odd_reciprocals()[k];
+  for (std::size_t k = q.upper() <= 0x1p-14 ? std::size_t{4} : std::size_t{terms}; k-- > 0;)
+    sum = sum * argument + odd_reciprocals()[k];
   return sum + Interval::between(-0x1p-56, 0x1p-56);
 }
 

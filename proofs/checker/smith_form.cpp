@@ -14,13 +14,13 @@ namespace {
 /// Of the matrix that is left for FLINT, whose time and memory grow with a higher power of its size.
 constexpr std::size_t most_entries = std::size_t{1} << 12;
 
-/// Subtracts the multiple of b, which begins with 1 or -1, that rids a of its entry number `begin`.
-void subtract(Column& a, std::size_t begin, const Column& b) {
+/// Subtracts the multiple of b, which begins with 1 or -1, that rids a of its entry number `begin`. `rest` is memory.
+void subtract(Column& a, std::size_t begin, const Column& b, Column& rest) {
   constexpr const char* too_large = "a coefficient of the homology is beyond 64 bits";
   std::int64_t factor = 0;
   if (__builtin_mul_overflow(a[begin].coefficient, b[0].coefficient, &factor)) throw Undecided(too_large);
   Budget::spend(10 + a.size() + b.size());
-  Column result(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(begin));
+  rest.clear();
   std::size_t i = begin, j = 0;
   while (i < a.size() || j < b.size()) {
     const bool from_a = j == b.size() || (i < a.size() && a[i].face >= b[j].face);
@@ -30,11 +30,12 @@ void subtract(Column& a, std::size_t begin, const Column& b) {
     if (from_b && (__builtin_mul_overflow(factor, b[j].coefficient, &product) ||
                    __builtin_sub_overflow(entry.coefficient, product, &entry.coefficient)))
       throw Undecided(too_large);
-    if (entry.coefficient != 0) result.push_back(entry);
+    if (entry.coefficient != 0) rest.push_back(entry);
     i += from_a ? 1 : 0;
     j += from_b ? 1 : 0;
   }
-  a.swap(result);
+  a.resize(begin);
+  a.insert(a.end(), rest.begin(), rest.end());
 }
 
 /// The form of a matrix of few columns, by FLINT.
@@ -75,12 +76,13 @@ SmithForm smith_form(const std::vector<Column>& columns) {
 SmithForm reduce(std::vector<Column> columns, std::size_t rows, std::vector<bool>& used_rows,
                  std::vector<bool>& used_columns) {
   std::vector<Column> owner(rows), rest;
+  Column memory;
   SmithForm form;
-  const auto eliminate = [&owner](Column& column, bool whole) {
+  const auto eliminate = [&](Column& column, bool whole) {
     for (std::size_t at = 0; at < column.size();) {
       const Column& by = owner[column[at].face];
       if (!by.empty()) {
-        subtract(column, at, by);
+        subtract(column, at, by, memory);
       } else if (whole) {
         ++at;
       } else {
