@@ -11,6 +11,7 @@ namespace delcert {
 
 namespace {
 
+constexpr int least_submanifold_dimension = 2;
 constexpr int greatest_submanifold_dimension = 3;
 constexpr std::size_t longest_equation = 4096;
 
@@ -25,7 +26,8 @@ class SubmanifoldReader : TomlFormulaReader {
       fail(required(table_, "family"), key_in_words("family"), "\"submanifold\"");
     SubmanifoldDescription result;
     result.name = short_string(table_, "name");
-    result.dimension = Dimension(integer(table_, "dimension", 1, greatest_submanifold_dimension));
+    result.dimension =
+        Dimension(integer(table_, "dimension", least_submanifold_dimension, greatest_submanifold_dimension));
     result.variables = variables();
     result.equations = equations(result);
     result.box = box(result.variables);
@@ -46,7 +48,7 @@ class SubmanifoldReader : TomlFormulaReader {
 
   std::vector<std::string> variables() const {
     std::vector<std::string> result;
-    for (const toml::node& entry : array_of("variables", 2, most_ambient_dimensions, "names")) {
+    for (const toml::node& entry : array_of("variables", 3, most_ambient_dimensions, "names")) {
       const std::string what = "variable " + std::to_string(result.size() + 1);
       const auto* name = entry.as_string();
       if (name == nullptr || !is_name_of_variable(name->get()))

@@ -8,6 +8,7 @@
 #include "kernel/number/rounding_guard.hpp"
 #include "kernel/number/scalar.hpp"
 #include "kernel/parallel/parts.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 
@@ -103,7 +104,7 @@ class ClearLabels {
     for (std::size_t at = 0; at < simplices_.size(); ++at) {
       const LabelSimplex<m>& simplex = simplices_[at];
       if (std::find(simplex.begin(), simplex.end(), k) != simplex.end()) continue;
-      if (!is_far(k, at) && !has_other_height(k, simplex) && !is_outside(k, at)) return false;
+      if (!is_far(k, at) && !has_other_height(k, simplex) && !is_beyond_a_facet(k, at)) return false;
     }
     return true;
   }
@@ -134,7 +135,7 @@ class ClearLabels {
 
   /// Beyond a facet, or outside of the circumball, by more than what is moved sideways, in the chart of the least
   /// label.
-  [[nodiscard]] bool is_outside(std::uint32_t k, std::size_t at) const {
+  [[nodiscard]] bool is_beyond_a_facet(std::uint32_t k, std::size_t at) const {
     const LabelSimplex<m>& simplex = simplices_[at];
     const std::uint32_t j = simplex[0];
     const auto gradients = check_.gradients(j, simplex);
@@ -144,25 +145,15 @@ class ClearLabels {
     Interval lateral = Interval::exactly(side) * Interval::exactly(measures_[at].shift);
     if (!vertices_.residuals.empty())
       lateral += Interval::exactly(check_.lateral(j, k)) * Interval::exactly(shifts_[k]);
-    const auto from_origin = [&](std::uint32_t v) {
-      Vector<Interval, m> result;
-      for (std::size_t row = 0; row < m; ++row)
-        result[row] = check_.coordinate(j, v, row) - check_.coordinate(j, simplex[0], row);
-      return result;
-    };
-    const Vector<Interval, m> place = from_origin(k);
-    Vector<Interval, m> centre{};
+    Vector<Interval, m> place;
+    for (std::size_t row = 0; row < m; ++row)
+      place[row] = check_.coordinate(j, k, row) - check_.coordinate(j, simplex[0], row);
     for (std::size_t v = 0; v <= m; ++v) {
       const Vector<Interval, m>& gradient = (*gradients)[v];
       const Interval weight = pairing(gradient, place) + Interval(v == 0 ? 1 : 0);
       if (is_proved(less(weight, -lateral * square_root(pairing(gradient, gradient))))) return true;
-      if (v == 0) continue;
-      const Vector<Interval, m> edge = from_origin(simplex[v]);
-      const Interval half = pairing(edge, edge) / Interval(2);
-      for (std::size_t row = 0; row < m; ++row) centre[row] += half * gradient[row];
     }
-    const Vector<Interval, m> away = difference(place, centre);
-    return is_proved(less(square_root(pairing(centre, centre)) + lateral, square_root(pairing(away, away))));
+    return false;
   }
 
   const GraphVertices& vertices_;
@@ -282,6 +273,32 @@ void measure_isotopy(const GraphVertices& vertices, const std::vector<LabelSimpl
 }
 
 }  // namespace
+
+template <int m>
+GraphVertices graph_vertices(const SubmanifoldAtlas<m>& atlas, const PointSet<m>& points) {
+  GraphVertices result{atlas.zero_set(), atlas.charts(), {}, {}};
+  for (std::uint32_t index = 0; index < atlas.size(); ++index) {
+    const Label i(index);
+    const Vector<Rational, m> home = points.exact(i);
+    const auto enclosed = [&]<class S>(const auto& in_doubles_of) {
+      Vector<S, m> coordinates;
+      for (std::size_t axis = 0; axis < m; ++axis) coordinates[axis] = scalar_from<S>(home[axis]);
+      const auto position = atlas.template position<S>(i, coordinates);
+      if (!position) return false;
+      for (const S& x : *position) result.positions.push_back(in_doubles_of(x));
+      return true;
+    };
+    {
+      const RoundingGuard guard;
+      if (enclosed.template operator()<Interval>([](const Interval& x) { return x; })) continue;
+    }
+    if (!enclosed.template operator()<BigInterval>([](const BigInterval& x) { return in_doubles(x); }))
+      throw Undecided("the point of label " + std::to_string(index) + " cannot be enclosed");
+  }
+  return result;
+}
+template GraphVertices graph_vertices<2>(const SubmanifoldAtlas<2>&, const PointSet<2>&);
+template GraphVertices graph_vertices<3>(const SubmanifoldAtlas<3>&, const PointSet<3>&);
 
 template <int m>
 GraphTriangulation<m> check_graph_triangulation(const GraphVertices& vertices,

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "kernel/manifold/submanifold/submanifold_atlas.hpp"
 #include "kernel/theorems/graph_simplex.hpp"
 #include "support/progress.hpp"
 
@@ -29,6 +30,11 @@ struct GraphTriangulation {
   [[nodiscard]] bool triangulates() const { return failures.empty() && unclear.empty(); }
   [[nodiscard]] bool is_isotopic() const { return triangulates() && above_lid == 0 && margin > 0; }
 };
+
+/// Where these points of the atlas are. Throws Undecided, with the label, if one cannot be enclosed. Precondition:
+/// rounding to nearest.
+template <int m>
+[[nodiscard]] GraphVertices graph_vertices(const SubmanifoldAtlas<m>& atlas, const PointSet<m>& points);
 
 /// In parallel. `simplices`: all m-simplices, each once, of a complex of which level 2 holds. Precondition: rounding to
 /// nearest.

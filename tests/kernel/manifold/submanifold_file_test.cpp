@@ -15,12 +15,12 @@ namespace DELCERT_THIS_FILE {
 
 /// A file of which each line can be another.
 struct Text {
-  std::string name = "name = 'circle'";
+  std::string name = "name = 'sphere'";
   std::string family = "family = 'submanifold'";
-  std::string dimension = "dimension = 1";
-  std::string variables = "variables = ['x', 'y']";
-  std::string equations = "equations = ['x^2 + y^2 - 1']";
-  std::string box = "box = [[-2, 2], ['-3/2', 2]]";
+  std::string dimension = "dimension = 2";
+  std::string variables = "variables = ['x', 'y', 'z']";
+  std::string equations = "equations = ['x^2 + y^2 + z^2 - 1']";
+  std::string box = "box = [[-2, 2], ['-3/2', 2], [-2, 2]]";
   std::string homology;
 
   [[nodiscard]] std::string whole() const {
@@ -47,15 +47,15 @@ std::string refusal_with(std::string Text::*line, const std::string& value) {
 
 TEST(SubmanifoldFile, reads_all_that_it_has) {
   Text text;
-  text.homology = "homology = ['Z', 'Z']";
-  const SubmanifoldDescription circle = parse_submanifold(text.whole(), "x.toml");
-  EXPECT_EQ(circle.name, "circle");
-  EXPECT_EQ(circle.dimension, Dimension(1));
-  EXPECT_EQ(circle.variables, (std::vector<std::string>{"x", "y"}));
-  EXPECT_EQ(circle.equations, (std::vector<std::string>{"x^2+y^2-1"}));
-  EXPECT_EQ(circle.box[1][0], ratio(-3, 2));
-  EXPECT_EQ(circle.box[1][1], Rational(2));
-  EXPECT_EQ(circle.homology, (std::vector<std::string>{"Z", "Z"}));
+  text.homology = "homology = ['Z', '0', 'Z']";
+  const SubmanifoldDescription sphere = parse_submanifold(text.whole(), "x.toml");
+  EXPECT_EQ(sphere.name, "sphere");
+  EXPECT_EQ(sphere.dimension, Dimension(2));
+  EXPECT_EQ(sphere.variables, (std::vector<std::string>{"x", "y", "z"}));
+  EXPECT_EQ(sphere.equations, (std::vector<std::string>{"x^2+y^2+z^2-1"}));
+  EXPECT_EQ(sphere.box[1][0], ratio(-3, 2));
+  EXPECT_EQ(sphere.box[1][1], Rational(2));
+  EXPECT_EQ(sphere.homology, (std::vector<std::string>{"Z", "0", "Z"}));
   EXPECT_TRUE(parse_submanifold(Text().whole(), "x.toml").homology.empty());
 }
 
@@ -79,37 +79,38 @@ TEST(SubmanifoldFile, shows_what_is_wrong_within_an_equation) {
 }
 
 TEST(SubmanifoldFile, says_what_is_wrong_elsewhere_and_where) {
-  EXPECT_TRUE(mentions(refusal_with(&Text::variables, "variables = ['x', 'sin']"),
+  EXPECT_TRUE(mentions(refusal_with(&Text::variables, "variables = ['x', 'sin', 'z']"),
                        "x.toml:4:19: variable 2: found \"sin\", expected a name"));
-  EXPECT_TRUE(mentions(refusal_with(&Text::variables, "variables = ['x', 'Y']"), "variable 2: found \"Y\""));
-  EXPECT_TRUE(mentions(refusal_with(&Text::variables, "variables = ['x', 'x']"),
+  EXPECT_TRUE(mentions(refusal_with(&Text::variables, "variables = ['x', 'Y', 'z']"), "variable 2: found \"Y\""));
+  EXPECT_TRUE(mentions(refusal_with(&Text::variables, "variables = ['x', 'x', 'z']"),
                        "x.toml:4:19: variable 2: found \"x\", expected another name: this one is taken"));
-  EXPECT_TRUE(mentions(refusal_with(&Text::variables, "variables = ['x']"), "expected an array of 2 to 9 names"));
-  EXPECT_TRUE(mentions(refusal_with(&Text::variables, "variables = 'xy'"), "expected an array of 2 to 9 names"));
+  EXPECT_TRUE(mentions(refusal_with(&Text::variables, "variables = ['x']"), "expected an array of 3 to 9 names"));
+  EXPECT_TRUE(mentions(refusal_with(&Text::variables, "variables = 'xy'"), "expected an array of 3 to 9 names"));
   EXPECT_TRUE(
-      mentions(refusal_with(&Text::dimension, "dimension = 2"),
-               "x.toml:3:13: key \"dimension\": found the integer 2, expected less than the number of variables, 2"));
-  EXPECT_TRUE(mentions(refusal_with(&Text::dimension, "dimension = 4"), "expected an integer from 1 to 3"));
+      mentions(refusal_with(&Text::dimension, "dimension = 3"),
+               "x.toml:3:13: key \"dimension\": found the integer 3, expected less than the number of variables, 3"));
+  EXPECT_TRUE(mentions(refusal_with(&Text::dimension, "dimension = 4"), "expected an integer from 2 to 3"));
   EXPECT_TRUE(mentions(refusal_with(&Text::equations, "equations = ['x', 'y']"),
                        "x.toml:5:13: key \"equations\": found an array of length 2, expected an array of 1 formulas"));
   EXPECT_TRUE(mentions(refusal_with(&Text::equations, "equations = [3]"), "equation 1: found the integer 3"));
-  EXPECT_TRUE(mentions(refusal_with(&Text::box, "box = [[-2, 2]]"), "expected an array of 2 pairs of numbers"));
-  EXPECT_TRUE(mentions(refusal_with(&Text::box, "box = [[-2, 2], [1]]"), "box, y: found an array of length 1"));
-  EXPECT_TRUE(mentions(refusal_with(&Text::box, "box = [[-2, 2], [1, 1]]"),
+  EXPECT_TRUE(mentions(refusal_with(&Text::box, "box = [[-2, 2]]"), "expected an array of 3 pairs of numbers"));
+  EXPECT_TRUE(mentions(refusal_with(&Text::box, "box = [[-2, 2], [1], [1, 2]]"), "box, y: found an array of length 1"));
+  EXPECT_TRUE(mentions(refusal_with(&Text::box, "box = [[-2, 2], [1, 1], [1, 2]]"),
                        "x.toml:6:21: box, y, to: found the integer 1, expected a number above 1"));
-  EXPECT_TRUE(mentions(refusal_with(&Text::box, "box = [[2, -2], [1, 2]]"), "box, x, to: found the integer -2"));
-  EXPECT_TRUE(mentions(refusal_with(&Text::box, "box = [[-2, 2.5], [1, 2]]"), "the floating-point number 2.5"));
-  EXPECT_TRUE(mentions(refusal_with(&Text::box, ""), "the key box is missing, expected an array of 2 pairs"));
-  EXPECT_TRUE(mentions(refusal_with(&Text::homology, "homology = ['Z']"), "expected an array of 2 groups"));
   EXPECT_TRUE(
-      mentions(refusal_with(&Text::homology, "homology = ['Z', 1]"), "homology, degree 1: found the integer 1"));
+      mentions(refusal_with(&Text::box, "box = [[2, -2], [1, 2], [1, 2]]"), "box, x, to: found the integer -2"));
+  EXPECT_TRUE(mentions(refusal_with(&Text::box, "box = [[-2, 2.5], [1, 2], [1, 2]]"), "the floating-point number 2.5"));
+  EXPECT_TRUE(mentions(refusal_with(&Text::box, ""), "the key box is missing, expected an array of 3 pairs"));
+  EXPECT_TRUE(mentions(refusal_with(&Text::homology, "homology = ['Z']"), "expected an array of 3 groups"));
+  EXPECT_TRUE(
+      mentions(refusal_with(&Text::homology, "homology = ['Z', 1, 'Z']"), "homology, degree 1: found the integer 1"));
   EXPECT_TRUE(mentions(refusal_with(&Text::homology, "homolgy = []"), "unknown key homolgy, did you mean homology?"));
   EXPECT_TRUE(mentions(refusal_with(&Text::family, "family = 'submanifolds'"), "expected \"submanifold\""));
   EXPECT_EQ(refusal(Text()), "accepted");
 }
 
 TEST(SubmanifoldFile, of_every_built_in_zero_set_is_in_order) {
-  ASSERT_GE(builtin_submanifolds().size(), 11U);
+  ASSERT_GE(builtin_submanifolds().size(), 10U);
   for (const BuiltinManifold& builtin : builtin_submanifolds()) {
     const SubmanifoldDescription manifold = parse_submanifold(builtin.text, builtin.name);
     EXPECT_EQ(manifold.name, builtin.name);
