@@ -66,7 +66,9 @@ class AmbientGrid {
  private:
   static constexpr std::uint32_t none = 0xffffffffU;
 
-  [[nodiscard]] std::int64_t cell_of(double x) const { return static_cast<std::int64_t>(std::floor(x * cells_per_unit_)); }
+  [[nodiscard]] std::int64_t cell_of(double x) const {
+    return static_cast<std::int64_t>(std::floor(x * cells_per_unit_));
+  }
   /// Cells that are 2^bits apart share a key; a query sees fewer, and looks at distances.
   [[nodiscard]] std::uint64_t with(std::uint64_t key, std::int64_t cell) const {
     return key << bits_ | (static_cast<std::uint64_t>(cell) & ((std::uint64_t{1} << bits_) - 1));

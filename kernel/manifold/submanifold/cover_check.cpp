@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "kernel/number/rounding_guard.hpp"
@@ -43,7 +44,7 @@ class CoverSearch {
         value_(q_),
         box_value_(q_),
         derivative_(q_ * n_),
-        unused_(q_ * n_) {
+        central_(q_ * n_) {
     least_height_ = std::numeric_limits<double>::infinity();
     for (const TangentChart& chart : charts_) {
       least_height_ = std::min(least_height_, approximate_double(chart.data().height));
@@ -66,7 +67,7 @@ class CoverSearch {
     }
     const std::uint32_t* nearest = nearest_of(piece);
     if (nearest != nullptr && is_in_cylinder(charts_[*nearest])) return true;
-    if (is_without_zeros(nearest)) return true;
+    if (is_without_zeros()) return true;
     if (nearest == nullptr || widest(piece.cell).second > 4 * least_height_) return false;
     return std::any_of(piece.charts.begin(), piece.charts.end(),
                        [&](std::uint32_t label) { return is_in_cylinder(charts_[label]); });
@@ -167,31 +168,47 @@ class CoverSearch {
     return is_proved(less(squared, square(scalar_from<Interval>(chart.data().radius))));
   }
 
-  /// By components, and by those of Y·f for the nearest chart: these are nearly the heights above M.
-  bool is_without_zeros(const std::uint32_t* nearest) {
+  /// By components, and by the combination wᵀf that is the distance along the Newton step to M, w = (JJᵀ)⁻¹f in the
+  /// middle.
+  bool is_without_zeros() {
     if (!f_.first(x_.data(), box_value_.data(), derivative_.data())) return false;
     for (const Interval& value : box_value_) {
       if (is_refuted(is_zero(value))) return true;
     }
-    if (!f_.first(middle_.data(), value_.data(), unused_.data())) return false;
+    if (!f_.first(middle_.data(), value_.data(), central_.data())) return false;
+    std::vector<double> weights(q_, 0);
     for (std::size_t row = 0; row < q_; ++row) {
-      Interval range = value_[row];
-      for (std::size_t axis = 0; axis < n_; ++axis) range += derivative_[row * n_ + axis] * half_[axis];
-      if (is_refuted(is_zero(range))) return true;
+      weights[row] = 1;
+      if (is_bounded_away(weights)) return true;
+      weights[row] = 0;
     }
-    if (nearest == nullptr || q_ == 1) return false;
-    const Dense<Interval>& y = charts_[*nearest].enclosed().preconditioner;
+    if (q_ == 1) return false;
+    Dense<double> gram(q_ * q_, 0);
     for (std::size_t row = 0; row < q_; ++row) {
-      Interval range(0);
-      for (std::size_t b = 0; b < q_; ++b) range += y[row * q_ + b] * value_[b];
-      for (std::size_t axis = 0; axis < n_; ++axis) {
-        Interval along(0);
-        for (std::size_t b = 0; b < q_; ++b) along += y[row * q_ + b] * derivative_[b * n_ + axis];
-        range += along * half_[axis];
+      for (std::size_t column = 0; column < q_; ++column) {
+        for (std::size_t axis = 0; axis < n_; ++axis)
+          gram[row * q_ + column] += central_[row * n_ + axis].lower() * central_[column * n_ + axis].lower();
       }
-      if (is_refuted(is_zero(range))) return true;
     }
-    return false;
+    const auto inverse = inverse_of(std::move(gram), q_);
+    if (!inverse) return false;
+    for (std::size_t row = 0; row < q_; ++row) {
+      for (std::size_t b = 0; b < q_; ++b) weights[row] += (*inverse)[row * q_ + b] * value_[b].lower();
+      if (!(std::fabs(weights[row]) < std::numeric_limits<double>::max())) return false;
+    }
+    return is_bounded_away(weights);
+  }
+
+  /// Whether the sum of the equations with these weights has no zero in the part, by the mean-value form.
+  [[nodiscard]] bool is_bounded_away(const std::vector<double>& weights) const {
+    Interval range(0);
+    for (std::size_t b = 0; b < q_; ++b) range += Interval::exactly(weights[b]) * value_[b];
+    for (std::size_t axis = 0; axis < n_; ++axis) {
+      Interval along(0);
+      for (std::size_t b = 0; b < q_; ++b) along += Interval::exactly(weights[b]) * derivative_[b * n_ + axis];
+      range += along * half_[axis];
+    }
+    return is_refuted(is_zero(range));
   }
 
   const ZeroSet& zero_set_;
@@ -208,7 +225,7 @@ class CoverSearch {
   std::vector<Interval> value_;
   std::vector<Interval> box_value_;
   Dense<Interval> derivative_;
-  Dense<Interval> unused_;
+  Dense<Interval> central_;
 };
 
 /// Divides the box until there are pieces enough for all threads.

@@ -1,5 +1,7 @@
 #include "kernel/manifold/submanifold/fibre_zero.hpp"
 
+#include "kernel/number/elementary.hpp"
+
 namespace delcert {
 
 namespace {
@@ -8,7 +10,7 @@ double middle(const Interval& x) { return x.lower() + (x.upper() - x.lower()) / 
 double middle(const BigInterval& x) { return approximate_double(x.lower()); }
 /// One number of the enclosure.
 Interval thinned(const Interval& x) { return Interval::exactly(middle(x)); }
-BigInterval thinned(const BigInterval& x) { return BigInterval(x.lower()); }
+BigInterval thinned(const BigInterval& x) { return lower_end(x); }
 template <class S>
 S exact_scalar(double x) {
   if constexpr (std::same_as<S, Interval>) {
@@ -17,8 +19,8 @@ S exact_scalar(double x) {
     return BigInterval(Rational::exactly(x));
   }
 }
-Interval upper_end(const Interval& x) { return Interval::exactly(x.upper()); }
-BigInterval upper_end(const BigInterval& x) { return BigInterval(x.upper()); }
+Interval greatest_of(const Interval& x) { return Interval::exactly(x.upper()); }
+BigInterval greatest_of(const BigInterval& x) { return upper_end(x); }
 bool is_usable(const Interval& x) {
   return x.lower() > -std::numeric_limits<double>::max() && x.upper() < std::numeric_limits<double>::max();
 }
@@ -45,8 +47,8 @@ class FibreSearch {
     if (!newton()) return std::nullopt;
     // What Newton's method would still change, and a little more.
     S radius = S(0);
-    for (const S& step : step_) radius = maximum(radius, upper_end(absolute(step)));
-    radius = upper_end(twice(radius) + least_radius());
+    for (const S& step : step_) radius = maximum(radius, greatest_of(absolute(step)));
+    radius = greatest_of(twice(radius) + least_radius());
     const std::vector<S> middle_heights(place_.begin() + static_cast<std::ptrdiff_t>(chart_.dimension), place_.end());
     constexpr int most_tries = 4;
     for (int tries = 0; tries < most_tries; ++tries) {
@@ -67,7 +69,7 @@ class FibreSearch {
         result.push_back(middle_heights[row] + moved);
       }
       if (is_inside) return result;
-      radius = upper_end(S(4) * radius);
+      radius = greatest_of(S(4) * radius);
     }
     return std::nullopt;
   }
@@ -117,7 +119,7 @@ class FibreSearch {
       for (std::size_t row = 0; row < q_; ++row) {
         for (std::size_t b = 0; b < q_; ++b) step_[row] += inverse_[row * q_ + b] * value_[b];
         if (!is_usable(step_[row])) return false;
-        size = maximum(size, upper_end(absolute(step_[row])));
+        size = maximum(size, greatest_of(absolute(step_[row])));
       }
       // Steps that do not become much shorter any more are rounding.
       if (step > 2 && !is_proved(less(S(4) * size, last))) return true;

@@ -42,6 +42,7 @@ class Cylinder {
         radius_(scalar_from<Interval>(chart.data().radius)),
         height_(scalar_from<Interval>(chart.data().height)),
         slope_(scalar_from<Interval>(slope)),
+        at_(n_),
         x_(n_),
         value_(q_),
         derivative_(q_ * n_),
@@ -49,17 +50,28 @@ class Cylinder {
 
   std::optional<GraphFailure> failure() {
     if (auto reason = outside_of_centre()) return GraphFailure{*reason, true};
+    if (auto result = look_at_all(Aim::transversal)) return result;
+    return look_at_all(Aim::flat);
+  }
+
+ private:
+  /// What cells are looked at for: fibres on all of the cylinder, slopes in the cone.
+  enum class Aim : unsigned char { transversal, flat };
+  enum class Outcome : unsigned char { holds, open, fails, undefined };
+
+  std::optional<GraphFailure> look_at_all(Aim aim) {
     std::vector<Cell> open(1);
     for (std::size_t k = 0; k < n_; ++k) open[0].half[k] = (k < m_ ? radius_ : height_).upper();
     for (std::size_t looked_at = 0; !open.empty(); ++looked_at) {
-      const Cell cell = open.back();
+      Cell cell = open.back();
       open.pop_back();
       std::size_t longest = 0;
-      const Outcome outcome = look_at(cell, longest);
+      const Outcome outcome = look_at(cell, aim, longest);
       if (outcome == Outcome::holds) continue;
       if (outcome == Outcome::undefined) return GraphFailure{"the equations are not defined in its patch", false};
-      if (outcome == Outcome::no_graph) return GraphFailure{"its patch is not certainly a graph: fibres are not transversal", false};
-      if (outcome == Outcome::too_steep) return GraphFailure{"its patch is steeper than the slope", true};
+      if (outcome == Outcome::fails && aim == Aim::transversal)
+        return GraphFailure{"its patch is no graph: fibres are not transversal", false};
+      if (outcome == Outcome::fails) return GraphFailure{"its patch is steeper than the slope", true};
       if (looked_at > most_cells) return GraphFailure{"undecided whether its patch is a graph", true};
       Cell half = cell;
       half.half[longest] = half.half[longest] / 2;
@@ -71,41 +83,54 @@ class Cylinder {
     return std::nullopt;
   }
 
- private:
-  enum class Outcome : unsigned char { holds, open, no_graph, too_steep, undefined };
-
   /// The point over the centre, and the lid above the cone over it.
   std::optional<std::string> outside_of_centre() {
     const std::vector<Interval> origin(m_, Interval(0));
     const auto heights = zero_on_fibre<Interval>(f_, chart_, origin.data());
     if (!heights) return "no point of the manifold is certain over its centre";
-    offset_ = norm_of(*heights);
+    offset_ = Interval::exactly(norm_of(*heights).upper());
     if (!is_proved(less(offset_ + slope_ * radius_, height_))) return "the lid of its patch is too low";
     return std::nullopt;
   }
 
-  /// Of Y·Df·T with the entries given, whether fibres are transversal, and how steep M may be.
-  struct Steepness {
-    Interval theta;
-    Interval slope;
-  };
-  Steepness steepness(const Dense<Interval>& entries) const {
-    Interval tangential(0);
-    Interval normal(0);
+  /// ‖1 − (block of N)‖ of entries of Y·Df·T.
+  Interval distance_from_identity(const Dense<Interval>& entries) const {
+    Interval sum(0);
     for (std::size_t row = 0; row < q_; ++row) {
-      for (std::size_t column = 0; column < n_; ++column) {
-        const Interval& entry = entries[row * n_ + column];
-        if (column < m_) {
-          tangential += square(entry);
-        } else {
-          normal += square(column - m_ == row ? Interval(1) - entry : entry);
-        }
+      for (std::size_t column = 0; column < q_; ++column) {
+        const Interval& entry = entries[row * n_ + m_ + column];
+        sum += square(column == row ? Interval(1) - entry : entry);
       }
     }
-    Steepness result{square_root(normal), Interval(0)};
-    if (is_proved(less(result.theta, Interval(1))))
-      result.slope = square_root(tangential) / (Interval(1) - result.theta);
-    return result;
+    return square_root(sum);
+  }
+
+  /// A bound of ‖(Df·N)⁻¹Df·E‖, from entries of Y·Df·T; unbounded if there is none. By ‖Y′DfE‖/(1 − ‖1 − Y′DfN‖), where
+  /// Y′ is nearly the inverse in the middle.
+  double steepness(const Dense<Interval>& entries) const {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Dense<double> normal(q_ * q_);
+    for (std::size_t row = 0; row < q_; ++row) {
+      for (std::size_t column = 0; column < q_; ++column) {
+        const Interval& entry = entries[row * n_ + m_ + column];
+        normal[row * q_ + column] = entry.lower() / 2 + entry.upper() / 2;
+        if (!(std::fabs(normal[row * q_ + column]) < infinity)) return infinity;
+      }
+    }
+    const auto inverse = inverse_of(std::move(normal), q_);
+    if (!inverse) return infinity;
+    Dense<Interval> adapted(q_ * n_, Interval(0));
+    Interval tangential(0);
+    for (std::size_t row = 0; row < q_; ++row) {
+      for (std::size_t column = 0; column < n_; ++column) {
+        for (std::size_t b = 0; b < q_; ++b)
+          adapted[row * n_ + column] += Interval::exactly((*inverse)[row * q_ + b]) * entries[b * n_ + column];
+        if (column < m_) tangential += square(adapted[row * n_ + column]);
+      }
+    }
+    const Interval theta = distance_from_identity(adapted);
+    if (!is_proved(less(theta, Interval(1)))) return infinity;
+    return (square_root(tangential) / (Interval(1) - theta)).upper();
   }
 
   /// Y·J·T.
@@ -127,45 +152,64 @@ class Cylinder {
     return result;
   }
 
-  /// `longest`: the side of the cell that the enclosure depends on most.
-  Outcome look_at(const Cell& cell, std::size_t& longest) {
+  /// Makes the cell smaller, to what contains its part in the cylinder, or in the cone for slopes. False if there is
+  /// none.
+  bool clip(Cell& cell, Aim aim) const {
     Interval nearest(0);
     Interval farthest(0);
-    Interval lowest(0);
-    Interval centre_distance(0);
-    Interval centre_height(0);
-    std::vector<Interval> at(n_);
-    for (std::size_t k = 0; k < n_; ++k) {
-      at[k] = Interval::exactly(cell.centre[k]);
-      const Interval along = absolute(at[k]);
+    std::array<Interval, most_ambient_dimensions> least;
+    for (std::size_t k = 0; k < m_; ++k) {
+      const Interval along = absolute(Interval::exactly(cell.centre[k]));
       const Interval half = Interval::exactly(cell.half[k]);
-      const Interval least = maximum(along - half, Interval(0));
-      if (k < m_) {
-        nearest += square(least);
-        farthest += square(along + half);
-        centre_distance += square(along);
-      } else {
-        lowest += square(least);
-        centre_height += square(along);
-      }
+      least[k] = square(maximum(along - half, Interval(0)));
+      nearest += least[k];
+      farthest += square(along + half);
     }
-    if (is_proved(less(square(radius_), nearest))) return Outcome::holds;
-    const auto is_in_cone = [&](const Interval& squared_height, const Interval& squared_distance) {
-      return negation(less(slope_ * square_root(squared_distance) + offset_, square_root(squared_height)));
-    };
-    const bool meets_cone = !is_refuted(is_in_cone(lowest, minimum(farthest, square(radius_))));
+    if (is_proved(less(square(radius_), nearest))) return false;
+    for (std::size_t k = 0; k < m_; ++k) cut(cell, k, square_root(square(radius_) - (nearest - least[k])).upper());
+    if (aim == Aim::transversal) return true;
+    const Interval steepest = slope_ * minimum(square_root(farthest), radius_) + offset_;
+    Interval lowest(0);
+    for (std::size_t k = m_; k < n_; ++k) {
+      lowest +=
+          square(maximum(absolute(Interval::exactly(cell.centre[k])) - Interval::exactly(cell.half[k]), Interval(0)));
+      cut(cell, k, steepest.upper());
+    }
+    return !is_proved(less(square(steepest), lowest));
+  }
+  /// To |coordinate| ≤ most, if that leaves something.
+  static void cut(Cell& cell, std::size_t k, double most) {
+    const double upper = std::min(cell.centre[k] + cell.half[k], most);
+    const double lower = std::max(cell.centre[k] - cell.half[k], -most);
+    if (!(lower < upper) || (upper == cell.centre[k] + cell.half[k] && lower == cell.centre[k] - cell.half[k])) return;
+    cell.centre[k] = lower / 2 + upper / 2;
+    cell.half[k] =
+        std::max(upper - cell.centre[k], (Interval::exactly(cell.centre[k]) - Interval::exactly(lower)).upper());
+  }
 
+  /// Whether the middle of a cell is a witness: certainly in the cylinder, or in the cone for slopes.
+  [[nodiscard]] bool is_witness(const Cell& cell, Aim aim) const {
+    Interval across(0);
+    Interval above(0);
+    for (std::size_t k = 0; k < n_; ++k) (k < m_ ? across : above) += square(Interval::exactly(cell.centre[k]));
+    if (!is_proved(less(across, square(radius_)))) return false;
+    return aim == Aim::transversal || is_proved(less(square_root(above) + offset_, slope_ * square_root(across)));
+  }
+
+  /// `longest`: the side of the cell that the enclosure depends on most.
+  Outcome look_at(Cell& cell, Aim aim, std::size_t& longest) {
+    if (!clip(cell, aim)) return Outcome::holds;
+    std::vector<Interval>& at = at_;
+    for (std::size_t k = 0; k < n_; ++k) at[k] = Interval::exactly(cell.centre[k]);
     chart_.position(at.data(), x_.data());
     if (!f_.first(x_.data(), value_.data(), derivative_.data())) return Outcome::undefined;
-    const Dense<Interval> central = in_chart(derivative_);
-    const Steepness here = steepness(central);
-    // What fails at a point of the cylinder fails.
-    if (is_proved(less(centre_distance, square(radius_)))) {
-      if (!is_refuted(less(Interval(1), here.theta))) return Outcome::no_graph;
-      const bool is_surely_in_cone = is_proved(less(square_root(centre_height) + offset_, slope_ * square_root(centre_distance)));
-      if (is_surely_in_cone && is_proved(less(slope_, here.slope))) return Outcome::too_steep;
+    Dense<Interval> entries = in_chart(derivative_);
+    // What fails at a point fails; a little farther than the bound, so that what is left to cells ends.
+    if (is_witness(cell, aim)) {
+      if (aim == Aim::transversal && !is_refuted(less(Interval(1), distance_from_identity(entries))))
+        return Outcome::fails;
+      if (aim == Aim::flat && !(steepness(entries) < slope_.lower())) return Outcome::fails;
     }
-
     for (std::size_t axis = 0; axis < n_; ++axis) {
       for (std::size_t k = 0; k < n_; ++k)
         x_[axis] += chart_.at(axis, k) * Interval::between(-cell.half[k], cell.half[k]);
@@ -174,15 +218,13 @@ class Cylinder {
       longest = widest(cell);
       return Outcome::open;
     }
-    Dense<Interval> entries = central;
     Coordinates share{};
     for (std::size_t row = 0; row < q_; ++row) add_second_order(cell, row, entries, share);
     longest = static_cast<std::size_t>(std::max_element(share.begin(), share.end()) - share.begin());
     if (!(share[longest] < std::numeric_limits<double>::infinity())) longest = widest(cell);
-    const Steepness all = steepness(entries);
-    if (!is_proved(less(all.theta, Interval(1)))) return Outcome::open;
-    if (meets_cone && !is_proved(less_equal(all.slope, slope_))) return Outcome::open;
-    return Outcome::holds;
+    const bool holds = aim == Aim::transversal ? is_proved(less(distance_from_identity(entries), Interval(1)))
+                                               : steepness(entries) <= slope_.lower();
+    return holds ? Outcome::holds : Outcome::open;
   }
 
   [[nodiscard]] std::size_t widest(const Cell& cell) const {
@@ -222,6 +264,7 @@ class Cylinder {
   Interval height_;
   Interval slope_;
   Interval offset_;
+  std::vector<Interval> at_;
   std::vector<Interval> x_;
   std::vector<Interval> value_;
   Dense<Interval> derivative_;
@@ -247,7 +290,8 @@ std::optional<GraphFailure> GraphCheck::failure(const TangentChart& chart, const
     const auto& side = zero_set_.description().box[axis];
     if (!is_proved(conjunction(less(scalar_from<Interval>(side[0]), enclosed.centre[axis] - reach),
                                less(enclosed.centre[axis] + reach, scalar_from<Interval>(side[1])))))
-      return GraphFailure{"its patch is not inside of the box, across " + zero_set_.description().variables[axis], false};
+      return GraphFailure{"its patch is not inside of the box, across " + zero_set_.description().variables[axis],
+                          false};
   }
   FormulaEvaluation<Interval> f(zero_set_.map());
   return Cylinder(f, chart, slope).failure();
@@ -256,6 +300,8 @@ std::optional<GraphFailure> GraphCheck::failure(const TangentChart& chart, const
 namespace {
 
 constexpr std::array patch_factors{5, 4, 3};
+/// The slope is greater than needed by this: the more, the fewer cells.
+constexpr std::array slope_slacks{1.12, 1.04};
 constexpr long slope_exponent = -8;
 
 /// ζ > |z₀| + Lϱ by a little, with few digits.
@@ -264,7 +310,8 @@ Rational height_for(const Rational& radius, const Rational& slope) {
   return rounded_up(needed, binary_exponent(needed) - 6);
 }
 
-/// In doubles, how steep M and the level sets near it are in this chart, where the cone of this slope meets the rim of the patch.
+/// In doubles, how steep M and the level sets near it are in this chart, where the cone of this slope meets the rim of
+/// the patch.
 class SlopeEstimate {
  public:
   explicit SlopeEstimate(const ZeroSet& zero_set)
@@ -309,26 +356,26 @@ class SlopeEstimate {
     }
     if (!f_.first(x_.data(), value_.data(), derivative_.data())) return std::numeric_limits<double>::infinity();
     const std::size_t q = n_ - m_;
-    double tangential = 0;
-    double normal = 0;
+    Dense<double> entries(q * n_, 0);
+    Dense<double> normal(q * q);
     for (std::size_t row = 0; row < q; ++row) {
       for (std::size_t column = 0; column < n_; ++column) {
-        double entry = 0;
-        for (std::size_t axis = 0; axis < n_; ++axis) {
-          double preconditioned = 0;
-          for (std::size_t b = 0; b < q; ++b)
-            preconditioned += chart.preconditioner[row * q + b].lower() * derivative_[b * n_ + axis];
-          entry += preconditioned * chart.at(axis, column).lower();
-        }
-        if (column < m_) {
-          tangential += entry * entry;
-        } else {
-          normal += (entry - (column - m_ == row ? 1 : 0)) * (entry - (column - m_ == row ? 1 : 0));
-        }
+        for (std::size_t axis = 0; axis < n_; ++axis)
+          entries[row * n_ + column] += derivative_[row * n_ + axis] * chart.at(axis, column).lower();
+        if (column >= m_) normal[row * q + column - m_] = entries[row * n_ + column];
       }
     }
-    if (!(normal < 1)) return std::numeric_limits<double>::infinity();
-    return std::sqrt(tangential) / (1 - std::sqrt(normal));
+    const auto inverse = inverse_of(std::move(normal), q);
+    if (!inverse) return std::numeric_limits<double>::infinity();
+    double result = 0;
+    for (std::size_t row = 0; row < q; ++row) {
+      for (std::size_t column = 0; column < m_; ++column) {
+        double entry = 0;
+        for (std::size_t b = 0; b < q; ++b) entry += (*inverse)[row * q + b] * entries[b * n_ + column];
+        result += entry * entry;
+      }
+    }
+    return std::sqrt(result);
   }
 
   std::size_t n_;
@@ -360,16 +407,18 @@ class Fitting {
   FittedCharts fit() {
     std::string reason;
     for (const int factor : patch_factors) {
-      if (auto slope = fitting_slope(factor, reason)) return {std::move(charts_), std::move(*slope), factor};
+      for (const double slack : slope_slacks) {
+        if (auto slope = fitting_slope(factor, slack, reason)) return {std::move(charts_), std::move(*slope), factor};
+      }
     }
     throw Rejection(reason);
   }
 
  private:
-  std::optional<Rational> fitting_slope(int factor, std::string& reason) {
+  std::optional<Rational> fitting_slope(int factor, double slack, std::string& reason) {
     const Rational radius = Rational(factor) * sampling_radius_;
     Rational slope;
-    if (!estimate(approximate_double(radius), slope, reason)) return std::nullopt;
+    if (!estimate(approximate_double(radius), slack, slope, reason)) return std::nullopt;
     while (slope <= Rational(1)) {
       const auto failures = failing(radius, slope);
       if (failures.empty()) return slope;
@@ -385,8 +434,8 @@ class Fitting {
   }
 
   /// A little more than the slope that all charts seem to need; false if it is above 1.
-  bool estimate(double radius, Rational& slope, std::string& reason) {
-    constexpr int rounds = 6;
+  bool estimate(double radius, double slack, Rational& slope, std::string& reason) {
+    constexpr int rounds = 16;
     double needed = 0;
     for (int round = 0; round < rounds; ++round) {
       const double last = needed;
@@ -403,8 +452,8 @@ class Fitting {
             return most;
           },
           [&](const std::pair<double, std::size_t>& found) {
-            if (found.first > needed) {
-              needed = found.first;
+            if (slack * found.first > needed) {
+              needed = slack * found.first;
               where = found.second;
             }
           });
@@ -414,12 +463,14 @@ class Fitting {
       }
       if (needed <= last * 1.01) break;
     }
-    slope = rounded_up(Rational::exactly(std::max(needed * 1.05, 0x1p-8)), slope_exponent);
+    slope = rounded_up(Rational::exactly(std::max(needed, 0x1p-8)), slope_exponent);
     return true;
   }
 
   std::vector<std::pair<std::size_t, GraphFailure>> failing(const Rational& radius, const Rational& slope) {
     const Rational height = height_for(radius, slope);
+    // Others may divide the cylinders otherwise.
+    const Rational less = slope * (Rational(1) - Rational::power_of_two(-6));
     for (TangentChart& chart : charts_) chart.set_size(radius, height);
     std::vector<std::pair<std::size_t, GraphFailure>> result;
     in_parts(
@@ -428,7 +479,7 @@ class Fitting {
           GraphCheck check(zero_set_);
           std::vector<std::pair<std::size_t, GraphFailure>> found;
           for (std::size_t at = first; at < last; ++at) {
-            if (auto failure = check.failure(charts_[at], slope)) found.emplace_back(at, std::move(*failure));
+            if (auto failure = check.failure(charts_[at], less)) found.emplace_back(at, std::move(*failure));
           }
           return found;
         },

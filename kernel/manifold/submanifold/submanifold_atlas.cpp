@@ -34,7 +34,8 @@ bool is_in_cylinder(const TangentChart& chart, const S* y, std::size_t m, const 
   S squared = square(y[0]);
   for (std::size_t k = 1; k < m; ++k) squared += square(y[k]);
   Verdict inside = less(squared, scalar_from<S>(square(chart.data().radius)));
-  for (const S& height : heights) inside = conjunction(inside, less(absolute(height), scalar_from<S>(chart.data().height)));
+  for (const S& height : heights)
+    inside = conjunction(inside, less(absolute(height), scalar_from<S>(chart.data().height)));
   return is_proved(inside);
 }
 
@@ -82,7 +83,8 @@ void SubmanifoldAtlas<m>::enclose_originals(const Progress& progress) {
 template <int m>
 void SubmanifoldAtlas<m>::find_patches(const Progress& progress) {
   // In a patch, |x − p| ≤ √(1 + L²)|φ(x) − φ(p)|, by the graph.
-  const double reach = approximate_double((Rational(1) + distortion_of_slope(charts_.slope)) * patch_radius()) * (1 + 0x1p-20);
+  const double reach =
+      approximate_double((Rational(1) + distortion_of_slope(charts_.slope)) * patch_radius()) * (1 + 0x1p-20);
   in_parts(
       "find patches", size(), progress,
       [&](std::size_t first, std::size_t last) {
@@ -236,10 +238,11 @@ std::optional<Vector<Rational, m>> SubmanifoldAtlas<m>::carry(Label i, const Sig
   return std::nullopt;
 }
 
-#define DELCERT_INSTANTIATE(m)                                                                                          \
-  template class SubmanifoldAtlas<m>;                                                                                   \
-  template std::optional<std::vector<Interval>> SubmanifoldAtlas<m>::position(Label, const Vector<Interval, m>&) const; \
-  template std::optional<std::vector<BigInterval>> SubmanifoldAtlas<m>::position(Label, const Vector<BigInterval, m>&)  \
+#define DELCERT_INSTANTIATE(m)                                                                                         \
+  template class SubmanifoldAtlas<m>;                                                                                  \
+  template std::optional<std::vector<Interval>> SubmanifoldAtlas<m>::position(Label, const Vector<Interval, m>&)       \
+      const;                                                                                                           \
+  template std::optional<std::vector<BigInterval>> SubmanifoldAtlas<m>::position(Label, const Vector<BigInterval, m>&) \
       const;
 DELCERT_INSTANTIATE(2)
 DELCERT_INSTANTIATE(3)

@@ -12,14 +12,14 @@
 
 namespace delcert {
 
-/// A zero set in ℝᴺ with charts in planes that are nearly tangent (docs/submanifolds.md). Home coordinates y of a label i name the
-/// point of M in the cylinder of i over them; y = 0 is p_i. A label is seen in chart i if its original point lies in
-/// the cylinder of i, at Eᵀ(p − c): one place, no shifts. Transitions are enclosed, never exact.
+/// A zero set in ℝᴺ with charts in planes that are nearly tangent (docs/submanifolds.md). Home coordinates y of a label
+/// i name the point of M in the cylinder of i over them; y = 0 is p_i. A label is seen in chart i if its original point
+/// lies in the cylinder of i, at Eᵀ(p − c): one place, no shifts. Transitions are enclosed, never exact.
 template <int m>
 class SubmanifoldAtlas final : public Atlas<m> {
  public:
-  /// Precondition: the zero set has dimension m, and the charts have passed `fit_charts` with this radius. Throws Undecided,
-  /// with the label, if an original point cannot be enclosed. Precondition: rounding to nearest.
+  /// Precondition: the zero set has dimension m, and the charts have passed `fit_charts` with this radius. Throws
+  /// Undecided, with the label, if an original point cannot be enclosed. Precondition: rounding to nearest.
   SubmanifoldAtlas(ZeroSet zero_set, FittedCharts charts, Rational sampling_radius, const Progress& progress);
 
   [[nodiscard]] const ZeroSet& zero_set() const { return zero_set_; }
@@ -35,8 +35,8 @@ class SubmanifoldAtlas final : public Atlas<m> {
   /// `RoundingGuard`) or BigInterval. None if it cannot be, at this precision.
   template <class S>
   [[nodiscard]] std::optional<std::vector<S>> position(Label i, const Vector<S, m>& home) const;
-  /// Appends the labels whose original points are within the distance of that of i in ℝᴺ, and possibly a few that are slightly
-  /// farther, sorted; i is among them.
+  /// Appends the labels whose original points are within the distance of that of i in ℝᴺ, and possibly a few that are
+  /// slightly farther, sorted; i is among them.
   void near(Label i, double distance, std::vector<Label>& out) const;
 
   [[nodiscard]] std::size_t size() const override { return charts_.charts.size(); }
@@ -61,7 +61,8 @@ class SubmanifoldAtlas final : public Atlas<m> {
     std::uint32_t index;
     float distance;  ///< a lower bound of |φ_i(p_j)|
   };
-  /// What was last asked of a label. It depends on the label and the coordinates alone, so no thread can tell who asked.
+  /// What was last asked of a label. It depends on the label and the coordinates alone, so no thread can tell who
+  /// asked.
   struct Remembered {
     Vector<Interval, m> home{};
     std::vector<Interval> position;  ///< empty: nothing yet

@@ -178,8 +178,7 @@ std::optional<ProposedFrame> propose_frame(const Dense<double>& derivative, std:
   return result;
 }
 
-TangentChart tangent_chart(const ZeroSet& zero_set, FormulaEvaluation<double>& f,
-                           const std::vector<Rational>& centre) {
+TangentChart tangent_chart(const ZeroSet& zero_set, FormulaEvaluation<double>& f, const std::vector<Rational>& centre) {
   const std::size_t n = zero_set.ambient();
   const std::size_t q = zero_set.codimension();
   std::vector<double> x;

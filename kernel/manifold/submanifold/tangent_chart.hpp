@@ -51,8 +51,8 @@ struct EnclosedChart {
 /// signed permutation is orthogonal exactly.
 class TangentChart {
  public:
-  /// Throws InputError unless everything is there in the right number and `columns` is a signed permutation; ϱ and ζ may
-  /// still be 0. Precondition: rounding to nearest.
+  /// Throws InputError unless everything is there in the right number and `columns` is a signed permutation; ϱ and ζ
+  /// may still be 0. Precondition: rounding to nearest.
   TangentChart(ChartData data, std::size_t dimension);
 
   [[nodiscard]] const ChartData& data() const { return data_; }
@@ -72,9 +72,9 @@ class TangentChart {
   EnclosedChart<Interval> enclosed_;
 };
 
-/// The skew matrix, 12 binary digits after the point, whose Cayley matrix takes a coordinate plane nearly to the tangent
-/// plane at a point with the derivative Df, q×N, and that plane's axes, first m of them, then the others. None if Df has
-/// not the rank q, to double precision. In doubles, without error bounds.
+/// The skew matrix, 12 binary digits after the point, whose Cayley matrix takes a coordinate plane nearly to the
+/// tangent plane at a point with the derivative Df, q×N, and that plane's axes, first m of them, then the others. None
+/// if Df has not the rank q, to double precision. In doubles, without error bounds.
 struct ProposedFrame {
   std::vector<int> columns;
   std::vector<double> skew;
@@ -83,8 +83,8 @@ struct ProposedFrame {
 [[nodiscard]] std::optional<ProposedFrame> propose_frame(const Dense<double>& derivative, std::size_t codimension,
                                                          std::size_t ambient);
 
-/// A chart about this centre, still without ϱ and ζ. Throws Rejection if the equations are not independent there, to double
-/// precision. `f`: of the zero set. Precondition: rounding to nearest.
+/// A chart about this centre, still without ϱ and ζ. Throws Rejection if the equations are not independent there, to
+/// double precision. `f`: of the zero set. Precondition: rounding to nearest.
 [[nodiscard]] TangentChart tangent_chart(const ZeroSet& zero_set, FormulaEvaluation<double>& f,
                                          const std::vector<Rational>& centre);
 
