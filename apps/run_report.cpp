@@ -81,9 +81,6 @@ std::string measures_text(const RunReport& report) {
     out += fmt::format("stars        {} of {} pairs of a star and a chart differ\n", report.stability->differing,
                        report.stability->pairs);
   }
-  if (report.graphs && report.graphs->margin) {
-    out += fmt::format("isotopy      margin ≥ {} ε\n", decimal_lower(Rational::exactly(*report.graphs->margin) / unit));
-  }
   if (report.flat) {
     out += fmt::format("hinges       {} of {} not certainly locally Delaunay in the flat metric\n",
                        report.flat->not_delaunay + report.flat->undecided, report.flat->hinges);

@@ -92,7 +92,7 @@ TEST(Writer, HasTheLevelsWithTheirMarginsInOrder) {
   const auto levels = nlohmann::ordered_json::parse(certificate_bytes()).at("levels");
   std::vector<std::string> keys;
   for (const auto& [key, value] : levels.items()) keys.push_back(key);
-  EXPECT_EQ(keys, all_levels());
+  EXPECT_EQ(keys, (std::vector<std::string>{"0", "1", "2", "2s", "3", "4", "5", "6"}));
   const StarMargins& margins = small_run().run.protection.margins.value();
   EXPECT_EQ(levels.at("0").dump(), R"({"hypotheses_2":true})");
   EXPECT_EQ(levels.at("1").size(), 3U);
