@@ -203,7 +203,7 @@ TEST(Writer, NeedsNoRunAndTheReaderReadsWhatItWrites) {
   parameters.mode = RunMode::measured;
   parameters.algorithm.separation = Rational(1);
   const Rational epsilon(Integer(1), Integer(10));
-  const std::vector<Vector<Rational, 2>> centres{{Rational(0), Rational(1)}, {Rational(1), epsilon}},
+  const std::vector<std::vector<Rational>> centres{{Rational(0), Rational(1)}, {Rational(1), epsilon}},
       vectors{{epsilon, Rational(0)}, {Rational(0), Rational(0)}};
   const PlacedComplex<2> complex{{{0, 1}, {1, -1}}, {{0, 1, 2, 0, 1}, {0, 1, 3, 2, 0}}, {{{0, 0, 2}, {1, 2, 0}}}};
   Claims claims;
