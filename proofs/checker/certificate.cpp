@@ -137,6 +137,8 @@ std::vector<Level> rests_on(std::size_t level, Kind kind) {
       return {level_0};
     case level_5i:
       return {level_5};
+    case level_4:
+      return kind == Kind::submanifold ? std::vector{level_5} : std::vector{level_2};
     case level_6:
       return kind == Kind::torus ? std::vector{level_4, level_5} : std::vector{level_5};
     default:

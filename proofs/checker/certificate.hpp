@@ -76,6 +76,8 @@ struct Certificate {
   Quantity riemannian_thickness, riemannian_radius;
   bool self_delaunay = true;  // level 6
   Quantity weight, least_stretch, greatest_stretch;
+  bool extrinsic = false, intrinsic = false;  // level 4 on a submanifold: of which distances; `density` is its own
+  Quantity normal;                            // level 6 on a submanifold
   std::vector<std::string_view> net_text, points_text;  // m to a point; in net_text, on a submanifold, N
   std::vector<std::string_view> chart_text;             // chart_size() to a point
   std::vector<Label> net_simplices;                     // m + 1 to a simplex
@@ -157,6 +159,7 @@ struct Certificate {
   void require_space_form() const;
   void require_metric_field() const;
   void parse_submanifold_level(Cursor& cursor, std::size_t level);
+  void parse_stretch(Cursor& cursor);
   void require_submanifold() const;
   void require_elements() const;
   void require_loops() const;

@@ -22,13 +22,6 @@ std::string simplex_text(const Certificate& c, std::size_t s) {
 
 }  // namespace
 
-/// What is known of f and W on a simplex. All numbers are upper bounds.
-struct GraphTriangulation::Estimate {
-  std::vector<Matrix<Interval>> slopes;  // Df at the vertices, by the second derivatives
-  double bend = 0;                       // |D^2 f|
-  double theta = 0;                      // |1 - Df W|
-};
-
 GraphTriangulation::GraphTriangulation(const TangentCharts& charts)
     : charts_(charts),
       c_(charts.certificate()),
@@ -110,8 +103,8 @@ GraphTriangulation::Estimate GraphTriangulation::estimate(std::size_t s) {
     for (const Matrix<Interval>& slope : result.slopes) error = std::max(error, norm_above(one_less(slope * W)));
     result.theta = std::max(result.theta, error + result.bend * displacement_ * norm_above(W));
   }
-  longest_.push_back(longest);
-  climb_.push_back((above + greatest) * reciprocal_of_rest(result.theta));
+  result.longest = longest;
+  result.climb = (above + greatest) * reciprocal_of_rest(result.theta);
   return result;
 }
 
@@ -155,31 +148,23 @@ double GraphTriangulation::height_between(std::size_t s, double longest) const {
 double GraphTriangulation::contraction_in(Label i, std::size_t s, const Estimate& estimate) const {
   const Label* labels = c_.simplex(s);
   const std::size_t m = c_.m_size(), N = charts_.manifold().N;
-  Matrix<Interval> edges(N, m);
-  for (std::size_t k = 0; k < m; ++k) {
-    const Matrix<Interval> edge = charts_.point(labels[k + 1]) - charts_.point(labels[0]);
-    for (std::size_t a = 0; a < N; ++a) edges(a, k) = edge[a];
-  }
-  const Matrix<Interval> all = gradients(i, s);
-  Matrix<Interval> inverse(m, m);  // of E_i^T edges
-  for (std::size_t k = 0; k < m * m; ++k) inverse[k] = all[k + m];
-  const Matrix<Interval> lifted = edges * inverse;
+  const Matrix<Interval> all = gradients(i, s), rising = lifted(i, s);
   double rise = 0, slope = 0, turn_squared = 0;
   for (const Matrix<Interval>& at : estimate.slopes) {
-    rise = std::max(rise, norm_above(at * lifted));
+    rise = std::max(rise, norm_above(at * rising));
     slope = std::max(slope, norm_above(at));
   }
   const double blur = estimate.bend * displacement_;
-  rise += blur * norm_above(lifted);
+  rise += blur * norm_above(rising);
   slope += blur;
   for (std::size_t l = 0; l < m; ++l) {
     Matrix<Interval> turn(N, charts_.manifold().q);
     for (std::size_t k = 0; k < m; ++k)
-      turn = turn + inverse(k, l) * (charts_.chart(labels[k + 1]).W - charts_.chart(labels[0]).W);
+      turn = turn + all(k + 1, l) * (charts_.chart(labels[k + 1]).W - charts_.chart(labels[0]).W);
     turn_squared += squared_norm(turn).upper();
   }
   const double unit = greatest_lateral(i, s) * reciprocal_of_rest(estimate.theta);
-  return unit * rise + (1 + unit * slope) * std::sqrt(turn_squared) * climb_[s];
+  return unit * rise + (1 + unit * slope) * std::sqrt(turn_squared) * estimate.climb;
 }
 
 Matrix<Interval> GraphTriangulation::gradients(Label i, std::size_t s) const {
@@ -201,9 +186,24 @@ Matrix<Interval> GraphTriangulation::gradients(Label i, std::size_t s) const {
   return result;
 }
 
+Matrix<Interval> GraphTriangulation::lifted(Label i, std::size_t s) const {
+  const std::size_t m = c_.m_size(), N = charts_.manifold().N;
+  const Matrix<Interval> slopes = gradients(i, s);
+  Matrix<Interval> result(N, m);
+  for (std::size_t k = 1; k <= m; ++k) {
+    const Matrix<Interval> edge = charts_.point(c_.simplex(s)[k]) - charts_.point(c_.simplex(s)[0]);
+    for (std::size_t a = 0; a < N; ++a) {
+      for (std::size_t b = 0; b < m; ++b) result(a, b) = result(a, b) + edge[a] * slopes(k, b);
+    }
+  }
+  return result;
+}
+
 void GraphTriangulation::check_simplex(std::size_t s, Report& report) {
   const Label* labels = c_.simplex(s);
   const Estimate known = estimate(s);
+  longest_.push_back(known.longest);
+  climb_.push_back(known.climb);
   const auto reject = [&](const char* rule, const std::string& what) {
     report.reject(rule, [&] { return simplex_text(c_, s) + what; });
   };
@@ -254,20 +254,25 @@ bool GraphTriangulation::is_clear_of(Label k, std::size_t s) const {
   }
   double moved = greatest_lateral(j, s) * climb_[s];
   if (charts_.manifold().given) moved += lateral(j, k) * least_climb_[k];
-  const Matrix<Interval> slopes = gradients(j, s), place = transposed_times(chart.tangent, offset);
+  return is_beside(j, k, s, moved);
+}
+
+bool GraphTriangulation::is_beside(Label i, Label k, std::size_t s, double by) const {
+  const Matrix<Interval> slopes = gradients(i, s),
+                         place = transposed_times(charts_.chart(i).tangent,
+                                                  charts_.point(k) - charts_.point(c_.simplex(s)[0]));
   for (std::size_t v = 0; v <= c_.m_size(); ++v) {
     Interval coordinate(v == 0 ? 1 : 0), steepness(0);  // barycentric, and of its gradient
     for (std::size_t a = 0; a < c_.m_size(); ++a) {
       coordinate = coordinate + slopes(v, a) * place[a];
       steepness = steepness + square(slopes(v, a));
     }
-    if (-coordinate.upper() > moved * upper_root(steepness)) return true;
+    if (-coordinate.upper() > by * upper_root(steepness)) return true;
   }
   return false;
 }
 
-/// 5.clear: each component of the complex has a label that is clear of all simplices but its own.
-void GraphTriangulation::check_clear(Report& report) {
+std::vector<Label> GraphTriangulation::components() const {
   std::vector<Label> parent(c_.n);
   std::iota(parent.begin(), parent.end(), 0U);
   const auto root = [&](Label k) {
@@ -277,28 +282,22 @@ void GraphTriangulation::check_clear(Report& report) {
   for (std::size_t s = 0; s < c_.simplex_count(); ++s) {
     for (int k = 1; k <= c_.m; ++k) parent[root(c_.simplex(s)[k])] = root(c_.simplex(s)[0]);
   }
-  std::vector<bool> found(c_.n);
-  for (Label k = 0; k < c_.n; ++k) {
-    if (found[root(k)]) continue;
-    bool clear = true;
-    for (std::size_t s = 0; clear && s < c_.simplex_count(); ++s) {
-      Budget::spend(5);
-      clear = has(c_, s, k) || is_clear_of(k, s);
-    }
-    if (clear) found[root(k)] = true;
-  }
-  for (Label k = 0; k < c_.n; ++k) {
-    if (found[root(k)]) continue;
-    report.reject("5.clear", [&] {
-      return "no label of the component of label " + std::to_string(k) + " is clear of the others";
-    });
-    return;
-  }
+  for (Label k = 0; k < c_.n; ++k) parent[k] = root(k);
+  return parent;
 }
 
 std::string GraphTriangulation::check(Report& report) {
   for (std::size_t s = 0; s < c_.simplex_count(); ++s) check_simplex(s, report);
-  check_clear(report);
+  require_clear_labels(
+      "5.clear",
+      [&](Label k, const std::vector<Label>&) {
+        for (std::size_t s = 0; s < c_.simplex_count(); ++s) {
+          Budget::spend(5);
+          if (!has(c_, s, k) && !is_clear_of(k, s)) return false;
+        }
+        return true;
+      },
+      report);
   return "the map along normals is a homeomorphism, moves points by <= " + rounded_up(c_.displacement.exact) +
          " and in charts by a contraction with <= " + rounded_up(c_.contraction.exact);
 }

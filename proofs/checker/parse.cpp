@@ -170,6 +170,15 @@ void Certificate::parse_submanifold_level(Cursor& cursor, std::size_t level) {
     number(",\"displacement\":", displacement);
   } else if (level == level_5i) {
     number("{\"margin\":", embedding_margin);
+  } else if (level == level_4) {
+    cursor.expect("{\"metric\":");
+    const std::size_t metric_word = parse_word(cursor, {"extrinsic", "intrinsic", "both"});
+    extrinsic = metric_word != 1;
+    intrinsic = metric_word != 0;
+    number(",\"density\":", density);
+  } else if (level == level_6) {
+    parse_stretch(cursor);
+    number(",\"normal\":", normal);
   } else {
     cursor.expect("{");
   }
@@ -197,13 +206,22 @@ void Certificate::parse_space_form_level(Cursor& cursor, std::size_t level) {
     riemannian_thickness = parse_quantity(cursor);
     number(",\"radius\":", riemannian_radius);
   } else {
-    cursor.expect("{\"self_delaunay\":");
-    self_delaunay = cursor.boolean();
-    if (self_delaunay) number(",\"weight\":", weight);
-    number(",\"bilipschitz\":[", least_stretch);
-    number(",", greatest_stretch);
-    cursor.expect("]");
+    parse_stretch(cursor);
   }
+}
+
+/// Of level 6, with the brace before it.
+void Certificate::parse_stretch(Cursor& cursor) {
+  const auto number = [&](std::string_view key, Quantity& value) {
+    cursor.expect(key);
+    value = parse_quantity(cursor);
+  };
+  cursor.expect("{\"self_delaunay\":");
+  self_delaunay = cursor.boolean();
+  if (self_delaunay) number(",\"weight\":", weight);
+  number(",\"bilipschitz\":[", least_stretch);
+  number(",", greatest_stretch);
+  cursor.expect("]");
 }
 
 void Certificate::parse(Cursor& cursor) {

@@ -124,6 +124,7 @@ class Run {
   std::vector<std::size_t> order() const {
     if (c_.space_form) return {level_2, level_1, level_2s, level_4, level_5, level_6, level_0};
     if (c_.torus) return {level_0, level_2, level_1, level_2s, level_3, level_4, level_5, level_6};
+    if (c_.submanifold) return {level_1, level_1f, level_2, level_2s, level_5, level_5i, level_4, level_6};
     return {level_0, level_1, level_1f, level_2, level_2s, level_3, level_4, level_5, level_5i, level_6};
   }
 
@@ -171,7 +172,9 @@ class Run {
     }
     if (tangent_charts_) {
       if (level == level_5) return triangulation_.emplace(*tangent_charts_).check(report);
+      if (level == level_4) return check_restricted_delaunay(*tangent_charts_, *triangulation_, report);
       return level == level_5i   ? triangulation_->check_embedding(report)
+             : level == level_6  ? triangulation_->check_metric(report)
              : level == level_1f ? check_given_stars(c_, report)
              : level == level_1  ? check_stars(*tangent_charts_, report)
                                  : check_stable_stars(*tangent_charts_, report);

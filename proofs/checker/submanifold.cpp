@@ -118,10 +118,17 @@ void Certificate::require_submanifold() const {
       "contraction is not in (0, 1)");
   require(!claimed[level_5] || displacement.exact.sign() >= 0, "displacement is negative");
   require(!claimed[level_5i] || embedding_margin.exact.sign() > 0, "the margin of level 5i is not positive");
+  require(!claimed[level_4] || density.exact.sign() > 0, "density is not positive");
+  require(weight.exact.sign() >= 0, "weight is negative");
+  require(!claimed[level_6] || (least_stretch.exact.sign() > 0 && greatest_stretch.exact.sign() > 0),
+          "a bound of bilipschitz is not positive");
+  require(!claimed[level_6] || (normal.exact.sign() > 0 && less(normal.exact, Rational(1)) == Verdict::proved),
+          "normal is not in (0, 1)");
+  Report::require("form.family", !claimed[level_6] || !self_delaunay || m == 2, "self_delaunay is for surfaces");
   Report::require("form.family", !theory, "the mode theory is not for submanifolds");
   Report::require("form.family", !claimed[level_1f] || submanifold->given, "level 1f is for vertices that are given");
-  for (const Level level : {level_0, level_3, level_4, level_6})
-    if (claimed[level]) throw Malformed("form.family", "levels 0, 3, 4 and 6 are not for submanifolds");
+  if (claimed[level_0] || claimed[level_3]) throw Malformed("form.family", "levels 0 and 3 are not for submanifolds");
+  if (claimed[level_4] && submanifold->given) throw Malformed("form.family", "level 4 is for vertices on the manifold");
   for (Label i = 0; i < n; ++i) {
     const auto require_chart = [&](bool holds, const char* what) {
       if (!holds) throw Malformed("form.charts", "the chart of " + std::to_string(i) + what);

@@ -24,6 +24,8 @@ class TangentCharts : public StarCharts<Ball> {
   const Matrix<Interval>& point(Label j) const { return points_[j]; }
   const NearPoints& points() const { return near_points_; }
   const NearPoints& centres() const { return near_centres_; }
+  /// A bound below 1 of |1 - Y Df N| in the cylinder.
+  double theta(Label i) const { return theta_[i]; }
 
   ShownPoints<Ball> shown(Label i, const Quantity& radius) const override;
   Vector<Interval> home(Label i, In<Interval>) const override { return c_.points.position<Interval>({i, {}}); }
@@ -69,22 +71,53 @@ class TangentCharts : public StarCharts<Ball> {
   std::size_t cells_ = 0, parts_ = 0;
 };
 
-/// Levels 5 and 5i, as the functions of run.hpp: along the normals W, |K| is moved to M.
+/// Levels 5, 5i and 6, as the functions of run.hpp: along the normals W, |K| is moved to M.
 class GraphTriangulation {
  public:
   explicit GraphTriangulation(const TangentCharts& charts);
   std::string check(Report& report);            // 5
   std::string check_embedding(Report& report);  // 5i, after 5
+  std::string check_metric(Report& report);     // 6, after 5
+
+  /// After `check`: what a simplex is moved by along chart i, at most.
+  double movement_in(Label i, std::size_t s) const { return greatest_lateral(i, s) * climb_[s]; }
+  /// Whether in chart i the place of label k is farther than `by` beyond the hyperplane of a facet of the simplex.
+  bool is_beside(Label i, Label k, std::size_t s, double by) const;
+  /// The component of the complex in which each label is, as one of its labels.
+  std::vector<Label> components() const;
+  /// The rule is that each component has a label of which the predicate holds.
+  template <class Predicate>
+  void require_clear_labels(const char* rule, const Predicate& is_clear, Report& report) const {
+    const std::vector<Label> component = components();
+    std::vector<bool> found(c_.n);
+    for (Label k = 0; k < c_.n; ++k) {
+      if (!found[component[k]] && is_clear(k, component)) found[component[k]] = true;
+    }
+    for (Label k = 0; k < c_.n; ++k) {
+      if (found[component[k]]) continue;
+      report.reject(
+          rule, [&] { return "no label of the component of label " + std::to_string(k) + " is clear of the others"; });
+      return;
+    }
+  }
 
  private:
-  struct Estimate;
+  /// What is known of f and W on a simplex. All numbers are upper bounds.
+  struct Estimate {
+    std::vector<Matrix<Interval>> slopes;  // Df at the vertices, by the second derivatives
+    double bend = 0;                       // |D^2 f|
+    double theta = 0;                      // |1 - Df W|
+    double longest = 0;                    // edge in R^N
+    double climb = 0;                      // |s|
+  };
 
   Estimate estimate(std::size_t s);
   double height_between(std::size_t s, double longest) const;
   void check_simplex(std::size_t s, Report& report);
   double contraction_in(Label i, std::size_t s, const Estimate& estimate) const;
-  void check_clear(Report& report);
   bool is_clear_of(Label k, std::size_t s) const;
+  void check_stretch(std::size_t s, Report& report);
+  void check_cotangents(Report& report) const;
   /// |N_i^T (p'_v - c_i)|_inf + margin < height, certainly.
   bool is_below_lid(Label i, Label v, double margin) const;
   /// Upper bounds of |E_i^T W_v|, for one label or the greatest for those of a simplex.
@@ -92,6 +125,8 @@ class GraphTriangulation {
   double greatest_lateral(Label i, std::size_t s) const;
   /// The gradients of the barycentric coordinates of a simplex in chart i, one a row.
   Matrix<Interval> gradients(Label i, std::size_t s) const;
+  /// The map from chart i to R^N that takes the simplex of the chart to the straight one.
+  Matrix<Interval> lifted(Label i, std::size_t s) const;
 
   const TangentCharts& charts_;
   const Certificate& c_;
@@ -100,6 +135,10 @@ class GraphTriangulation {
   std::vector<double> climb_, longest_;           // of each simplex: what |s| is at most; its longest edge in R^N
   std::vector<double> least_climb_, most_climb_;  // of the simplices of each label
 };
+
+/// Level 4, after level 5, as the functions of run.hpp.
+std::string check_restricted_delaunay(const TangentCharts& charts, const GraphTriangulation& triangulation,
+                                      Report& report);
 
 /// Level 1f, as the functions of run.hpp.
 std::string check_given_stars(const Certificate& c, Report& report);

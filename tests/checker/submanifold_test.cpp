@@ -9,7 +9,7 @@
 namespace delcert::checker_tests {
 namespace {
 
-const std::vector<std::string> all = {"1", "2", "2s", "5", "5i"}, of_given = {"1f", "2", "5", "5i"};
+const std::vector<std::string> all = {"1", "2", "2s", "4", "5", "5i", "6"}, of_given = {"1f", "2", "5", "5i", "6"};
 
 const Json& circle_document() {
   static const Json document = certificate(circle_model(40, 1), all);
@@ -43,10 +43,53 @@ TEST(Submanifold, circles_spheres_and_tori_are_verified) {
   expect_verified(circle_document());
   expect_verified(sphere_document());
   expect_verified(polygon_document());
-  expect_verified(certificate(doubled(circle_model(60, 1)), all));
   expect_verified(certificate(flat_torus_model(40), {"1", "2", "5"}));
   expect_verified(certificate(given(sphere_model(3)), of_given));
   expect_verified(certificate(torus_model(90, 50, 1), all));
+}
+
+SubmanifoldModel by(const std::string& metric, SubmanifoldModel model) {
+  model.metric = metric;
+  return model;
+}
+
+/// Two circles so near to each other that points of one are nearer to vertices of the other.
+SubmanifoldModel near_circles(const std::string& metric, double gap = 0.0125) {
+  SubmanifoldModel model = by(metric, nested_circles_model(200, gap));
+  model.slope *= 1.25;
+  return model;
+}
+
+/// Twelve points on a circle; what may be within density of one of them reaches to the other side.
+SubmanifoldModel twelve_points() {
+  SubmanifoldModel model = circle_model(12, 1);
+  model.slope = 1.73;
+  model.patch_radius = 0.6443;
+  model.height = 0.6562;
+  return model;
+}
+
+TEST(Submanifold, the_complex_is_the_Delaunay_complex_by_distances_in_space_and_in_the_manifold) {
+  for (const char* metric : {"extrinsic", "intrinsic", "both"}) {
+    expect_verified(certificate(by(metric, circle_model(40, 1)), all));
+    expect_verified(certificate(by(metric, sphere_model(3)), all));
+    expect_verified(certificate(by(metric, flat_torus_model(60)), {"1", "2", "4", "5", "6"}));
+    expect_verified(certificate(by(metric, doubled(circle_model(60, 1))), all));
+  }
+  expect_verified(certificate(by("both", torus_model(90, 50, 1)), all));
+  expect_verified(certificate(near_circles("intrinsic"), {"1", "2", "4", "5"}));
+}
+
+TEST(Submanifold, a_place_as_near_to_one_label_as_to_others_ends_undecided_at_a_box) {
+  const auto run_with = [](double gap) {
+    return run_checker(sealed(certificate(near_circles("extrinsic", gap), {"1", "2", "4", "5"})));
+  };
+  const double half_edge = 0.0157078;  // from the middle of an arc to its ends
+  EXPECT_EQ(run_with(half_edge + 0x1p-12).status, 0);
+  EXPECT_EQ(run_with(half_edge - 0x1p-12).rules, std::set<std::string>{"4.cover"});
+  const CheckerRun run = run_with(half_edge + 0x1p-20);
+  EXPECT_EQ(run.status, 2) << run.output;
+  EXPECT_NE(run.output.find("which labels are nearest in the chart of label"), std::string::npos) << run.output;
 }
 
 TEST(Submanifold, where_the_equations_may_not_be_defined_nothing_is_decided) {
@@ -167,8 +210,25 @@ TEST(Submanifold, the_document_has_its_form) {
     j["levels"]["1f"] = Json::object();
     j["levels"]["2"] = others["2"];
   });
-  malformed("form.family", [](Json& j) { j["levels"]["6"] = Json::object(); });
+  malformed("form.keys", [](Json& j) { j["levels"]["6"] = Json::object(); });
+  malformed("form.types", [](Json& j) { j["levels"]["4"]["metric"] = "chordal"; });
+  malformed("form.ranges", [](Json& j) { j["levels"]["4"]["density"] = "0"; });
+  malformed("form.ranges", [](Json& j) { j["levels"]["6"]["bilipschitz"][0] = "0"; });
+  malformed("form.ranges", [](Json& j) { j["levels"]["6"]["normal"] = "1"; });
+  malformed("form.ranges", [](Json& j) { j["levels"]["6"]["normal"] = "0"; });
+  malformed("form.family", [](Json& j) {
+    const Json value = j["levels"]["6"];
+    j["levels"]["6"] = {{"self_delaunay", true}, {"weight", "0"}};
+    j["levels"]["6"].update(value);
+    j["levels"]["6"]["self_delaunay"] = true;
+  });
   malformed("form.levels", [](Json& j) { j["levels"].erase("5"); });
+  Json flat = polygon_document();
+  flat["levels"] = {{"1f", flat["levels"]["1f"]},
+                    {"2", flat["levels"]["2"]},
+                    {"4", circle_document()["levels"]["4"]},
+                    {"5", flat["levels"]["5"]}};
+  EXPECT_EQ(run_checker(sealed(flat)).rules, std::set<std::string>{"form.family"});
   Json moved = polygon_document();
   moved["parameters"]["mode"] = "measured";
   moved["points"][3][0] = "1/1000";
@@ -276,6 +336,23 @@ std::vector<Forgery> submanifold_forgeries() {
       forged("a polygon that goes around twice", "5.clear", certificate(given(circle_model(81, 2)), {"1f", "2", "5"}),
              as_it_is),
       forged("a torus that goes around twice", "5.clear", certificate(wound, {"1f", "2", "5"}), as_it_is),
+      forged("a density smaller than any circumradius", "4.density", certificate(circle, {"1", "2", "4", "5"}),
+             claim("4", "density", "1/16")),
+      forged("a density beyond the lid", "4.patch", certificate(circle, {"1", "2", "4", "5"}),
+             claim("4", "density", "1/5")),
+      forged("two circles nearer to each other than their points", "4.cover",
+             certificate(near_circles("extrinsic"), {"1", "2", "4", "5"}), as_it_is),
+      forged("a density that reaches to the other side", "4.clear", certificate(twelve_points(), {"1", "2", "4", "5"}),
+             [](Json& j) {
+               j["parameters"]["distortion"] = "4095/4096";
+               j["levels"]["1"]["circumradius"] = "17/64";
+               j["levels"]["1"]["protection"] = "1/64";
+               j["levels"]["4"]["density"] = text_of(0.64429);
+             }),
+      forged("stretched more than stated", "6.bilipschitz", round,
+             [](Json& j) { j["levels"]["6"]["bilipschitz"][0] = "1"; }),
+      forged("angles to tangent planes too small", "6.normal", sphere_document(), claim("6", "normal", "1/4096")),
+      forged("a weight that no angles have", "6.self-delaunay", sphere_document(), claim("6", "weight", "2")),
       forged("a displacement that leaves the patches", "5i.lid", round, claim("5", "displacement", "3/64")),
       forged("a margin too large", "5i.embedded", round, claim("5i", "margin", "1/16")),
       forged("another Euler characteristic", "2.count", round,

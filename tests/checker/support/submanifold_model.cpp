@@ -436,6 +436,22 @@ SubmanifoldModel circle_model(int points, int turns) {
   return model;
 }
 
+SubmanifoldModel nested_circles_model(int points, double gap) {
+  SubmanifoldModel model = circle_model(points, 1);
+  const double wide = (1 + gap) * (1 + gap);
+  const int ratio = static_cast<int>(std::lround(wide * 0x1p20));
+  model.equations = {"(x^2+y^2-1)*(1048576*(x^2+y^2)-" + std::to_string(ratio) + ")"};
+  model.map = [ratio](const Row& x) { return Row{(dot(x, x) - 1) * (0x1p20 * dot(x, x) - ratio)}; };
+  const double radius = std::sqrt(ratio / 0x1p20);
+  for (int k = 0; k < points; ++k) {
+    const double u = 2 * pi * (k + 0.5) / points;
+    model.points.push_back({rounded(radius * std::cos(u), 40), rounded(radius * std::sin(u), 40)});
+    model.simplices.push_back({points + k, points + (k + 1) % points});
+  }
+  sort_simplices(model);
+  return model;
+}
+
 SubmanifoldModel flat_torus_model(int points) {
   SubmanifoldModel model{.variables = {"a", "b", "c", "d"},
                          .equations = {"a^2+b^2-1", "c^2+d^2-1"},
@@ -487,16 +503,23 @@ Json certificate(const SubmanifoldModel& model, const std::vector<std::string>& 
 
   std::vector<ModelChart> charts;
   Json all_charts = Json::array(), net = Json::array(), points = Json::array(), simplices = Json::array();
-  for (const Row& x : model.points) {
-    charts.push_back(chart_at(model, x));
+  for (const Row& x : model.points) charts.push_back(chart_at(model, x));
+  const StarMargins margins =
+      std::count(levels.begin(), levels.end(), "1") > 0 ? measure(model, charts) : StarMargins{};
+  // What is so near to a point has to be below the lid.
+  const double density = 1.06 * std::sqrt(1 + model.slope * model.slope) * margins.radius;
+  const bool is_delaunay = std::count(levels.begin(), levels.end(), "4") > 0 && model.metric != "intrinsic";
+  const double height = is_delaunay ? std::max(model.height, 1.05 * density) : model.height;
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    const Row& x = model.points[i];
     Json chart = Json::array(), place = Json::array();
-    for (const int axis : charts.back().axes) chart.push_back(std::to_string(axis));
-    for (const double entry : charts.back().skew) chart.push_back(text(entry));
-    for (const Row& row : charts.back().Y) {
+    for (const int axis : charts[i].axes) chart.push_back(std::to_string(axis));
+    for (const double entry : charts[i].skew) chart.push_back(text(entry));
+    for (const Row& row : charts[i].Y) {
       for (const double entry : row) chart.push_back(text(entry));
     }
     chart.push_back(text(model.patch_radius));
-    chart.push_back(text(model.height));
+    chart.push_back(text(height));
     all_charts.push_back(chart);
     for (const double entry : x) place.push_back(text(entry));
     net.push_back(place);
@@ -507,8 +530,6 @@ Json certificate(const SubmanifoldModel& model, const std::vector<std::string>& 
     for (std::size_t k = 0; k < model.m; ++k) row.push_back(0);
     simplices.push_back(row);
   }
-  const StarMargins margins =
-      std::count(levels.begin(), levels.end(), "1") > 0 ? measure(model, charts) : StarMargins{};
   j["levels"] = Json::object();
   for (const std::string& level : levels) {
     Json& value = j["levels"][level] = Json::object();
@@ -535,6 +556,14 @@ Json certificate(const SubmanifoldModel& model, const std::vector<std::string>& 
       value["displacement"] = text(rounded(model.displacement, 30));
     } else if (level == "5i") {
       value["margin"] = text(rounded(model.margin, 30));
+    } else if (level == "4") {
+      value["metric"] = model.metric;
+      value["density"] = text(rounded(density, 30));
+    } else if (level == "6") {
+      value["self_delaunay"] = model.m == 2;
+      if (model.m == 2) value["weight"] = "0";
+      value["bilipschitz"] = {text(1 - model.sampling_radius), text(1 + model.sampling_radius)};
+      value["normal"] = text(1.5 * model.sampling_radius);
     }
   }
   j["net"] = net;

@@ -21,6 +21,7 @@ struct SubmanifoldModel {
   std::vector<std::vector<int>> simplices{};
   double sampling_radius = 0, patch_radius = 0, height = 0, slope = 0;
   double contraction = 0.5, displacement = 0, margin = 0;  // of levels 5 and 5i
+  std::string metric = "extrinsic";                        // of level 4
 };
 
 /// x^2 + y^2 + z^2 = 1 by an icosahedron whose triangles have been divided so often, and rescaled.
@@ -35,6 +36,9 @@ SubmanifoldModel branched_sphere_model(int rings, int ring);
 SubmanifoldModel torus_model(int around, int across, int turns);
 /// x^2 + y^2 = 1, by a polygon that goes around so often.
 SubmanifoldModel circle_model(int points, int turns);
+/// Two circles with one centre, of radii 1 and 1 + gap, by polygons of so many points, half an edge ahead of each
+/// other.
+SubmanifoldModel nested_circles_model(int points, double gap);
 /// The product of two such circles in R^4.
 SubmanifoldModel flat_torus_model(int points);
 

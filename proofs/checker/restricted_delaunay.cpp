@@ -1,0 +1,379 @@
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "proofs/checker/simplex.hpp"
+#include "proofs/checker/tangent_charts.hpp"
+
+namespace delcert::checker {
+namespace {
+
+constexpr int most_halvings = 12;
+constexpr std::size_t most_boxes_of_label = std::size_t{1} << 16;
+
+Interval exactly_at(double x) { return Interval::between(x, x); }
+
+/// A label that may be as near to a point x of M as label i is; w = p'_k - p'_i.
+struct Rival {
+  Label label;
+  Vector<Interval> along{};                               // E_i^T w
+  std::array<Interval, FormulaMap::most_variables> up{};  // N_i^T w
+  Interval squared{0};                                    // |w|^2
+  double height = 0;                                      // |N_i^T w|, from above
+  bool shown = false;                                     // by chart i, certainly
+  bool only_straight = false;                             // distances in M from it are known to be greater than from i
+};
+
+/// Over a place of the chart M is at such heights, both relative to p'_i, up to an error.
+struct Anchor {
+  std::array<double, 4> place{};
+  std::array<double, FormulaMap::most_variables> height{};
+  double error = 0;
+};
+
+/// A box of places of the chart, relative to that of p'_i, and the labels that may be as near as i somewhere over it.
+struct DiscBox {
+  Vector<Interval> place{};
+  Anchor anchor;
+  int halvings = 0;
+  std::vector<const Rival*> open;
+};
+
+/// The rule 4.cover for one label i.
+class CoveredDisc {
+ public:
+  CoveredDisc(const TangentCharts& charts, Label i, FormulaValues<Interval>& values)
+      : charts_(charts),
+        c_(charts.certificate()),
+        i_(i),
+        m_(charts.manifold().m),
+        q_(charts.manifold().q),
+        values_(values),
+        radius_(c_.density.filter),
+        slope_(charts.manifold().slope.filter.upper()),
+        stretch_(upper_root(Interval(1) + square(charts.manifold().slope.filter))),
+        height_(transposed_times(charts.chart(i).normal, charts.point(i) - charts.chart(i).centre)) {
+    find_rivals();
+    if (c_.intrinsic) bound_bend();
+  }
+
+  /// Whether all boxes are near or in a star; false if some edge is missing from the complex.
+  bool check(std::size_t& boxes) {
+    std::vector<DiscBox> open(1);
+    for (std::size_t k = 0; k < m_; ++k) open[0].place[k] = Interval::between(-radius_.upper(), radius_.upper());
+    for (const Rival& rival : rivals_) open[0].open.push_back(&rival);
+    for (std::size_t looked_at = 0; !open.empty(); ++looked_at, ++boxes) {
+      DiscBox box = std::move(open.back());
+      open.pop_back();
+      Budget::spend(20 + 5 * box.open.size());
+      if (is_outside(box) || is_settled(box)) continue;
+      if (is_edge_missing(box)) return false;
+      if (box.halvings == most_halvings || looked_at == most_boxes_of_label) undecided(box);
+      halve(box, open);
+    }
+    return true;
+  }
+
+ private:
+  void find_rivals() {
+    const TangentChart<Interval>& chart = charts_.chart(i_);
+    const TangentPatch& patch = charts_.patch(i_);
+    // All points over the disc are so far from p'_i, along M as well.
+    const double reach = stretch_ * radius_.upper();
+    const Interval home = square_root(squared_norm(transposed_times(chart.tangent, charts_.point(i_) - chart.centre)));
+    const bool is_wide = (patch.radius.filter - home - radius_).lower() > reach;
+    charts_.points().visit(charts_.point(i_), 2 * reach, [&](Label k) {
+      if (k == i_) return;
+      const Matrix<Interval> offset = charts_.point(k) - charts_.point(i_),
+                             along = transposed_times(chart.tangent, offset),
+                             up = transposed_times(chart.normal, offset);
+      Rival rival;
+      rival.label = k;
+      rival.squared = squared_norm(offset);
+      if (square_root(rival.squared).lower() > 2 * reach) return;
+      for (std::size_t a = 0; a < m_; ++a) rival.along[a] = along[a];
+      for (std::size_t a = 0; a < q_; ++a) rival.up[a] = up[a];
+      rival.height = norm_above(up);
+      farthest_ = std::max(farthest_, norm_above(along));
+      if (c_.intrinsic) {
+        const Matrix<Interval> from_centre = charts_.point(k) - chart.centre;
+        Verdict shown =
+            less(square_root(squared_norm(transposed_times(chart.tangent, from_centre))), patch.radius.filter);
+        const Matrix<Interval> heights = transposed_times(chart.normal, from_centre);
+        for (std::size_t a = 0; a < q_; ++a) {
+          shown = conjunction(
+              shown, conjunction(less(heights[a], patch.height.filter), less(-heights[a], patch.height.filter)));
+        }
+        rival.shown = shown == Verdict::proved;
+        rival.only_straight = shown == Verdict::refuted && is_wide;
+        if (rival.only_straight && !c_.extrinsic) return;
+      }
+      rivals_.push_back(rival);
+    });
+  }
+
+  /// |x - y| and the distance in M differ by at most this times the cube of the distance in the chart: B^2 / 24 for a
+  /// bound B of the second derivative of the heights of M, where p'_i and its rivals are.
+  void bound_bend() {
+    const TangentChart<Interval>& chart = charts_.chart(i_);
+    const std::size_t N = m_ + q_;
+    const double wide = std::max(farthest_, radius_.upper()), high = slope_ * wide;
+    values_.evaluate(charts_.point(i_), 1);
+    double theta = norm_above(one_less(chart.Y * values_.jacobian() * chart.normal));
+    Matrix<Interval> box = charts_.point(i_);
+    for (std::size_t a = 0; a < N; ++a) {
+      Interval tangent(0), normal(0);
+      for (std::size_t k = 0; k < m_; ++k) tangent = tangent + square(chart.tangent(a, k));
+      for (std::size_t k = 0; k < q_; ++k) normal = normal + square(chart.normal(a, k));
+      const double half = wide * upper_root(tangent) + high * upper_root(normal);
+      box[a] = box[a] + Interval::between(-half, half);
+    }
+    values_.evaluate(box, 2);
+    Interval flat(0), mixed(0), steep(0);  // of Y D^2 f, the squared norms in tangent and normal directions
+    for (std::size_t g = 0; g < q_; ++g) {
+      Matrix<Interval> second(N, N);
+      for (std::size_t f = 0; f < q_; ++f) {
+        for (std::size_t a = 0; a < N; ++a) {
+          for (std::size_t b = 0; b < N; ++b) second(a, b) = second(a, b) + chart.Y(g, f) * values_.second(f, a, b);
+        }
+      }
+      const Matrix<Interval> tangent = second * chart.tangent, normal = second * chart.normal;
+      flat = flat + squared_norm(transposed_times(chart.tangent, tangent));
+      mixed = mixed + squared_norm(transposed_times(chart.tangent, normal));
+      steep = steep + squared_norm(transposed_times(chart.normal, normal));
+    }
+    theta += upper_root(mixed) * wide + upper_root(steep) * high;
+    const double above = upper_root(flat) + 2 * slope_ * upper_root(mixed) + slope_ * slope_ * upper_root(steep);
+    const Interval bend = Interval::between(0, above) / (Interval(1) - exactly_at(theta));
+    bend_ = theta < 1 ? (square(bend) / Interval(24)).upper() : std::numeric_limits<double>::infinity();
+  }
+
+  Interval squared_length(const Vector<Interval>& x) const { return dot(x, x, m_); }
+
+  bool is_outside(const DiscBox& box) const { return squared_length(box.place).lower() > square(radius_).upper(); }
+
+  /// |x - p'_k|^2 - |x - p'_i|^2 for the points of M over the box.
+  Interval lead(const DiscBox& box, const Rival& rival) const {
+    Interval result = rival.squared, off(0);
+    for (std::size_t a = 0; a < m_; ++a) {
+      result = result - Interval(2) * box.place[a] * rival.along[a];
+      off = off + square(box.place[a] - exactly_at(box.anchor.place[a]));
+    }
+    for (std::size_t a = 0; a < q_; ++a) result = result - Interval(2) * exactly_at(box.anchor.height[a]) * rival.up[a];
+    const double error = 2 * rival.height * (box.anchor.error + slope_ * upper_root(off));
+    return result + Interval::between(-error, error);
+  }
+
+  /// What the lead has to be more than, so that distances in M compare as those in R^N do: 2 |x - p'| e + e^2 with e
+  /// the greatest difference, p' at this distance in the chart.
+  double margin_at(double distance) const {
+    if (!c_.intrinsic) return 0;
+    const double more = bend_ * distance * distance * distance;
+    return more * (2 * stretch_ * distance + more);
+  }
+  bool is_nearer(const DiscBox& box, const Rival& rival, const Interval& lead) const {
+    if (!(lead.upper() < 0) || (c_.intrinsic && !rival.shown)) return false;
+    Vector<Interval> offset = box.place;
+    for (std::size_t a = 0; a < m_; ++a) offset[a] = offset[a] - rival.along[a];
+    return -lead.upper() > margin_at(upper_root(squared_length(offset)));
+  }
+
+  /// Keeps of the open labels of the box those that may be as near as i.
+  bool is_settled(DiscBox& box) const {
+    const double margin = margin_at(upper_root(squared_length(box.place)));
+    std::vector<const Rival*> open;
+    for (const Rival* rival : box.open) {
+      const Interval ahead = lead(box, *rival);
+      if (is_nearer(box, *rival, ahead)) return true;
+      if (!(ahead.lower() > (rival->only_straight ? 0 : margin))) open.push_back(rival);
+    }
+    box.open = std::move(open);
+    for (std::size_t s = 0; s < c_.star_size(i_); ++s) {
+      const Label* others = c_.star_simplex(i_, s);
+      if (std::all_of(box.open.begin(), box.open.end(),
+                      [&](const Rival* rival) { return std::find(others, others + m_, rival->label) != others + m_; }))
+        return true;
+    }
+    return false;
+  }
+
+  /// Whether i and one other label, of no simplex at i, are somewhere in the box as near as each other, and all others
+  /// farther: then the two are an edge of the Delaunay complex.
+  bool is_edge_missing(const DiscBox& box) const {
+    if (box.open.size() != 1 || !(squared_length(box.place).upper() < square(radius_).lower())) return false;
+    const Rival& rival = *box.open[0];
+    for (std::size_t s = 0; s < c_.star_size(i_); ++s) {
+      const Label* others = c_.star_simplex(i_, s);
+      if (std::find(others, others + m_, rival.label) != others + m_) return false;
+    }
+    DiscBox near = box, far = box;
+    for (std::size_t a = 0; a < m_; ++a) {
+      const bool rising = NearPoints::middle(rival.along[a]) > 0;
+      near.place[a] = exactly_at(rising ? box.place[a].upper() : box.place[a].lower());
+      far.place[a] = exactly_at(rising ? box.place[a].lower() : box.place[a].upper());
+    }
+    const double margin = margin_at(upper_root(squared_length(far.place)));
+    return is_nearer(near, rival, lead(near, rival)) && lead(far, rival).lower() > margin;
+  }
+
+  /// The parts have an anchor near to them.
+  void halve(DiscBox& box, std::vector<DiscBox>& open) {
+    Vector<Interval> middle{};
+    Interval half(0), off(0);
+    for (std::size_t a = 0; a < m_; ++a) {
+      middle[a] = exactly_at(NearPoints::middle(box.place[a]));
+      half = half + square(box.place[a] - middle[a]);
+      off = off + square(middle[a] - exactly_at(box.anchor.place[a]));
+    }
+    if (off.lower() > 4 * half.upper()) move_anchor(box, middle);
+    for (std::size_t part = 0; part < std::size_t{1} << m_; ++part) {
+      open.push_back(box);
+      ++open.back().halvings;
+      for (std::size_t a = 0; a < m_; ++a) {
+        const double at = middle[a].upper();
+        open.back().place[a] = (part >> a & 1U) != 0 ? Interval::between(at, box.place[a].upper())
+                                                     : Interval::between(box.place[a].lower(), at);
+      }
+    }
+  }
+
+  /// To what is over the middle of a box, if that is in the disc, and found in the cylinder.
+  void move_anchor(DiscBox& box, const Vector<Interval>& middle) {
+    if (!(squared_length(middle).upper() < square(radius_).lower())) return;
+    Budget::spend(200);
+    const TangentChart<Interval>& chart = charts_.chart(i_);
+    Anchor anchor;
+    Matrix<Interval> place(m_, 1), z(q_, 1);
+    for (std::size_t a = 0; a < m_; ++a) {
+      place[a] = middle[a];
+      anchor.place[a] = middle[a].upper();
+    }
+    const Matrix<Interval> foot = charts_.point(i_) + chart.tangent * place;
+    for (std::size_t a = 0; a < q_; ++a) z[a] = exactly_at(box.anchor.height[a]);
+    for (int step = 0;; ++step) {
+      values_.evaluate(foot + chart.normal * z, 0);
+      const Matrix<Interval> error = chart.Y * values_.value();
+      if (step == 3) {
+        anchor.error = (square_root(squared_norm(error)) / (Interval(1) - exactly_at(charts_.theta(i_)))).upper();
+        break;
+      }
+      for (std::size_t a = 0; a < q_; ++a) z[a] = exactly_at(NearPoints::middle(z[a] - error[a]));
+    }
+    const Interval lid = charts_.patch(i_).height.filter;
+    for (std::size_t a = 0; a < q_; ++a) {
+      const Interval height = height_[a] + z[a];
+      if (conjunction(less(height, lid), less(-height, lid)) != Verdict::proved) return;
+      anchor.height[a] = z[a].upper();
+    }
+    if (anchor.error < std::numeric_limits<double>::infinity()) box.anchor = anchor;
+  }
+
+  [[noreturn]] void undecided(const DiscBox& box) const {
+    std::string text = "which labels are nearest in the chart of label " + std::to_string(i_) + ", from it at ";
+    for (std::size_t a = 0; a < m_; ++a) {
+      text += (a == 0 ? "[" : " x [") + about(exactly_at(box.place[a].lower())) + ", " +
+              about(exactly_at(box.place[a].upper())) + "]";
+    }
+    throw Undecided(text);
+  }
+
+  const TangentCharts& charts_;
+  const Certificate& c_;
+  Label i_;
+  std::size_t m_, q_;
+  FormulaValues<Interval>& values_;
+  Interval radius_;
+  double slope_, stretch_;
+  Matrix<Interval> height_;  // of p'_i
+  std::vector<Rival> rivals_;
+  double farthest_ = 0, bend_ = 0;
+};
+
+/// 4.density: in some chart the circumradius, and what the simplex is moved by there, are small.
+void check_dense(const TangentCharts& charts, const GraphTriangulation& triangulation, Report& report) {
+  const Certificate& c = charts.certificate();
+  const Interval stretch = square_root(Interval(1) + square(charts.manifold().slope.filter));
+  for (std::size_t s = 0; s < c.simplex_count(); ++s) {
+    const Label* labels = c.simplex(s);
+    double least = std::numeric_limits<double>::infinity();
+    for (int k = 0; k <= c.m; ++k) {
+      std::vector<Vector<Interval>> vertices(c.m_size() + 1);
+      for (std::size_t v = 1; v <= c.m_size(); ++v) {
+        const Matrix<Interval> place =
+            transposed_times(charts.chart(labels[k]).tangent, charts.point(labels[v]) - charts.point(labels[0]));
+        for (std::size_t a = 0; a < c.m_size(); ++a) vertices[v][a] = place[a];
+      }
+      const Simplex<Interval> simplex(c.metric, vertices);
+      if (simplex.complete != Verdict::proved) continue;
+      const double moved = triangulation.movement_in(labels[k], s);
+      least = std::min(least, (stretch * Interval::between(0, upper_root(simplex.radius_squared) + moved)).upper());
+    }
+    if (least <= c.density.filter.lower()) continue;
+    report.reject("4.density", [&] {
+      return "points over simplex " + label_set(labels, labels + c.m + 1) + " may be " + about(exactly_at(least)) +
+             " away from its vertices";
+    });
+  }
+}
+
+/// 4.patch: what is within density of a point is over the disc around it, and below the lid.
+void check_patch(const TangentCharts& charts, Label i, Report& report) {
+  const Certificate& c = charts.certificate();
+  const TangentChart<Interval>& chart = charts.chart(i);
+  const Matrix<Interval> offset = charts.point(i) - chart.centre;
+  Verdict inside = less(square_root(squared_norm(transposed_times(chart.tangent, offset))) + c.density.filter,
+                        charts.patch(i).radius.filter);
+  const Matrix<Interval> heights = transposed_times(chart.normal, offset);
+  for (std::size_t a = 0; c.extrinsic && a < heights.size(); ++a) {
+    const Interval room = charts.patch(i).height.filter - c.density.filter;
+    inside = conjunction(inside, conjunction(less(heights[a], room), less(-heights[a], room)));
+  }
+  if (inside == Verdict::proved) return;
+  report.reject("4.patch",
+                [&] { return "the patch of label " + std::to_string(i) + " ends within density of its point"; });
+}
+
+/// 4.clear: no simplex of the component about k, but its own, is above the place of k.
+bool is_clear(const TangentCharts& charts, const GraphTriangulation& triangulation, Label k,
+              const std::vector<Label>& component) {
+  const Certificate& c = charts.certificate();
+  const double stretch = upper_root(Interval(1) + square(charts.manifold().slope.filter));
+  std::vector<bool> near(c.n);
+  charts.points().visit(charts.point(k), (1 + stretch) * c.density.filter.upper(), [&](Label v) { near[v] = true; });
+  for (std::size_t s = 0; s < c.simplex_count(); ++s) {
+    const Label *begin = c.simplex(s), *end = begin + c.m + 1;
+    Budget::spend(1);
+    if (component[*begin] != component[k] || std::find(begin, end, k) != end) continue;
+    if (std::none_of(begin, end, [&](Label v) { return near[v]; })) continue;
+    if (!triangulation.is_beside(k, k, s, 0)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string check_restricted_delaunay(const TangentCharts& charts, const GraphTriangulation& triangulation,
+                                      Report& report) {
+  const Certificate& c = charts.certificate();
+  FormulaValues<Interval> values(charts.manifold().map);
+  std::size_t boxes = 0;
+  check_dense(charts, triangulation, report);
+  for (Label i = 0; i < c.n; ++i) check_patch(charts, i, report);
+  triangulation.require_clear_labels(
+      "4.clear",
+      [&](Label k, const std::vector<Label>& component) { return is_clear(charts, triangulation, k, component); },
+      report);
+  for (Label i = 0; i < c.n; ++i) {
+    if (CoveredDisc(charts, i, values).check(boxes)) continue;
+    report.reject("4.cover", [&] {
+      return "label " + std::to_string(i) + " and one of no simplex with it are together nearest to a point";
+    });
+  }
+  const char* of = !c.extrinsic  ? "distances in the manifold"
+                   : c.intrinsic ? "distances in R^N, and in the manifold"
+                                 : "distances in R^N";
+  return "the complex is the Delaunay complex of the points by " + std::string(of) + ", in " + std::to_string(boxes) +
+         " boxes; density <= " + rounded_up(c.density.exact);
+}
+
+}  // namespace delcert::checker
