@@ -52,7 +52,8 @@ class CoveredDisc {
         radius_(c_.density.filter),
         slope_(charts.manifold().slope.filter.upper()),
         stretch_(upper_root(Interval(1) + square(charts.manifold().slope.filter))),
-        height_(transposed_times(charts.chart(i).normal, charts.point(i) - charts.chart(i).centre)) {
+        height_(transposed_times(charts.chart(i).normal, charts.point(i) - charts.chart(i).centre)),
+        wide_(1.5 * radius_.upper()) {
     find_rivals();
     if (c_.intrinsic) bound_bend();
   }
@@ -94,7 +95,6 @@ class CoveredDisc {
       for (std::size_t a = 0; a < m_; ++a) rival.along[a] = along[a];
       for (std::size_t a = 0; a < q_; ++a) rival.up[a] = up[a];
       rival.height = norm_above(up);
-      farthest_ = std::max(farthest_, norm_above(along));
       if (c_.intrinsic) {
         const Matrix<Interval> from_centre = charts_.point(k) - chart.centre;
         Verdict shown =
@@ -104,7 +104,7 @@ class CoveredDisc {
           shown = conjunction(
               shown, conjunction(less(heights[a], patch.height.filter), less(-heights[a], patch.height.filter)));
         }
-        rival.shown = shown == Verdict::proved;
+        rival.shown = shown == Verdict::proved && norm_above(along) <= wide_;
         rival.only_straight = shown == Verdict::refuted && is_wide;
         if (rival.only_straight && !c_.extrinsic) return;
       }
@@ -113,11 +113,15 @@ class CoveredDisc {
   }
 
   /// |x - y| and the distance in M differ by at most this times the cube of the distance in the chart: B^2 / 24 for a
-  /// bound B of the second derivative of the heights of M, where p'_i and its rivals are.
+  /// bound B of the second derivative of the heights of M, as far from p'_i in the chart as labels are said to be near.
   void bound_bend() {
     const TangentChart<Interval>& chart = charts_.chart(i_);
     const std::size_t N = m_ + q_;
-    const double wide = std::max(farthest_, radius_.upper()), high = slope_ * wide;
+    const Matrix<Interval> home = transposed_times(chart.tangent, charts_.point(i_) - chart.centre);
+    // Up to here M is so steep at most (sub.graph).
+    const Interval share = (square_root(squared_norm(home)) + exactly_at(wide_)) / charts_.patch(i_).radius.filter;
+    const Interval steepness = Interval::between(0, slope_) * (Interval(1) + Interval(7) * share) / Interval(8);
+    const double slope = std::min(slope_, steepness.upper()), high = slope * wide_;
     values_.evaluate(charts_.point(i_), 1);
     double theta = norm_above(one_less(chart.Y * values_.jacobian() * chart.normal));
     Matrix<Interval> box = charts_.point(i_);
@@ -125,7 +129,7 @@ class CoveredDisc {
       Interval tangent(0), normal(0);
       for (std::size_t k = 0; k < m_; ++k) tangent = tangent + square(chart.tangent(a, k));
       for (std::size_t k = 0; k < q_; ++k) normal = normal + square(chart.normal(a, k));
-      const double half = wide * upper_root(tangent) + high * upper_root(normal);
+      const double half = wide_ * upper_root(tangent) + high * upper_root(normal);
       box[a] = box[a] + Interval::between(-half, half);
     }
     values_.evaluate(box, 2);
@@ -142,8 +146,8 @@ class CoveredDisc {
       mixed = mixed + squared_norm(transposed_times(chart.tangent, normal));
       steep = steep + squared_norm(transposed_times(chart.normal, normal));
     }
-    theta += upper_root(mixed) * wide + upper_root(steep) * high;
-    const double above = upper_root(flat) + 2 * slope_ * upper_root(mixed) + slope_ * slope_ * upper_root(steep);
+    theta += upper_root(mixed) * wide_ + upper_root(steep) * high;
+    const double above = upper_root(flat) + 2 * slope * upper_root(mixed) + slope * slope * upper_root(steep);
     const Interval bend = Interval::between(0, above) / (Interval(1) - exactly_at(theta));
     bend_ = theta < 1 ? (square(bend) / Interval(24)).upper() : std::numeric_limits<double>::infinity();
   }
@@ -286,7 +290,7 @@ class CoveredDisc {
   double slope_, stretch_;
   Matrix<Interval> height_;  // of p'_i
   std::vector<Rival> rivals_;
-  double farthest_ = 0, bend_ = 0;
+  double wide_, bend_ = 0;  // in the intrinsic case labels that are farther in the chart are not said to be near
 };
 
 /// 4.density: in some chart the circumradius, and what the simplex is moved by there, are small.

@@ -229,8 +229,12 @@ StarMargins measure(const SubmanifoldModel& model, const std::vector<ModelChart>
   }
   for (std::size_t i = 0; i < model.points.size(); ++i) {
     std::vector<std::size_t> near;
-    for (std::size_t j = 0; j < model.points.size(); ++j)
-      if (distance(model.points[i], model.points[j]) < model.patch_radius) near.push_back(j);
+    for (std::size_t j = 0; j < model.points.size(); ++j) {
+      double height = 0;
+      for (std::size_t k = model.m; k < charts[i].frame.size(); ++k)
+        height = std::max(height, std::fabs(dot(charts[i].frame[k], difference(model.points[j], model.points[i]))));
+      if (distance(model.points[i], model.points[j]) < model.patch_radius && height < model.height) near.push_back(j);
+    }
     for (const std::size_t s : stars[i]) {
       Rows places, others;
       for (const std::size_t j : near) {
@@ -509,7 +513,7 @@ Json certificate(const SubmanifoldModel& model, const std::vector<std::string>& 
   // What is so near to a point has to be below the lid.
   const double density = 1.06 * std::sqrt(1 + model.slope * model.slope) * margins.radius;
   const bool is_delaunay = std::count(levels.begin(), levels.end(), "4") > 0 && model.metric != "intrinsic";
-  const double height = is_delaunay ? std::max(model.height, 1.05 * density) : model.height;
+  const double height = is_delaunay && !model.is_low ? std::max(model.height, 1.05 * density) : model.height;
   for (std::size_t i = 0; i < charts.size(); ++i) {
     const Row& x = model.points[i];
     Json chart = Json::array(), place = Json::array();

@@ -22,6 +22,7 @@ struct SubmanifoldModel {
   double sampling_radius = 0, patch_radius = 0, height = 0, slope = 0;
   double contraction = 0.5, displacement = 0, margin = 0;  // of levels 5 and 5i
   std::string metric = "extrinsic";                        // of level 4
+  bool is_low = false;                                     // whether lids are lower than level 4 asks for
 };
 
 /// x^2 + y^2 + z^2 = 1 by an icosahedron whose triangles have been divided so often, and rescaled.
