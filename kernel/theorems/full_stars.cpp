@@ -1,6 +1,7 @@
 #include "kernel/theorems/full_stars.hpp"
 
 #include <algorithm>
+#include <concepts>
 #include <map>
 #include <optional>
 
@@ -29,7 +30,7 @@ template <class S, int m>
 class StarOnRung {
  public:
   StarOnRung(const std::vector<TangentChart>& charts, std::uint32_t i)
-      : charts_(charts), centre_(charts[i].data().centre), chart_(charts[i].template on<S>()) {}
+      : charts_(charts), centre_(charts[i].data().centre), chart_(enclosed(charts[i])) {}
 
   /// What is wrong with it, if anything.
   [[nodiscard]] std::optional<std::string> fault(const std::vector<OtherLabels<m>>& star) {
@@ -69,6 +70,13 @@ class StarOnRung {
   [[nodiscard]] bool is_undecided() const { return is_undecided_; }
 
  private:
+  static EnclosedChart<S> enclosed(const TangentChart& chart) {
+    if constexpr (std::same_as<S, Interval>) {
+      return chart.enclosed();
+    } else {
+      return chart.on<S>();
+    }
+  }
   [[nodiscard]] Vector<S, m> place(std::uint32_t j) const {
     Vector<S, m> result;
     for (std::size_t row = 0; row < m; ++row) result[row] = S(0);
