@@ -84,8 +84,8 @@ class MeshFamily final : public Family {
   }
 
  private:
-  /// Half of the longest edge, in few digits: patches are a few times as large. One edge that is much longer than most
-  /// of them does not count, so that it is found to be wrong, and not all patches too large.
+  /// Half of what nine tenths of the edges are not longer than, in few digits: patches are a few times as large. An
+  /// edge that is far longer than the others is found to be wrong, and does not make all patches too large.
   static Rational radius_for(const TriangleMesh& mesh) {
     std::vector<Rational> squares;
     for (const auto& triangle : mesh.triangles) {
@@ -96,8 +96,8 @@ class MeshFamily final : public Family {
       }
     }
     std::sort(squares.begin(), squares.end());
-    const Rational most = minimum(squares.back(), Rational(3) * squares[squares.size() / 2]);
-    if (most == Rational(0)) throw Rejection("a mesh of which most edges have no length");
+    const Rational& most = squares[squares.size() * 9 / 10];
+    if (most == Rational(0)) throw Rejection("a mesh of which nearly all edges have no length");
     const Rational half = square_root_upper(most, 20) / Rational(2);
     return rounded_up(half, binary_exponent(half) - 11);
   }

@@ -149,7 +149,7 @@ TriangleMesh obj_mesh(Lines& lines) {
 }  // namespace
 
 Rational parse_decimal(std::string_view text) {
-  if (text.find_first_of("/x") != std::string_view::npos) return parse_exact(text);
+  if (text.find('/') != std::string_view::npos || text.find("0x") != std::string_view::npos) return parse_exact(text);
   std::size_t at = 0;
   const bool is_negative = !text.empty() && text[0] == '-';
   if (!text.empty() && (text[0] == '-' || text[0] == '+')) ++at;

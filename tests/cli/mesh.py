@@ -8,7 +8,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-ALONG, AROUND = 80, 32
+ALONG, AROUND = 96, 36
 
 
 def torus():
