@@ -11,9 +11,7 @@ namespace delcert {
 namespace {
 
 /// A double of the interval, about its middle.
-double middle_of(const Interval& x) {
-  return std::clamp(x.lower() / 2 + x.upper() / 2, x.lower(), x.upper());
-}
+double middle_of(const Interval& x) { return std::clamp(x.lower() / 2 + x.upper() / 2, x.lower(), x.upper()); }
 
 Interval common_part(const Interval& a, const Interval& b) {
   return Interval::between(std::max(a.lower(), b.lower()), std::min(a.upper(), b.upper()));
@@ -100,8 +98,7 @@ bool CellMapEvaluation::enclose(FormulaEvaluation<Interval>& functions, std::siz
   if (!functions.value(centre.data(), at_centre_.data())) return true;
   for (std::size_t k = 0; k < count; ++k) {
     Interval centred = at_centre_[k];
-    for (std::size_t axis = 0; axis < m_; ++axis)
-      centred += derivatives_[k * m_ + axis] * (cell[axis] - centre[axis]);
+    for (std::size_t axis = 0; axis < m_; ++axis) centred += derivatives_[k * m_ + axis] * (cell[axis] - centre[axis]);
     out[k] = common_part(out[k], centred);
   }
   return true;
@@ -142,16 +139,15 @@ MapOnCell CellMapEvaluation::on(const Cell& cell) {
     }
   }
   result.is_regular = result.is_regular && result.has_image;
-  result.is_excluded =
-      result.is_excluded || misses_box(result, map_.has_sum_of_squares() ? value + 2 * m_ : nullptr);
+  result.is_excluded = result.is_excluded || misses_box(result, map_.has_sum_of_squares() ? value + 2 * m_ : nullptr);
   return result;
 }
 
 Cell cell_around(const Sides& box) {
   Cell result;
   for (std::size_t axis = 0; axis < box.size(); ++axis)
-    result[axis] = Interval::between(scalar_from<Interval>(box[axis][0]).lower(),
-                                     scalar_from<Interval>(box[axis][1]).upper());
+    result[axis] =
+        Interval::between(scalar_from<Interval>(box[axis][0]).lower(), scalar_from<Interval>(box[axis][1]).upper());
   return result;
 }
 

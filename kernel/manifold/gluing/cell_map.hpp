@@ -15,9 +15,9 @@ using Sides = std::vector<std::array<Rational, 2>>;
 /// A closed box with double corners; of the coordinates only those of the dimension at hand count.
 using Cell = std::array<Interval, 3>;
 
-/// A rational map from ℝᵐ to a box of ℝᵐ, m = 2, 3, with conditions on its domain, prepared for enclosures on cells. The
-/// domain: where all polynomials of `positive` are above 0, none of `nonzero` and no denominator of the map vanishes,
-/// and the map goes into the open box.
+/// A rational map from ℝᵐ to a box of ℝᵐ, m = 2, 3, with conditions on its domain, prepared for enclosures on cells.
+/// The domain: where all polynomials of `positive` are above 0, none of `nonzero` and no denominator of the map
+/// vanishes, and the map goes into the open box.
 class CellMap {
  public:
   /// The polynomials of a gluing are in these variables: x0, x1 …

@@ -35,17 +35,15 @@ class TransitionReader {
         if (!condition.denominator.constant()) fail("where: not a polynomial");
         where.push_back(condition.numerator);
         const RationalFunction there = composed(condition.numerator, inverse);
-        seen_from_there.push_back(there.denominator.constant() ? there.numerator
-                                                               : there.numerator * there.denominator);
+        seen_from_there.push_back(there.denominator.constant() ? there.numerator : there.numerator * there.denominator);
       }
       out.push_back({given_.from, given_.to, what_,
                      CellMap(map, to_.domain, where, nonzero(map, inverse), FormulaMap(from_.variables, given_.map)),
                      FormulaMap(from_.variables, given_.map)});
-      out.push_back(
-          {given_.to, given_.from, "the inverse of " + what_,
-           CellMap(inverse, from_.domain, seen_from_there, nonzero(inverse, map),
-                   FormulaMap(to_.variables, given_.inverse)),
-           FormulaMap(to_.variables, given_.inverse)});
+      out.push_back({given_.to, given_.from, "the inverse of " + what_,
+                     CellMap(inverse, from_.domain, seen_from_there, nonzero(inverse, map),
+                             FormulaMap(to_.variables, given_.inverse)),
+                     FormulaMap(to_.variables, given_.inverse)});
     } catch (const std::length_error& error) {
       fail(error.what());
     } catch (const FormulaError& error) {

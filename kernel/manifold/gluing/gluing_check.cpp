@@ -1,5 +1,6 @@
 #include "kernel/manifold/gluing/gluing_check.hpp"
 
+#include <deque>
 #include <functional>
 #include <stdexcept>
 #include <utility>
@@ -12,7 +13,8 @@ namespace delcert {
 
 namespace {
 
-constexpr std::size_t most_cells = 1U << 20;
+constexpr std::size_t most_cells = 1U << 18;
+constexpr std::size_t most_large_cells = 1U << 11;
 /// How often a side is halved.
 constexpr std::size_t most_halvings = 12;
 
@@ -51,11 +53,17 @@ std::vector<Leaf> unsettled(const Cell& whole, std::size_t m, bool all, std::siz
     std::size_t depth;
   };
   std::vector<Leaf> result;
-  std::vector<Entry> stack{{whole, 0}};
+  std::deque<Entry> waiting{{whole, 0}};
   std::size_t looked_at = 0;
-  while (!stack.empty()) {
-    const Entry entry = stack.back();
-    stack.pop_back();
+  while (!waiting.empty()) {
+    // First the large ones, among which something wrong is found soon; then what remains of one after the other.
+    const bool is_early = looked_at < most_large_cells;
+    const Entry entry = is_early ? waiting.front() : waiting.back();
+    if (is_early) {
+      waiting.pop_front();
+    } else {
+      waiting.pop_back();
+    }
     ++count;
     const CellState state = state_of(entry.cell);
     if (state == CellState::settled) continue;
@@ -67,8 +75,8 @@ std::vector<Leaf> unsettled(const Cell& whole, std::size_t m, bool all, std::siz
       continue;
     }
     const auto [one, other] = halves(entry.cell, entry.depth % m);
-    stack.push_back({other, entry.depth + 1});
-    stack.push_back({one, entry.depth + 1});
+    waiting.push_back({other, entry.depth + 1});
+    waiting.push_back({one, entry.depth + 1});
   }
   return result;
 }
@@ -174,8 +182,8 @@ class GluingCheck {
       if (!on_first.has_image) return CellState::open;
       const MapOnCell on_second = evaluations_[chain.second].on(on_first.image);
       if (on_second.is_excluded) return CellState::settled;
-      const bool is_defined = on_first.is_regular && is_inside(on_first.image, s.cells.box()) &&
-                              on_second.is_regular && is_inside(on_second.image, t.cells.box());
+      const bool is_defined = on_first.is_regular && is_inside(on_first.image, s.cells.box()) && on_second.is_regular &&
+                              is_inside(on_second.image, t.cells.box());
       return is_defined && !may_fit ? CellState::wrong : CellState::open;
     };
     const auto left = unsettled(whole_of(s.from), m_, false, report_.cocycle_cells, state_of);
@@ -216,7 +224,8 @@ class GluingCheck {
     std::size_t pairs = 0;
     for (const Leaf& one : here) {
       for (const Leaf& other : there) {
-        if (++pairs < most_cells && (are_unrelated(t, one.cell, other.cell) || are_unrelated(back, other.cell, one.cell)))
+        if (++pairs < most_cells &&
+            (are_unrelated(t, one.cell, other.cell) || are_unrelated(back, other.cell, one.cell)))
           continue;
         return Complaint{"atlas.hausdorff",
                          transitions_[t].name + ": that limits of glued points are glued is not certain",
@@ -274,8 +283,8 @@ GluingReport check_gluing(const ChartGluing& gluing) {
   try {
     check.list_chains();
   } catch (const std::length_error& error) {
-    throw InputError(gluing.description().name + ": atlas.cocycle: two transitions, one after the other: " +
-                     error.what());
+    throw InputError(gluing.description().name +
+                     ": atlas.cocycle: two transitions, one after the other: " + error.what());
   }
   const auto complaint = [&] {
     const RoundingGuard guard;
