@@ -4,10 +4,12 @@
 #include "kernel/parallel/threads.hpp"
 #include "kernel/sample/separation.hpp"
 #include "kernel/sample/space_form_net.hpp"
+#include "kernel/sample/submanifold_net.hpp"
 #include "kernel/stars/stable_stars.hpp"
 #include "kernel/theorems/piecewise_flat.hpp"
 #include "kernel/theorems/riemannian_simplices.hpp"
 #include "kernel/topology/homology.hpp"
+#include "tests/kernel/manifold/submanifold/samples.hpp"
 #include "tests/kernel/perturb/scene.hpp"
 #include "tests/kernel/stars/curved_patch.hpp"
 
@@ -284,6 +286,32 @@ TEST(RunInCharts, names_the_same_failures_in_the_same_order_for_any_number_of_th
     for (long b = 0; b < 16; ++b) lattice.push_back({ratio(a, 16), ratio(b, 16)});
   }
   check_failures<2>(FlatAtlas<2>(cubic_torus<2>(), PointSet<2>(lattice), ratio(3, 64)), unit_torus);
+}
+
+/// A net of a zero set, run as it is and perturbed.
+void check_zero_set(const ZeroSet& m, const Rational& radius, long characteristic, bool is_stable) {
+  const SubmanifoldAtlas<2> atlas(m, submanifold_net<2>(m, radius, 1, no_progress()).charts, radius, no_progress());
+  const auto geometry = geometry_of<2>(atlas);
+  RunRequest request;
+  request.certify_model = false;
+  const auto parameters = measured_parameters(Dimension(2), 1);
+  request.perturb = false;
+  const auto raw = run_in_charts<2>(atlas, geometry, parameters, request, no_progress());
+  EXPECT_GT(raw.agreement.missing, 0U);
+  request.perturb = true;
+  const auto run = run_in_charts<2>(atlas, geometry, parameters, request, no_progress());
+  ASSERT_TRUE(run.is_certified());
+  EXPECT_EQ(run.complex.euler_characteristic(), characteristic);
+  EXPECT_GT(run.margins.protection, 0.005 * approximate_double(radius));
+  const auto stability = check_stability<2>(atlas, run.points, geometry, run.complex, no_progress());
+  EXPECT_EQ(stability.differing == 0, is_stable);
+}
+
+TEST(RunInCharts, certifies_zero_sets) {
+  check_zero_set(torus_of_revolution(), ratio(1, 10), 0, false);
+  check_zero_set(
+      zero_set("ellipsoid", {"x", "y", "z"}, {"x^2/4 + 4*y^2/9 + z^2 - 1"}, {ratio(5, 2), Rational(2), ratio(3, 2)}),
+      ratio(1, 24), 2, true);
 }
 
 TEST(GeometryOf, is_what_was_certified_of_the_group) {

@@ -1,0 +1,554 @@
+#include "kernel/manifold/submanifold/graph_check.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "kernel/manifold/submanifold/fibre_zero.hpp"
+#include "kernel/number/exact_text.hpp"
+#include "kernel/number/rounding_guard.hpp"
+#include "kernel/parallel/parts.hpp"
+#include "support/error.hpp"
+
+namespace delcert {
+
+namespace {
+
+/// Where a chart fails with cells of this number, it is undecided.
+constexpr std::size_t most_cells = 20000;
+
+using Coordinates = std::array<double, most_ambient_dimensions>;
+
+/// A box in the coordinates (y, z) of a cylinder.
+struct Cell {
+  Coordinates centre{};
+  Coordinates half{};
+};
+
+Interval norm_of(const std::vector<Interval>& entries) {
+  Interval sum(0);
+  for (const Interval& entry : entries) sum += square(entry);
+  return square_root(sum);
+}
+
+/// The cells of one cylinder.
+class Cylinder {
+ public:
+  Cylinder(FormulaEvaluation<Interval>& f, const TangentChart& chart, const Rational& slope)
+      : f_(f),
+        chart_(chart.enclosed()),
+        n_(chart.ambient()),
+        m_(chart.dimension()),
+        q_(n_ - m_),
+        radius_(scalar_from<Interval>(chart.data().radius)),
+        height_(scalar_from<Interval>(chart.data().height)),
+        slope_(scalar_from<Interval>(slope)),
+        at_(n_),
+        x_(n_),
+        value_(q_),
+        derivative_(q_ * n_),
+        second_(q_ * n_ * n_) {}
+
+  std::optional<GraphFailure> failure() {
+    if (auto reason = outside_of_centre()) return GraphFailure{*reason, true};
+    if (auto result = look_at_all(Aim::transversal)) return result;
+    return look_at_all(Aim::flat);
+  }
+
+ private:
+  /// What cells are looked at for: fibres on all of the cylinder, slopes in the cone.
+  enum class Aim : unsigned char { transversal, flat };
+  enum class Outcome : unsigned char { holds, open, fails, undefined };
+
+  std::optional<GraphFailure> look_at_all(Aim aim) {
+    std::vector<Cell> open(1);
+    for (std::size_t k = 0; k < n_; ++k) open[0].half[k] = (k < m_ ? radius_ : height_).upper();
+    for (std::size_t looked_at = 0; !open.empty(); ++looked_at) {
+      Cell cell = open.back();
+      open.pop_back();
+      std::size_t longest = 0;
+      const Outcome outcome = look_at(cell, aim, longest);
+      if (outcome == Outcome::holds) continue;
+      if (outcome == Outcome::undefined) return GraphFailure{"the equations are not defined in its patch", false};
+      if (outcome == Outcome::fails && aim == Aim::transversal)
+        return GraphFailure{"its patch is no graph: fibres are not transversal", false};
+      if (outcome == Outcome::fails) return GraphFailure{"its patch is steeper than the slope", true};
+      if (looked_at > most_cells) return GraphFailure{"undecided whether its patch is a graph", true};
+      Cell half = cell;
+      half.half[longest] = half.half[longest] / 2;
+      half.centre[longest] = cell.centre[longest] - half.half[longest];
+      open.push_back(half);
+      half.centre[longest] = cell.centre[longest] + half.half[longest];
+      open.push_back(half);
+    }
+    return std::nullopt;
+  }
+
+  /// The point over the centre, and the lid above the cone over it.
+  std::optional<std::string> outside_of_centre() {
+    const std::vector<Interval> origin(m_, Interval(0));
+    const auto heights = zero_on_fibre<Interval>(f_, chart_, origin.data());
+    if (!heights) return "no point of the manifold is certain over its centre";
+    offset_ = Interval::exactly(norm_of(*heights).upper());
+    if (!is_proved(less(offset_ + slope_ * radius_, height_))) return "the lid of its patch is too low";
+    return std::nullopt;
+  }
+
+  /// ‖1 − (block of N)‖ of entries of Y·Df·T.
+  Interval distance_from_identity(const Dense<Interval>& entries) const {
+    Interval sum(0);
+    for (std::size_t row = 0; row < q_; ++row) {
+      for (std::size_t column = 0; column < q_; ++column) {
+        const Interval& entry = entries[row * n_ + m_ + column];
+        sum += square(column == row ? Interval(1) - entry : entry);
+      }
+    }
+    return square_root(sum);
+  }
+
+  /// A bound of ‖(Df·N)⁻¹Df·E‖, from entries of Y·Df·T; unbounded if there is none. By ‖Y′DfE‖/(1 − ‖1 − Y′DfN‖), where
+  /// Y′ is nearly the inverse in the middle.
+  double steepness(const Dense<Interval>& entries) const {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Dense<double> normal(q_ * q_);
+    for (std::size_t row = 0; row < q_; ++row) {
+      for (std::size_t column = 0; column < q_; ++column) {
+        const Interval& entry = entries[row * n_ + m_ + column];
+        normal[row * q_ + column] = entry.lower() / 2 + entry.upper() / 2;
+        if (!(std::fabs(normal[row * q_ + column]) < infinity)) return infinity;
+      }
+    }
+    const auto inverse = inverse_of(std::move(normal), q_);
+    if (!inverse) return infinity;
+    Dense<Interval> adapted(q_ * n_, Interval(0));
+    Interval tangential(0);
+    for (std::size_t row = 0; row < q_; ++row) {
+      for (std::size_t column = 0; column < n_; ++column) {
+        for (std::size_t b = 0; b < q_; ++b)
+          adapted[row * n_ + column] += Interval::exactly((*inverse)[row * q_ + b]) * entries[b * n_ + column];
+        if (column < m_) tangential += square(adapted[row * n_ + column]);
+      }
+    }
+    const Interval theta = distance_from_identity(adapted);
+    if (!is_proved(less(theta, Interval(1)))) return infinity;
+    return (square_root(tangential) / (Interval(1) - theta)).upper();
+  }
+
+  /// Y·J·T.
+  Dense<Interval> in_chart(const Dense<Interval>& derivative) const {
+    Dense<Interval> preconditioned(q_ * n_, Interval(0));
+    for (std::size_t row = 0; row < q_; ++row) {
+      for (std::size_t b = 0; b < q_; ++b) {
+        for (std::size_t axis = 0; axis < n_; ++axis)
+          preconditioned[row * n_ + axis] += chart_.preconditioner[row * q_ + b] * derivative[b * n_ + axis];
+      }
+    }
+    Dense<Interval> result(q_ * n_, Interval(0));
+    for (std::size_t row = 0; row < q_; ++row) {
+      for (std::size_t column = 0; column < n_; ++column) {
+        for (std::size_t axis = 0; axis < n_; ++axis)
+          result[row * n_ + column] += preconditioned[row * n_ + axis] * chart_.at(axis, column);
+      }
+    }
+    return result;
+  }
+
+  /// Makes the cell smaller, to what contains its part in the cylinder, or in the cone for slopes. False if there is
+  /// none.
+  bool clip(Cell& cell, Aim aim) const {
+    Interval nearest(0);
+    Interval farthest(0);
+    std::array<Interval, most_ambient_dimensions> least;
+    for (std::size_t k = 0; k < m_; ++k) {
+      const Interval along = absolute(Interval::exactly(cell.centre[k]));
+      const Interval half = Interval::exactly(cell.half[k]);
+      least[k] = square(maximum(along - half, Interval(0)));
+      nearest += least[k];
+      farthest += square(along + half);
+    }
+    if (is_proved(less(square(radius_), nearest))) return false;
+    for (std::size_t k = 0; k < m_; ++k) cut(cell, k, square_root(square(radius_) - (nearest - least[k])).upper());
+    if (aim == Aim::transversal) return true;
+    const Interval steepest = slope_ * minimum(square_root(farthest), radius_) + offset_;
+    Interval lowest(0);
+    for (std::size_t k = m_; k < n_; ++k) {
+      lowest +=
+          square(maximum(absolute(Interval::exactly(cell.centre[k])) - Interval::exactly(cell.half[k]), Interval(0)));
+      cut(cell, k, steepest.upper());
+    }
+    return !is_proved(less(square(steepest), lowest));
+  }
+  /// To |coordinate| ≤ most, if that leaves something.
+  static void cut(Cell& cell, std::size_t k, double most) {
+    const double upper = std::min(cell.centre[k] + cell.half[k], most);
+    const double lower = std::max(cell.centre[k] - cell.half[k], -most);
+    if (!(lower < upper) || (upper == cell.centre[k] + cell.half[k] && lower == cell.centre[k] - cell.half[k])) return;
+    cell.centre[k] = lower / 2 + upper / 2;
+    cell.half[k] =
+        std::max(upper - cell.centre[k], (Interval::exactly(cell.centre[k]) - Interval::exactly(lower)).upper());
+  }
+
+  /// Whether the middle of a cell is a witness: certainly in the cylinder, or in the cone for slopes.
+  [[nodiscard]] bool is_witness(const Cell& cell, Aim aim) const {
+    Interval across(0);
+    Interval above(0);
+    for (std::size_t k = 0; k < n_; ++k) (k < m_ ? across : above) += square(Interval::exactly(cell.centre[k]));
+    if (!is_proved(less(across, square(radius_)))) return false;
+    return aim == Aim::transversal || is_proved(less(square_root(above) + offset_, slope_ * square_root(across)));
+  }
+
+  /// `longest`: the side of the cell that the enclosure depends on most.
+  Outcome look_at(Cell& cell, Aim aim, std::size_t& longest) {
+    if (!clip(cell, aim)) return Outcome::holds;
+    std::vector<Interval>& at = at_;
+    for (std::size_t k = 0; k < n_; ++k) at[k] = Interval::exactly(cell.centre[k]);
+    chart_.position(at.data(), x_.data());
+    if (!f_.first(x_.data(), value_.data(), derivative_.data())) return Outcome::undefined;
+    Dense<Interval> entries = in_chart(derivative_);
+    // What fails at a point fails; a little farther than the bound, so that what is left to cells ends.
+    if (is_witness(cell, aim)) {
+      if (aim == Aim::transversal && !is_refuted(less(Interval(1), distance_from_identity(entries))))
+        return Outcome::fails;
+      if (aim == Aim::flat && !(steepness(entries) < slope_.lower())) return Outcome::fails;
+    }
+    for (std::size_t axis = 0; axis < n_; ++axis) {
+      for (std::size_t k = 0; k < n_; ++k)
+        x_[axis] += chart_.at(axis, k) * Interval::between(-cell.half[k], cell.half[k]);
+    }
+    if (!f_.second(x_.data(), value_.data(), derivative_.data(), second_.data())) {
+      longest = widest(cell);
+      return Outcome::open;
+    }
+    Coordinates share{};
+    for (std::size_t row = 0; row < q_; ++row) add_second_order(cell, row, entries, share);
+    longest = static_cast<std::size_t>(std::max_element(share.begin(), share.end()) - share.begin());
+    if (!(share[longest] < std::numeric_limits<double>::infinity())) longest = widest(cell);
+    const bool holds = aim == Aim::transversal ? is_proved(less(distance_from_identity(entries), Interval(1)))
+                                               : steepness(entries) <= slope_.lower();
+    return holds ? Outcome::holds : Outcome::open;
+  }
+
+  [[nodiscard]] std::size_t widest(const Cell& cell) const {
+    return static_cast<std::size_t>(std::max_element(cell.half.begin(), cell.half.end()) - cell.half.begin());
+  }
+
+  /// Adds Σ_k K_kl·[−h_k, h_k] for K = Tᵀ(Σ_b Y_ab D²f_b)T, a the row.
+  void add_second_order(const Cell& cell, std::size_t row, Dense<Interval>& entries, Coordinates& share) {
+    Dense<Interval> hessian(n_ * n_, Interval(0));
+    for (std::size_t b = 0; b < q_; ++b) {
+      const Interval& factor = chart_.preconditioner[row * q_ + b];
+      for (std::size_t at = 0; at < n_ * n_; ++at) hessian[at] += factor * second_[b * n_ * n_ + at];
+    }
+    Dense<Interval> right(n_ * n_, Interval(0));
+    for (std::size_t a = 0; a < n_; ++a) {
+      for (std::size_t l = 0; l < n_; ++l) {
+        for (std::size_t b = 0; b < n_; ++b) right[a * n_ + l] += hessian[a * n_ + b] * chart_.at(b, l);
+      }
+    }
+    for (std::size_t k = 0; k < n_; ++k) {
+      for (std::size_t l = 0; l < n_; ++l) {
+        Interval entry(0);
+        for (std::size_t a = 0; a < n_; ++a) entry += chart_.at(a, k) * right[a * n_ + l];
+        const double most = (absolute(entry) * Interval::exactly(cell.half[k])).upper();
+        entries[row * n_ + l] += Interval::between(-most, most);
+        share[k] += most;
+      }
+    }
+  }
+
+  FormulaEvaluation<Interval>& f_;
+  const EnclosedChart<Interval>& chart_;
+  std::size_t n_;
+  std::size_t m_;
+  std::size_t q_;
+  Interval radius_;
+  Interval height_;
+  Interval slope_;
+  Interval offset_;
+  std::vector<Interval> at_;
+  std::vector<Interval> x_;
+  std::vector<Interval> value_;
+  Dense<Interval> derivative_;
+  Dense<Interval> second_;
+};
+
+}  // namespace
+
+GraphCheck::GraphCheck(const ZeroSet& zero_set) : zero_set_(zero_set) {}
+
+std::optional<GraphFailure> GraphCheck::failure(const TangentChart& chart, const Rational& slope) {
+  const RoundingGuard guard;
+  const std::size_t n = chart.ambient();
+  const EnclosedChart<Interval>& enclosed = chart.enclosed();
+  const Interval radius = scalar_from<Interval>(chart.data().radius);
+  const Interval height = scalar_from<Interval>(chart.data().height);
+  for (std::size_t axis = 0; axis < n; ++axis) {
+    Interval across(0);
+    Interval along(0);
+    for (std::size_t column = 0; column < chart.dimension(); ++column) across += square(enclosed.at(axis, column));
+    for (std::size_t column = chart.dimension(); column < n; ++column) along += absolute(enclosed.at(axis, column));
+    const Interval reach = square_root(across) * radius + along * height;
+    const auto& side = zero_set_.description().box[axis];
+    if (!is_proved(conjunction(less(scalar_from<Interval>(side[0]), enclosed.centre[axis] - reach),
+                               less(enclosed.centre[axis] + reach, scalar_from<Interval>(side[1])))))
+      return GraphFailure{"its patch is not inside of the box, across " + zero_set_.description().variables[axis],
+                          false};
+  }
+  FormulaEvaluation<Interval> f(zero_set_.map());
+  return Cylinder(f, chart, slope).failure();
+}
+
+namespace {
+
+constexpr std::array patch_factors{5, 4, 3};
+/// The slope is greater than needed by this: the more, the fewer cells.
+constexpr std::array slope_slacks{1.12, 1.04};
+constexpr long slope_exponent = -8;
+
+/// ζ > |z₀| + Lϱ by a little, with few digits.
+Rational height_for(const Rational& radius, const Rational& slope) {
+  const Rational needed = radius * slope * (Rational(1) + Rational::power_of_two(-6));
+  return rounded_up(needed, binary_exponent(needed) - 6);
+}
+
+/// In doubles, how steep M and the level sets near it are in this chart, where the cone of this slope meets the rim of
+/// the patch.
+class SlopeEstimate {
+ public:
+  explicit SlopeEstimate(const ZeroSet& zero_set)
+      : n_(zero_set.ambient()),
+        m_(zero_set.dimension()),
+        f_(zero_set.map()),
+        x_(n_),
+        value_(n_ - m_),
+        derivative_((n_ - m_) * n_) {}
+
+  double estimate(const TangentChart& chart, double radius, double slope) {
+    const auto& enclosed = chart.enclosed();
+    double result = 0;
+    std::size_t directions = 1;
+    for (std::size_t k = 0; k < m_; ++k) directions *= 3;
+    for (std::size_t code = 0; code < directions; ++code) {
+      std::vector<double> y(n_, 0);
+      std::size_t rest = code;
+      double length = 0;
+      for (std::size_t k = 0; k < m_; ++k, rest /= 3) {
+        y[k] = static_cast<double>(rest % 3) - 1;
+        length += y[k] * y[k];
+      }
+      if (length == 0) continue;
+      for (std::size_t k = 0; k < m_; ++k) y[k] *= radius / std::sqrt(length);
+      for (std::size_t b = m_; b < n_; ++b) {
+        for (const double sign : {-1.0, 1.0}) {
+          y[b] = sign * slope * radius;
+          result = std::max(result, slope_at(enclosed, y));
+        }
+        y[b] = 0;
+      }
+    }
+    return result;
+  }
+
+ private:
+  double slope_at(const EnclosedChart<Interval>& chart, const std::vector<double>& y) {
+    for (std::size_t axis = 0; axis < n_; ++axis) {
+      x_[axis] = chart.centre[axis].lower();
+      for (std::size_t k = 0; k < n_; ++k) x_[axis] += chart.at(axis, k).lower() * y[k];
+    }
+    if (!f_.first(x_.data(), value_.data(), derivative_.data())) return std::numeric_limits<double>::infinity();
+    const std::size_t q = n_ - m_;
+    Dense<double> entries(q * n_, 0);
+    Dense<double> normal(q * q);
+    for (std::size_t row = 0; row < q; ++row) {
+      for (std::size_t column = 0; column < n_; ++column) {
+        for (std::size_t axis = 0; axis < n_; ++axis)
+          entries[row * n_ + column] += derivative_[row * n_ + axis] * chart.at(axis, column).lower();
+        if (column >= m_) normal[row * q + column - m_] = entries[row * n_ + column];
+      }
+    }
+    const auto inverse = inverse_of(std::move(normal), q);
+    if (!inverse) return std::numeric_limits<double>::infinity();
+    double result = 0;
+    for (std::size_t row = 0; row < q; ++row) {
+      for (std::size_t column = 0; column < m_; ++column) {
+        double entry = 0;
+        for (std::size_t b = 0; b < q; ++b) entry += (*inverse)[row * q + b] * entries[b * n_ + column];
+        result += entry * entry;
+      }
+    }
+    return std::sqrt(result);
+  }
+
+  std::size_t n_;
+  std::size_t m_;
+  FormulaEvaluation<double> f_;
+  std::vector<double> x_;
+  std::vector<double> value_;
+  Dense<double> derivative_;
+};
+
+class Fitting {
+ public:
+  Fitting(const ZeroSet& zero_set, const std::vector<std::vector<Rational>>& centres, const Rational& sampling_radius,
+          const Progress& progress)
+      : zero_set_(zero_set), sampling_radius_(sampling_radius), progress_(progress) {
+    in_parts(
+        "make charts", centres.size(), progress,
+        [&](std::size_t first, std::size_t last) {
+          FormulaEvaluation<double> f(zero_set.map());
+          std::vector<TangentChart> found;
+          for (std::size_t at = first; at < last; ++at) found.push_back(tangent_chart(zero_set, f, centres[at]));
+          return found;
+        },
+        [&](std::vector<TangentChart> found) {
+          for (TangentChart& chart : found) charts_.push_back(std::move(chart));
+        });
+  }
+
+  FittedCharts fit() {
+    std::string reason;
+    for (const int factor : patch_factors) {
+      for (const double slack : slope_slacks) {
+        if (auto slope = fitting_slope(factor, slack, reason)) return {std::move(charts_), std::move(*slope), factor};
+      }
+    }
+    throw Rejection(reason);
+  }
+
+ private:
+  std::optional<Rational> fitting_slope(int factor, double slack, std::string& reason) {
+    const Rational radius = Rational(factor) * sampling_radius_;
+    Rational slope;
+    if (!estimate(approximate_double(radius), slack, slope, reason)) return std::nullopt;
+    while (slope <= Rational(1)) {
+      const auto failures = failing(radius, slope);
+      if (failures.empty()) return slope;
+      note(failures.front().first, failures.front().second.reason, reason);
+      for (const auto& [label, failure] : failures) {
+        if (failure.is_slope) continue;
+        note(label, failure.reason, reason);
+        return std::nullopt;
+      }
+      slope = rounded_up(slope * Rational(Integer(9), Integer(8)), slope_exponent);
+    }
+    return std::nullopt;
+  }
+
+  /// A little more than the slope that all charts seem to need; false if it is above 1.
+  bool estimate(double radius, double slack, Rational& slope, std::string& reason) {
+    constexpr int rounds = 16;
+    double needed = 0;
+    for (int round = 0; round < rounds; ++round) {
+      const double last = needed;
+      std::size_t where = 0;
+      in_parts(
+          "estimate slopes", charts_.size(), progress_,
+          [&](std::size_t first, std::size_t last_label) {
+            SlopeEstimate estimate(zero_set_);
+            std::pair<double, std::size_t> most{0, first};
+            for (std::size_t at = first; at < last_label; ++at) {
+              const double found = estimate.estimate(charts_[at], radius, last);
+              if (found > most.first) most = {found, at};
+            }
+            return most;
+          },
+          [&](const std::pair<double, std::size_t>& found) {
+            if (slack * found.first > needed) {
+              needed = slack * found.first;
+              where = found.second;
+            }
+          });
+      if (!(needed <= 1)) {
+        note(where, "its patch is steeper than 1", reason);
+        return false;
+      }
+      if (needed <= last * 1.01) break;
+    }
+    slope = rounded_up(Rational::exactly(std::max(needed, 0x1p-8)), slope_exponent);
+    return true;
+  }
+
+  std::vector<std::pair<std::size_t, GraphFailure>> failing(const Rational& radius, const Rational& slope) {
+    const Rational height = height_for(radius, slope);
+    // Others may divide the cylinders otherwise.
+    const Rational less = slope * (Rational(1) - Rational::power_of_two(-6));
+    for (TangentChart& chart : charts_) chart.set_size(radius, height);
+    std::vector<std::pair<std::size_t, GraphFailure>> result;
+    in_parts(
+        "look at patches", charts_.size(), progress_,
+        [&](std::size_t first, std::size_t last) {
+          GraphCheck check(zero_set_);
+          std::vector<std::pair<std::size_t, GraphFailure>> found;
+          for (std::size_t at = first; at < last; ++at) {
+            if (auto failure = check.failure(charts_[at], less)) found.emplace_back(at, std::move(*failure));
+          }
+          return found;
+        },
+        [&](std::vector<std::pair<std::size_t, GraphFailure>> found) {
+          result.insert(result.end(), found.begin(), found.end());
+        });
+    return result;
+  }
+
+  void note(std::size_t label, const std::string& what, std::string& reason) const {
+    std::vector<double> x;
+    for (const Rational& coordinate : charts_[label].data().centre) x.push_back(approximate_double(coordinate));
+    reason = zero_set_.description().name + ": label " + std::to_string(label) + " at " + rough_text(x) + ": " + what;
+    const double advised = advised_radius(charts_[label], x);
+    if (advised < approximate_double(sampling_radius_)) {
+      char text[32];
+      std::snprintf(text, sizeof text, "%.2g", advised);
+      reason += ": there, by the curvature, a sampling radius of some " + std::string(text) + " would do";
+    }
+  }
+
+  /// 1/(6κ), κ the norm of the second derivative of the graph at the centre: in doubles.
+  double advised_radius(const TangentChart& chart, const std::vector<double>& x) const {
+    const std::size_t n = zero_set_.ambient();
+    const std::size_t m = zero_set_.dimension();
+    const std::size_t q = n - m;
+    FormulaEvaluation<double> f(zero_set_.map());
+    std::vector<double> value(q);
+    Dense<double> first(q * n);
+    Dense<double> second(q * n * n);
+    if (!f.second(x.data(), value.data(), first.data(), second.data())) return 0;
+    const auto& enclosed = chart.enclosed();
+    double squared = 0;
+    for (std::size_t row = 0; row < q; ++row) {
+      for (std::size_t k = 0; k < m; ++k) {
+        for (std::size_t l = 0; l < m; ++l) {
+          double entry = 0;
+          for (std::size_t b = 0; b < q; ++b) {
+            for (std::size_t a = 0; a < n; ++a) {
+              for (std::size_t c = 0; c < n; ++c)
+                entry += enclosed.preconditioner[row * q + b].lower() * second[(b * n + a) * n + c] *
+                         enclosed.at(a, k).lower() * enclosed.at(c, l).lower();
+            }
+          }
+          squared += entry * entry;
+        }
+      }
+    }
+    return 1 / (6 * std::sqrt(squared));
+  }
+
+  const ZeroSet& zero_set_;
+  const Rational& sampling_radius_;
+  const Progress& progress_;
+  std::vector<TangentChart> charts_;
+};
+
+}  // namespace
+
+FittedCharts fit_charts(const ZeroSet& zero_set, const std::vector<std::vector<Rational>>& centres,
+                        const Rational& sampling_radius, const Progress& progress) {
+  if (sampling_radius <= Rational(0)) throw InputError("the sampling radius is above 0");
+  if (centres.empty()) throw InputError("a net has at least one point");
+  return Fitting(zero_set, centres, sampling_radius, progress).fit();
+}
+
+Rational distortion_of_slope(const Rational& slope) {
+  const Rational stretch = square_root_upper(Rational(1) + square(slope), 30) - Rational(1);
+  return stretch <= Rational(0) ? Rational(0) : rounded_up(stretch, binary_exponent(stretch) - 10);
+}
+
+}  // namespace delcert

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kernel/manifold/submanifold/tangent_chart.hpp"
+#include "support/progress.hpp"
+
+namespace delcert {
+
+/// What is wrong with a chart, and whether a larger slope may mend it.
+struct GraphFailure {
+  std::string reason;
+  bool is_slope = false;
+};
+
+/// Rules sub.box and sub.graph of docs/submanifolds.md for one chart: the closed cylinder lies inside of the box; on
+/// all of it ‖1 − Y·Df·N‖ < 1; M has a point over the centre, at the heights z₀; |z₀| + Lϱ < ζ; and where |z − z₀| ≤
+/// L|y| the slope ‖Y·Df·E‖/(1 − ‖1 − Y·Df·N‖) is at most L. Then M in the cylinder is the graph of a C¹ map over the
+/// whole disc, with slopes of at most L. None if all this is proved; decided by enclosures on cells into which the
+/// cylinder is divided, `undecided` in the reason where these run out.
+class GraphCheck {
+ public:
+  /// Keeps a reference. Not for several threads. Precondition of this and of `failure`: rounding to nearest.
+  explicit GraphCheck(const ZeroSet& zero_set);
+  [[nodiscard]] std::optional<GraphFailure> failure(const TangentChart& chart, const Rational& slope);
+
+ private:
+  const ZeroSet& zero_set_;
+};
+
+/// Charts about the points of a net, as large as they pass.
+struct FittedCharts {
+  std::vector<TangentChart> charts;
+  Rational slope;        ///< L, for all of them
+  int patch_factor = 0;  ///< ϱ = this times the sampling radius
+};
+
+/// Charts about these points with the greatest of the factors 5, 4, 3 for which all of them pass `GraphCheck`, heights
+/// and one slope L ≤ 1. Throws Rejection, with the label, the place and a sampling radius that would roughly do, if
+/// there is none. Precondition: rounding to nearest.
+[[nodiscard]] FittedCharts fit_charts(const ZeroSet& zero_set, const std::vector<std::vector<Rational>>& centres,
+                                      const Rational& sampling_radius, const Progress& progress);
+
+/// The least number with few binary digits for which (1 + ξ₀)² ≥ 1 + L²: transitions of charts with slopes ≤ L have the
+/// distortion ξ₀ at most.
+[[nodiscard]] Rational distortion_of_slope(const Rational& slope);
+
+}  // namespace delcert

@@ -1,0 +1,96 @@
+#include "kernel/manifold/submanifold/graph_check.hpp"
+
+#include "tests/kernel/manifold/submanifold/samples.hpp"
+
+namespace delcert::test {
+namespace DELCERT_THIS_FILE {
+
+std::string failure_of(const ZeroSet& m, const TangentChart& chart, const Rational& slope) {
+  const auto failure = GraphCheck(m).failure(chart, slope);
+  return failure ? failure->reason : "";
+}
+
+TEST(GraphCheck, accepts_a_cap_of_a_sphere_and_knows_how_steep_it_is) {
+  const ZeroSet m = unit_sphere_in_space();
+  const Rational radius = ratio(3, 10);
+  EXPECT_EQ(failure_of(m, polar_chart(radius, ratio(1, 8)), ratio(2, 5)), "");
+  // Level sets in the cone are as steep as 0.3/(1 − 0.3L): the least slope that holds is 1/3.
+  EXPECT_EQ(failure_of(m, polar_chart(radius, ratio(1, 8)), ratio(34, 100)), "");
+  EXPECT_EQ(failure_of(m, polar_chart(radius, ratio(1, 8)), ratio(33, 100)), "its patch is steeper than the slope");
+  EXPECT_TRUE(GraphCheck(m).failure(polar_chart(radius, ratio(1, 8)), ratio(33, 100))->is_slope);
+}
+
+TEST(GraphCheck, refuses_a_lid_that_is_too_low) {
+  const ZeroSet m = unit_sphere_in_space();
+  EXPECT_EQ(failure_of(m, polar_chart(ratio(3, 10), ratio(12, 100)), ratio(2, 5)), "the lid of its patch is too low");
+  EXPECT_EQ(failure_of(m, polar_chart(ratio(3, 10), ratio(1201, 10000)), ratio(2, 5)), "");
+}
+
+TEST(GraphCheck, refuses_a_patch_that_touches_the_box) {
+  const auto with_lid = [](const Rational& half) {
+    return zero_set("sphere", {"x", "y", "z"}, {"x^2 + y^2 + z^2 - 1"}, {ratio(3, 2), ratio(3, 2), half});
+  };
+  const TangentChart chart = polar_chart(ratio(3, 10), ratio(1, 8));
+  EXPECT_EQ(failure_of(with_lid(ratio(9, 8)), chart, ratio(2, 5)), "its patch is not inside of the box, across z");
+  EXPECT_EQ(failure_of(with_lid(ratio(10, 8)), chart, ratio(2, 5)), "");
+}
+
+TEST(GraphCheck, refuses_two_sheets_in_one_cylinder) {
+  // Concentric spheres.
+  const auto sheets = [](const std::string& other) {
+    return zero_set("sheets", {"x", "y", "z"}, {"(x^2 + y^2 + z^2 - 1)*(x^2 + y^2 + z^2 - " + other + ")"},
+                    std::vector<Rational>(3, Rational(3)));
+  };
+  ChartData data = polar_chart(ratio(1, 5), ratio(1, 8)).data();
+  const auto chart = [&](const Rational& derivative) {
+    data.preconditioner = {Rational(1) / derivative};
+    return TangentChart(data, 2);
+  };
+  EXPECT_EQ(failure_of(sheets("121/100"), chart(ratio(-42, 100)), ratio(2, 5)),
+            "its patch is no graph: fibres are not transversal");
+  EXPECT_EQ(failure_of(sheets("9"), chart(Rational(-16)), ratio(2, 5)), "");
+}
+
+TEST(GraphCheck, refuses_a_tilted_chart_and_one_without_a_point) {
+  const ZeroSet m = unit_sphere_in_space();
+  ChartData data = polar_chart(ratio(3, 10), ratio(1, 8)).data();
+  data.skew[1] = ratio(1, 16);
+  EXPECT_NE(failure_of(m, TangentChart(data, 2), ratio(2, 5)), "");
+  EXPECT_EQ(failure_of(m, TangentChart(data, 2), ratio(1, 1)), "the lid of its patch is too low");
+  data = polar_chart(ratio(3, 10), ratio(1, 8)).data();
+  data.centre[0] = Rational(1);
+  EXPECT_EQ(failure_of(m, TangentChart(data, 2), ratio(2, 5)), "no point of the manifold is certain over its centre");
+}
+
+TEST(FitCharts, takes_the_greatest_patches_that_are_graphs) {
+  const std::vector<std::vector<Rational>> centres{{Rational(0), Rational(0), Rational(1)},
+                                                   {ratio(3, 5), ratio(-4, 5), Rational(0)}};
+  const ZeroSet m = unit_sphere_in_space();
+  const auto factor = [&](const Rational& radius) {
+    return fit_charts(m, centres, radius, no_progress()).patch_factor;
+  };
+  // L = ϱ/(1 − Lϱ) has a solution up to ϱ = 1/2.
+  EXPECT_EQ(factor(ratio(9, 100)), 5);
+  EXPECT_EQ(factor(ratio(11, 100)), 4);
+  EXPECT_EQ(factor(ratio(14, 100)), 3);
+  const std::string refusal = message_of<Rejection>([&] { (void)factor(ratio(1, 5)); });
+  EXPECT_TRUE(mentions(refusal, "): its patch is steeper than 1: there")) << refusal;
+  EXPECT_TRUE(mentions(refusal, "a sampling radius of some 0.12 would do")) << refusal;
+  const auto fitted = fit_charts(m, centres, ratio(9, 100), no_progress());
+  for (const TangentChart& chart : fitted.charts) {
+    EXPECT_EQ(chart.data().radius, ratio(45, 100));
+    EXPECT_EQ(failure_of(m, chart, fitted.slope), "");
+  }
+}
+
+TEST(DistortionOfSlope, is_an_upper_bound_with_few_digits) {
+  EXPECT_EQ(distortion_of_slope(Rational(0)), Rational(0));
+  for (const Rational& slope : {ratio(1, 1000), ratio(1, 3), Rational(1)}) {
+    const Rational bound = distortion_of_slope(slope);
+    EXPECT_GE(square(Rational(1) + bound), Rational(1) + square(slope));
+    EXPECT_LT(square(Rational(1) + bound * ratio(99, 100)), Rational(1) + square(slope));
+  }
+}
+
+}  // namespace DELCERT_THIS_FILE
+}  // namespace delcert::test
