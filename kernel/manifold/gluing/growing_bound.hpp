@@ -41,14 +41,16 @@ template <std::size_t m>
 }
 
 /// Makes the patches of the atlas smaller until `measure(limit)`, an optional result, has one for the limit 1/4, or
-/// they are as small as they can be and it has one for 1/2. Throws Rejection, naming the manifold, if it has none then.
+/// they are as small as they can be and it has one for the last limit. Throws Rejection, naming the manifold, if it has
+/// none then.
 template <int m, class Measure>
-[[nodiscard]] auto fitted_patches(AffineAtlas<m>& atlas, const std::string& name, const Measure& measure) {
+[[nodiscard]] auto fitted_patches(AffineAtlas<m>& atlas, const std::string& name, const Rational& last_limit,
+                                  const Measure& measure) {
   while (true) {
     const bool is_least = atlas.patch_factor() == AffineAtlas<m>::least_patch_factor;
-    if (auto result = measure(Rational::power_of_two(is_least ? -1 : -2))) return *std::move(result);
+    if (auto result = measure(is_least ? last_limit : Rational::power_of_two(-2))) return *std::move(result);
     if (is_least)
-      throw Rejection(name + ": charts are distorted by 1/2 or more within " +
+      throw Rejection(name + ": charts are distorted by " + exact_text(last_limit) + " or more within " +
                       std::to_string(AffineAtlas<m>::least_patch_factor) + " sampling radii: take a smaller radius");
     atlas.shrink_patches(atlas.patch_factor() - 1);
   }
