@@ -49,7 +49,7 @@ std::optional<Rational> measure_transitions(const FormulaAtlas<m>& atlas, const 
       if (j == i) return;
       const auto whole = product(product(here, derivative), matrix_on<Interval>(atlas.chart(j).inverse()));
       const auto gram = gram_of(whole);
-      bound.grow_until([&](const Interval& xi) { return is_within(gram, xi, identity); });
+      bound.grow_until([&](const Interval& xi) { return is_below(gram, square(Interval(1) + xi), identity); });
     });
     if (!bound.is_below_limit()) return std::nullopt;
   }
@@ -58,7 +58,7 @@ std::optional<Rational> measure_transitions(const FormulaAtlas<m>& atlas, const 
 
 template <int m>
 Rational fit_patches(FormulaAtlas<m>& atlas, const Progress& progress) {
-  return fitted_patches<m>(atlas, atlas.gluing().description().name, Rational(1),
+  return fitted_patches<m>(atlas, atlas.gluing().description().name, Rational(2),
                            [&](const Rational& limit) { return measure_transitions<m>(atlas, limit, progress); });
 }
 

@@ -342,7 +342,6 @@ TEST(RunInCharts, certifies_atlases_by_formulas) {
   check_formula_atlas<2>("sphere-2-stereographic", ratio(1, 48), true);
   check_formula_atlas<2>("klein-bottle-rectangles", ratio(1, 40), true);
   check_formula_atlas<2>("torus-2-bent", ratio(1, 56), true);
-  check_formula_atlas<3>("sphere-3-stereographic", ratio(1, 10), false);
 }
 
 TEST(RunInCharts, has_the_stars_of_the_flat_torus_on_an_atlas_of_it) {

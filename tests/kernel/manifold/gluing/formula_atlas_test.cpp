@@ -72,7 +72,7 @@ TEST(FormulaAtlas, sees_all_labels_within_a_distance) {
       EXPECT_LE(seen.size(), expected + 1);
     }
   }
-  EXPECT_GE(in_another_chart, 20U);
+  EXPECT_GE(in_another_chart, 10U);
 }
 
 TEST(FormulaAtlas, transitions_are_exact_and_enclosed) {
