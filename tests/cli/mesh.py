@@ -100,7 +100,7 @@ def main():
             assert expected in done.stderr, (expected, done.stderr)
             assert not certificate.exists()
 
-        done = certify(off(*flipped(*mesh)), "flipped.off")
+        done = certify(off(*flipped(*mesh)), "flipped.off", "--radius", "1/10")
         assert done.returncode == 0 and "  5i  isotopy" in done.stdout, done.stderr
 
         # Malformed, not about a surface in space, and a level that asks for less.
