@@ -14,7 +14,7 @@ namespace delcert {
 namespace {
 
 /// Where a chart fails with cells of this number, it is undecided.
-constexpr std::size_t most_cells = 20000;
+constexpr std::size_t most_cells = 6000;
 
 using Coordinates = std::array<double, most_ambient_dimensions>;
 
@@ -105,52 +105,37 @@ class Cylinder {
     return square_root(sum);
   }
 
-  /// A bound of ‖(Df·N)⁻¹Df·E‖, from entries of Y·Df·T; unbounded if there is none. By ‖Y′DfE‖/(1 − ‖1 − Y′DfN‖), where
-  /// Y′ is nearly the inverse in the middle.
-  double steepness(const Dense<Interval>& entries) const {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Dense<double> normal(q_ * q_);
-    for (std::size_t row = 0; row < q_; ++row) {
-      for (std::size_t column = 0; column < q_; ++column) {
-        const Interval& entry = entries[row * n_ + m_ + column];
-        normal[row * q_ + column] = entry.lower() / 2 + entry.upper() / 2;
-        if (!(std::fabs(normal[row * q_ + column]) < infinity)) return infinity;
-      }
-    }
-    const auto inverse = inverse_of(std::move(normal), q_);
-    if (!inverse) return infinity;
-    Dense<Interval> adapted(q_ * n_, Interval(0));
-    Interval tangential(0);
-    for (std::size_t row = 0; row < q_; ++row) {
-      for (std::size_t column = 0; column < n_; ++column) {
-        for (std::size_t b = 0; b < q_; ++b)
-          adapted[row * n_ + column] += Interval::exactly((*inverse)[row * q_ + b]) * entries[b * n_ + column];
-        if (column < m_) tangential += square(adapted[row * n_ + column]);
-      }
-    }
-    const Interval theta = distance_from_identity(adapted);
-    if (!is_proved(less(theta, Interval(1)))) return infinity;
-    return (square_root(tangential) / (Interval(1) - theta)).upper();
-  }
-
-  /// Y·J·T.
-  Dense<Interval> in_chart(const Dense<Interval>& derivative) const {
-    Dense<Interval> preconditioned(q_ * n_, Interval(0));
-    for (std::size_t row = 0; row < q_; ++row) {
-      for (std::size_t b = 0; b < q_; ++b) {
-        for (std::size_t axis = 0; axis < n_; ++axis)
-          preconditioned[row * n_ + axis] += chart_.preconditioner[row * q_ + b] * derivative[b * n_ + axis];
-      }
-    }
-    Dense<Interval> result(q_ * n_, Interval(0));
-    for (std::size_t row = 0; row < q_; ++row) {
-      for (std::size_t column = 0; column < n_; ++column) {
-        for (std::size_t axis = 0; axis < n_; ++axis)
-          result[row * n_ + column] += preconditioned[row * n_ + axis] * chart_.at(axis, column);
+  /// a·b, rows·inner and inner·columns.
+  static Dense<Interval> product(const Dense<Interval>& a, const Dense<Interval>& b, std::size_t inner,
+                                 std::size_t columns) {
+    const std::size_t rows = a.size() / inner;
+    Dense<Interval> result(rows * columns, Interval(0));
+    for (std::size_t row = 0; row < rows; ++row) {
+      for (std::size_t k = 0; k < inner; ++k) {
+        for (std::size_t column = 0; column < columns; ++column)
+          result[row * columns + column] += a[row * inner + k] * b[k * columns + column];
       }
     }
     return result;
   }
+
+  /// Nearly (Df·N)⁻¹ times what Y·Df·N is in the middle: from entries of Y·Df·T. None if that is singular.
+  std::optional<Dense<Interval>> adapted_to(const Dense<Interval>& entries) const {
+    Dense<double> normal(q_ * q_);
+    for (std::size_t row = 0; row < q_; ++row) {
+      for (std::size_t column = 0; column < q_; ++column)
+        normal[row * q_ + column] = middle_of(entries[row * n_ + m_ + column]);
+    }
+    const auto inverse = inverse_of(std::move(normal), q_);
+    if (!inverse) return std::nullopt;
+    Dense<Interval> result;
+    for (const double entry : *inverse) {
+      if (!(std::fabs(entry) < std::numeric_limits<double>::max())) return std::nullopt;
+      result.push_back(Interval::exactly(entry));
+    }
+    return result;
+  }
+  static double middle_of(const Interval& x) { return x.lower() / 2 + x.upper() / 2; }
 
   /// Makes the cell smaller, to what contains its part in the cylinder, or in the cone for slopes. False if there is
   /// none.
@@ -199,60 +184,131 @@ class Cylinder {
   /// `longest`: the side of the cell that the enclosure depends on most.
   Outcome look_at(Cell& cell, Aim aim, std::size_t& longest) {
     if (!clip(cell, aim)) return Outcome::holds;
-    std::vector<Interval>& at = at_;
-    for (std::size_t k = 0; k < n_; ++k) at[k] = Interval::exactly(cell.centre[k]);
-    chart_.position(at.data(), x_.data());
+    longest = static_cast<std::size_t>(std::max_element(cell.half.begin(), cell.half.end()) - cell.half.begin());
+    for (std::size_t k = 0; k < n_; ++k) at_[k] = Interval::exactly(cell.centre[k]);
+    chart_.position(at_.data(), x_.data());
     if (!f_.first(x_.data(), value_.data(), derivative_.data())) return Outcome::undefined;
-    Dense<Interval> entries = in_chart(derivative_);
-    // What fails at a point fails; a little farther than the bound, so that what is left to cells ends.
-    if (is_witness(cell, aim)) {
-      if (aim == Aim::transversal && !is_refuted(less(Interval(1), distance_from_identity(entries))))
-        return Outcome::fails;
-      if (aim == Aim::flat && !(steepness(entries) < slope_.lower())) return Outcome::fails;
+    Dense<Interval> weights = chart_.preconditioner;
+    Dense<Interval> entries = product(product(weights, derivative_, q_, n_), chart_.frame, n_, n_);
+    // What fails in the middle fails.
+    const bool fails_if_at_all = is_witness(cell, aim);
+    if (aim == Aim::flat) {
+      const auto adapted = adapted_to(entries);
+      if (!adapted) return fails_if_at_all ? Outcome::fails : Outcome::open;
+      weights = product(*adapted, weights, q_, q_);
+      entries = product(*adapted, entries, q_, n_);
+      if (fails_if_at_all && !(steepness_in(entries) < slope_.lower())) return Outcome::fails;
+    } else if (fails_if_at_all && !is_refuted(less(Interval(1), distance_from_identity(entries)))) {
+      return Outcome::fails;
     }
     for (std::size_t axis = 0; axis < n_; ++axis) {
       for (std::size_t k = 0; k < n_; ++k)
         x_[axis] += chart_.at(axis, k) * Interval::between(-cell.half[k], cell.half[k]);
     }
-    if (!f_.second(x_.data(), value_.data(), derivative_.data(), second_.data())) {
-      longest = widest(cell);
-      return Outcome::open;
+    if (!f_.second(x_.data(), value_.data(), derivative_.data(), second_.data())) return Outcome::open;
+    second_order(weights);
+    return enclosed_in(cell, aim, entries, longest) ? Outcome::holds : Outcome::open;
+  }
+
+  /// bends_[(a·N + k)·N + l] = (Tᵀ(Σ_b w_ab D²f_b)T)_kl.
+  void second_order(const Dense<Interval>& weights) {
+    bends_.clear();
+    const Dense<Interval> hessians = product(weights, second_, q_, n_ * n_);
+    for (std::size_t row = 0; row < q_; ++row) {
+      const auto from = hessians.begin() + static_cast<std::ptrdiff_t>(row * n_ * n_);
+      const Dense<Interval> right = product({from, from + static_cast<std::ptrdiff_t>(n_ * n_)}, chart_.frame, n_, n_);
+      for (std::size_t k = 0; k < n_; ++k) {
+        for (std::size_t l = 0; l < n_; ++l) {
+          Interval sum(0);
+          for (std::size_t a = 0; a < n_; ++a) sum += chart_.at(a, k) * right[a * n_ + l];
+          bends_.push_back(sum);
+        }
+      }
     }
+  }
+  [[nodiscard]] const Interval& bend(std::size_t row, std::size_t k, std::size_t l) const {
+    return bends_[(row * n_ + k) * n_ + l];
+  }
+
+  /// ‖E-block‖/(1 − ‖1 − N-block‖); unbounded if there is no such bound.
+  [[nodiscard]] double steepness_in(const Dense<Interval>& entries) const {
+    Interval tangential(0);
+    for (std::size_t row = 0; row < q_; ++row) {
+      for (std::size_t l = 0; l < m_; ++l) tangential += square(entries[row * n_ + l]);
+    }
+    return over(square_root(tangential), distance_from_identity(entries));
+  }
+  static double over(const Interval& tangential, const Interval& theta) {
+    if (!is_proved(less(theta, Interval(1)))) return std::numeric_limits<double>::infinity();
+    return (tangential / (Interval(1) - theta)).upper();
+  }
+
+  /// By the mean-value form, entries + Σ_k bend_k (t_k − middle_k). For slopes also with the bends in the plane split
+  /// into numbers B and what is left: ‖e − By‖ + ‖B‖|y| + …, as |y| ≤ ϱ says more than the cell where it is cut by the
+  /// rim.
+  bool enclosed_in(const Cell& cell, Aim aim, Dense<Interval> entries, std::size_t& longest) const {
+    Dense<Interval> rest(q_ * m_);
+    Dense<double> flat(q_ * m_ * m_);
+    Interval apart(0);
+    Interval left(0);
     Coordinates share{};
-    for (std::size_t row = 0; row < q_; ++row) add_second_order(cell, row, entries, share);
-    longest = static_cast<std::size_t>(std::max_element(share.begin(), share.end()) - share.begin());
-    if (!(share[longest] < std::numeric_limits<double>::infinity())) longest = widest(cell);
-    const bool holds = aim == Aim::transversal ? is_proved(less(distance_from_identity(entries), Interval(1)))
-                                               : steepness(entries) <= slope_.lower();
-    return holds ? Outcome::holds : Outcome::open;
+    for (std::size_t row = 0; row < q_; ++row) {
+      for (std::size_t l = 0; l < m_; ++l) rest[row * m_ + l] = entries[row * n_ + l];
+      for (std::size_t l = 0; l < n_; ++l) {
+        Interval unsplit(0);
+        for (std::size_t k = 0; k < n_; ++k) {
+          const Interval half = Interval::exactly(cell.half[k]);
+          const Interval all = absolute(bend(row, k, l)) * half;
+          Interval part = all;
+          if (k < m_ && l < m_) {
+            const double middle = middle_of(bend(row, k, l));
+            flat[(row * m_ + l) * m_ + k] = middle;
+            rest[row * m_ + l] -= Interval::exactly(middle) * Interval::exactly(cell.centre[k]);
+            part = absolute(bend(row, k, l) - Interval::exactly(middle)) * half;
+          }
+          if (l < m_) unsplit += part;
+          share[k] += aim == Aim::flat ? (part + all / Interval(8)).upper() : all.upper();
+          entries[row * n_ + l] += Interval::between(-all.upper(), all.upper());
+        }
+        if (l < m_) left += square(unsplit);
+      }
+      for (std::size_t l = 0; l < m_; ++l) apart += square(rest[row * m_ + l]);
+    }
+    const auto most = static_cast<std::size_t>(std::max_element(share.begin(), share.end()) - share.begin());
+    if (share[most] < std::numeric_limits<double>::infinity()) longest = most;
+    if (aim == Aim::transversal) return is_proved(less(distance_from_identity(entries), Interval(1)));
+    if (steepness_in(entries) <= slope_.lower()) return true;
+    const Interval split = square_root(apart) + operator_norm(flat) * farthest_in(cell) + square_root(left);
+    return over(split, distance_from_identity(entries)) <= slope_.lower();
   }
 
-  [[nodiscard]] std::size_t widest(const Cell& cell) const {
-    return static_cast<std::size_t>(std::max_element(cell.half.begin(), cell.half.end()) - cell.half.begin());
+  /// The greatest |y| in the disc and the cell.
+  [[nodiscard]] Interval farthest_in(const Cell& cell) const {
+    Interval squared(0);
+    for (std::size_t k = 0; k < m_; ++k)
+      squared += square(absolute(Interval::exactly(cell.centre[k])) + Interval::exactly(cell.half[k]));
+    return minimum(square_root(squared), radius_);
   }
 
-  /// Adds Σ_k K_kl·[−h_k, h_k] for K = Tᵀ(Σ_b Y_ab D²f_b)T, a the row.
-  void add_second_order(const Cell& cell, std::size_t row, Dense<Interval>& entries, Coordinates& share) {
-    Dense<Interval> hessian(n_ * n_, Interval(0));
-    for (std::size_t b = 0; b < q_; ++b) {
-      const Interval& factor = chart_.preconditioner[row * q_ + b];
-      for (std::size_t at = 0; at < n_ * n_; ++at) hessian[at] += factor * second_[b * n_ * n_ + at];
-    }
-    Dense<Interval> right(n_ * n_, Interval(0));
-    for (std::size_t a = 0; a < n_; ++a) {
-      for (std::size_t l = 0; l < n_; ++l) {
-        for (std::size_t b = 0; b < n_; ++b) right[a * n_ + l] += hessian[a * n_ + b] * chart_.at(b, l);
+  /// A bound of max |By| for |y| ≤ 1, B with m columns, by (tr (BᵀB)^64)^(1/128).
+  [[nodiscard]] Interval operator_norm(const Dense<double>& rows) const {
+    constexpr int squarings = 6;
+    Dense<Interval> gram(m_ * m_, Interval(0));
+    Interval trace(0);
+    for (std::size_t at = 0; at < rows.size(); at += m_) {
+      for (std::size_t k = 0; k < m_; ++k) {
+        for (std::size_t l = 0; l < m_; ++l)
+          gram[k * m_ + l] += Interval::exactly(rows[at + k]) * Interval::exactly(rows[at + l]);
       }
     }
-    for (std::size_t k = 0; k < n_; ++k) {
-      for (std::size_t l = 0; l < n_; ++l) {
-        Interval entry(0);
-        for (std::size_t a = 0; a < n_; ++a) entry += chart_.at(a, k) * right[a * n_ + l];
-        const double most = (absolute(entry) * Interval::exactly(cell.half[k])).upper();
-        entries[row * n_ + l] += Interval::between(-most, most);
-        share[k] += most;
-      }
-    }
+    for (std::size_t k = 0; k < m_; ++k) trace += gram[k * m_ + k];
+    if (!(trace.lower() > 0)) return square_root(trace);
+    for (Interval& entry : gram) entry = entry / trace;
+    for (int step = 0; step < squarings; ++step) gram = product(gram, gram, m_, m_);
+    Interval root(0);
+    for (std::size_t k = 0; k < m_; ++k) root += gram[k * m_ + k];
+    for (int step = 0; step < squarings; ++step) root = square_root(root);
+    return square_root(root * trace);
   }
 
   FormulaEvaluation<Interval>& f_;
@@ -269,6 +325,7 @@ class Cylinder {
   std::vector<Interval> value_;
   Dense<Interval> derivative_;
   Dense<Interval> second_;
+  Dense<Interval> bends_;
 };
 
 }  // namespace
@@ -303,6 +360,9 @@ constexpr std::array patch_factors{5, 4, 3};
 /// The slope is greater than needed by this: the more, the fewer cells.
 constexpr std::array slope_slacks{1.12, 1.04};
 constexpr long slope_exponent = -8;
+/// What is not so at all charts is mostly seen at some of them.
+constexpr std::size_t most_suspects = 64;
+constexpr std::size_t most_estimates = 1024;
 
 /// ζ > |z₀| + Lϱ by a little, with few digits.
 Rational height_for(const Rational& radius, const Rational& slope) {
@@ -402,6 +462,7 @@ class Fitting {
         [&](std::vector<TangentChart> found) {
           for (TangentChart& chart : found) charts_.push_back(std::move(chart));
         });
+    for (std::size_t at = 0; at < charts_.size(); ++at) all_.push_back(at);
   }
 
   FittedCharts fit() {
@@ -419,11 +480,15 @@ class Fitting {
     const Rational radius = Rational(factor) * sampling_radius_;
     Rational slope;
     if (!estimate(approximate_double(radius), slack, slope, reason)) return std::nullopt;
+    std::vector<std::size_t> suspects = spread(most_suspects);
     while (slope <= Rational(1)) {
-      const auto failures = failing(radius, slope);
+      auto failures = failing(suspects, radius, slope);
+      if (failures.empty()) failures = failing(all_, radius, slope);
       if (failures.empty()) return slope;
       note(failures.front().first, failures.front().second.reason, reason);
+      suspects.clear();
       for (const auto& [label, failure] : failures) {
+        suspects.push_back(label);
         if (failure.is_slope) continue;
         note(label, failure.reason, reason);
         return std::nullopt;
@@ -433,27 +498,35 @@ class Fitting {
     return std::nullopt;
   }
 
+  /// About so many labels, at most.
+  [[nodiscard]] std::vector<std::size_t> spread(std::size_t most) const {
+    std::vector<std::size_t> result;
+    for (std::size_t at = 0; at < charts_.size(); at += charts_.size() / most + 1) result.push_back(at);
+    return result;
+  }
+
   /// A little more than the slope that all charts seem to need; false if it is above 1.
   bool estimate(double radius, double slack, Rational& slope, std::string& reason) {
     constexpr int rounds = 16;
+    const std::vector<std::size_t> looked_at = spread(most_estimates);
     double needed = 0;
     for (int round = 0; round < rounds; ++round) {
       const double last = needed;
       std::size_t where = 0;
       in_parts(
-          "estimate slopes", charts_.size(), progress_,
-          [&](std::size_t first, std::size_t last_label) {
+          "estimate slopes", looked_at.size(), progress_,
+          [&](std::size_t first, std::size_t end) {
             SlopeEstimate estimate(zero_set_);
-            std::pair<double, std::size_t> most{0, first};
-            for (std::size_t at = first; at < last_label; ++at) {
-              const double found = estimate.estimate(charts_[at], radius, last);
-              if (found > most.first) most = {found, at};
+            std::pair<double, std::size_t> most{0, looked_at[first]};
+            for (std::size_t at = first; at < end; ++at) {
+              const double found = slack * estimate.estimate(charts_[looked_at[at]], radius, last);
+              if (found > most.first) most = {found, looked_at[at]};
             }
             return most;
           },
           [&](const std::pair<double, std::size_t>& found) {
-            if (slack * found.first > needed) {
-              needed = slack * found.first;
+            if (found.first > needed) {
+              needed = found.first;
               where = found.second;
             }
           });
@@ -467,19 +540,21 @@ class Fitting {
     return true;
   }
 
-  std::vector<std::pair<std::size_t, GraphFailure>> failing(const Rational& radius, const Rational& slope) {
+  std::vector<std::pair<std::size_t, GraphFailure>> failing(const std::vector<std::size_t>& labels,
+                                                            const Rational& radius, const Rational& slope) {
     const Rational height = height_for(radius, slope);
     // Others may divide the cylinders otherwise.
     const Rational less = slope * (Rational(1) - Rational::power_of_two(-6));
     for (TangentChart& chart : charts_) chart.set_size(radius, height);
     std::vector<std::pair<std::size_t, GraphFailure>> result;
     in_parts(
-        "look at patches", charts_.size(), progress_,
+        "look at patches", labels.size(), progress_,
         [&](std::size_t first, std::size_t last) {
           GraphCheck check(zero_set_);
           std::vector<std::pair<std::size_t, GraphFailure>> found;
           for (std::size_t at = first; at < last; ++at) {
-            if (auto failure = check.failure(charts_[at], less)) found.emplace_back(at, std::move(*failure));
+            if (auto failure = check.failure(charts_[labels[at]], less))
+              found.emplace_back(labels[at], std::move(*failure));
           }
           return found;
         },
@@ -535,6 +610,7 @@ class Fitting {
   const Rational& sampling_radius_;
   const Progress& progress_;
   std::vector<TangentChart> charts_;
+  std::vector<std::size_t> all_;
 };
 
 }  // namespace
