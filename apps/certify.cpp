@@ -18,7 +18,7 @@ LevelSelection parse_levels(const std::string& text) {
   for (std::string level; std::getline(in, level, ',');) {
     const auto& all = all_levels();
     if (std::find(all.begin(), all.end(), level) == all.end()) {
-      throw CLI::ValidationError("--levels", "'" + level + "' is not one of 0,1,2,2s,3,4,5,6");
+      throw CLI::ValidationError("--levels", "'" + level + "' is not one of 0,1,1f,2,2s,3,4,5,5i,6");
     }
     result.push_back(level);
   }
@@ -61,7 +61,7 @@ void add_certify(CLI::App& program, Action& chosen) {
       command
           ->add_option("--mode", options->choice.mode,
                        "theory: the paper's constants; measured: chosen tolerances (default theory, on space forms "
-                       "other than flat tori and on metric fields measured)")
+                       "other than flat tori, metric fields and submanifolds measured)")
           ->transform(CLI::CheckedTransformer(modes))
           ->type_name("theory|measured");
   command->add_option("--candidates", options->choice.candidates, "Which simplices perturbations are tested against")
@@ -100,6 +100,7 @@ void add_certify(CLI::App& program, Action& chosen) {
       "  delcert certify --manifold sphere-2 --icosphere 24\n"
       "  delcert certify --complex examples/complexes/genus-2.toml\n"
       "  delcert certify --manifold torus-2-hills --radius 1/40 --seed 1\n"
+      "  delcert certify --manifold torus-of-revolution --radius 1/10 --seed 1\n"
       "  delcert certify --manifold torus-2 --lattice 30 --no-perturbation      (exits 1, naming stars)");
   command->callback([options, command, mode, &chosen] {
     require_manifold_or_complex(*command);

@@ -54,5 +54,6 @@ class Family {
 [[nodiscard]] std::unique_ptr<Family> family_of(const ManifoldDescription& manifold);
 [[nodiscard]] std::unique_ptr<Family> family_of(const SpaceFormDescription& manifold);
 [[nodiscard]] std::unique_ptr<Family> family_of(const MetricFieldDescription& manifold);
+[[nodiscard]] std::unique_ptr<Family> family_of(const SubmanifoldDescription& manifold);
 
 }  // namespace delcert

@@ -116,6 +116,21 @@ std::vector<Vector<Rational, m>> NetSource::centres(const MetricField<m>& field,
   return metric_field_net<m>(field, *radius, seed, progress).centres;
 }
 
+template <int m>
+SubmanifoldNet<m> NetSource::charts(const ZeroSet& zero_set, const Progress& progress) const {
+  if (lattice || icosphere_frequency || relaxation_steps > 0)
+    throw InputError("--lattice, --icosphere and --relax are not for submanifolds: give --radius or --points");
+  require_radius("--radius, or with it --points");
+  if (points_file.empty()) return submanifold_net<m>(zero_set, *radius, seed, progress);
+  SubmanifoldNet<m> result;
+  result.centres = read_points(points_file, Dimension(static_cast<int>(zero_set.ambient())));
+  result.charts = fit_charts(zero_set, result.centres, *radius, progress);
+  result.parts = require_cover(zero_set, result.charts.charts, progress);
+  return result;
+}
+
+template SubmanifoldNet<2> NetSource::charts<2>(const ZeroSet&, const Progress&) const;
+template SubmanifoldNet<3> NetSource::charts<3>(const ZeroSet&, const Progress&) const;
 template std::vector<Vector<Rational, 2>> NetSource::centres<2>(const MetricField<2>&, const Progress&) const;
 template std::vector<Vector<Rational, 3>> NetSource::centres<3>(const MetricField<3>&, const Progress&) const;
 template std::pair<std::vector<Vector<Rational, 2>>, Rational> NetSource::net_of<2>(const SpaceForm&,

@@ -9,6 +9,7 @@
 #include "kernel/manifold/gluing/metric_field.hpp"
 #include "kernel/manifold/quotient/space_form.hpp"
 #include "kernel/sample/lattice_net.hpp"
+#include "kernel/sample/submanifold_net.hpp"
 #include "support/progress.hpp"
 
 namespace delcert {
@@ -42,6 +43,11 @@ struct NetSource {
   /// The same on a metric field: coordinates of the torus. --radius is given, with a file of points as the nominal one.
   template <int m>
   [[nodiscard]] std::vector<Vector<Rational, m>> centres(const MetricField<m>& field, const Progress& progress) const;
+
+  /// The same on a submanifold: charts about points near it, which have passed and cover it. --radius is given; a file
+  /// of points has centres of charts, in the coordinates of the space around.
+  template <int m>
+  [[nodiscard]] SubmanifoldNet<m> charts(const ZeroSet& zero_set, const Progress& progress) const;
 
  private:
   /// Throws InputError, which names the sources of a net, unless --radius is given and positive.

@@ -38,6 +38,11 @@ std::string head_text(const RunReport& report) {
     out += fmt::format("charts       ξ₀ ≤ {} of each other, κ ≤ {} of the metric, rounded by ≤ {}\n",
                        decimal_upper(charts.transition), decimal_upper(charts.metric), decimal_upper(charts.rounding));
   }
+  if (report.graphs) {
+    out += fmt::format("charts       slope ≤ {}, ξ₀ ≤ {} of each other; all of the manifold, in {} parts of the box\n",
+                       decimal_upper(report.graphs->slope), decimal_upper(report.graphs->distortion),
+                       report.graphs->cover_parts);
+  }
   return out;
 }
 
@@ -104,6 +109,7 @@ Json manifold_json(const RunReport& report) {
   if (report.metric) {
     json["eigenvalues"] = {lower_json(report.metric->eigenvalues.lower), upper_json(report.metric->eigenvalues.upper)};
   }
+  if (report.graphs) json["ambient_dimension"] = report.graphs->ambient_dimension;
   return json;
 }
 
@@ -146,6 +152,13 @@ Json measures_json(const RunReport& report) {
     json["charts"] = {{"transition", upper_json(charts.transition)},
                       {"metric", upper_json(charts.metric)},
                       {"rounding", upper_json(charts.rounding)}};
+  }
+  if (report.graphs) {
+    json["graphs"] = {{"slope", upper_json(report.graphs->slope)},
+                      {"distortion", upper_json(report.graphs->distortion)},
+                      {"cover_parts", report.graphs->cover_parts}};
+    if (report.graphs->margin)
+      json["graphs"]["isotopy_margin"] = lower_json(exactly(*report.graphs->margin), Margin::Unit::length, unit);
   }
   if (const auto& margin = report.claims.delaunay_margin) {
     constexpr auto squared = Margin::Unit::squared_length;
@@ -211,6 +224,14 @@ std::string level_line(const Claims& claims, const std::string& level, const Rat
         "sheet",
         claims.manifold->simplices);
   }
+  if (level == "1f") return "full stars: every star is embedded in its chart, and full";
+  if (level == "5" && claims.triangulation->graph) {
+    return fmt::format("triangulation: by straight simplices that are moved by ≤ {} ε, contraction ≤ {}",
+                       within(claims.triangulation->graph->displacement),
+                       decimal_upper(claims.triangulation->graph->contraction));
+  }
+  if (level == "5i")
+    return fmt::format("isotopy: the complex is embedded, margin ≥ {} ε", beyond(claims.isotopy->margin));
   if (level == "5" && claims.triangulation->riemannian) {
     return fmt::format(
         "triangulation: by geodesic simplices, and by Dyer, Vegter and Wintraecken: thickness ≥ {}, stars within {} ε",

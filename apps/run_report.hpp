@@ -31,6 +31,14 @@ struct RunReport {
     EigenvalueBounds eigenvalues;
     ChartDistortion distortion;
   };
+  /// Of a submanifold.
+  struct Graphs {
+    std::size_t ambient_dimension = 0;
+    Rational slope;                 ///< of the manifold in its charts, an upper bound
+    Rational distortion;            ///< of the transitions, an upper bound
+    std::uint64_t cover_parts = 0;  ///< of the box, to show that the charts are all of it
+    std::optional<double> margin;   ///< of level 5i, a lower bound; once level 5 is reached
+  };
   /// Stars before any repair.
   struct FirstStars {
     std::size_t failures = 0;
@@ -42,6 +50,7 @@ struct RunReport {
   Dimension dimension{0};
   std::optional<Group> group;
   std::optional<Metric> metric;
+  std::optional<Graphs> graphs;
   RunParameters parameters;
   Rational sampling_radius;
   std::optional<int> patch_factor;  ///< the radius of patches, in sampling radii

@@ -12,6 +12,7 @@
 #include "kernel/manifold/builtin_manifolds.hpp"
 #include "kernel/manifold/metric_field_file.hpp"
 #include "kernel/manifold/space_form_file.hpp"
+#include "kernel/manifold/submanifold_file.hpp"
 #include "support/error.hpp"
 #include "support/spelling.hpp"
 #include "support/toml_reader.hpp"
@@ -51,21 +52,25 @@ AnyManifold parsed_as_space_form(std::string_view text, const std::string& sourc
 AnyManifold parsed_as_metric_field(std::string_view text, const std::string& source) {
   return parse_metric_field(text, source);
 }
+AnyManifold parsed_as_submanifold(std::string_view text, const std::string& source) {
+  return parse_submanifold(text, source);
+}
 
 struct Family {
   std::string_view name;
   Parse parse;
 };
 
-constexpr std::array<Family, 9> families{{{"flat-torus", parsed_as_flat},
-                                          {"euclidean-ball", parsed_as_flat},
-                                          {"space-form", parsed_as_space_form},
-                                          {"sphere", parsed_as_space_form},
-                                          {"projective-space", parsed_as_space_form},
-                                          {"lens-space", parsed_as_space_form},
-                                          {"regular-polygon-surface", parsed_as_space_form},
-                                          {"product-with-circle", parsed_as_space_form},
-                                          {"metric-field", parsed_as_metric_field}}};
+constexpr std::array<Family, 10> families{{{"flat-torus", parsed_as_flat},
+                                           {"euclidean-ball", parsed_as_flat},
+                                           {"space-form", parsed_as_space_form},
+                                           {"sphere", parsed_as_space_form},
+                                           {"projective-space", parsed_as_space_form},
+                                           {"lens-space", parsed_as_space_form},
+                                           {"regular-polygon-surface", parsed_as_space_form},
+                                           {"product-with-circle", parsed_as_space_form},
+                                           {"metric-field", parsed_as_metric_field},
+                                           {"submanifold", parsed_as_submanifold}}};
 
 std::string listed(const std::vector<std::string_view>& names) {
   std::string result;
@@ -113,9 +118,10 @@ AnyManifold read_any_manifold(const std::filesystem::path& path) {
 
 AnyManifold find_any_manifold(const std::string& name_or_path) {
   std::vector<std::string_view> all;
-  std::array<std::string, 3> names;
+  std::array<std::string, 4> names;
   std::size_t kind = 0;
-  for (const auto* list : {&builtin_manifolds(), &builtin_space_forms(), &builtin_metric_fields()}) {
+  for (const auto* list :
+       {&builtin_manifolds(), &builtin_space_forms(), &builtin_metric_fields(), &builtin_submanifolds()}) {
     std::vector<std::string_view> known;
     for (const BuiltinManifold& builtin : *list) {
       if (builtin.name == name_or_path) return parse_any_manifold(builtin.text, builtin.name);
@@ -127,7 +133,7 @@ AnyManifold find_any_manifold(const std::string& name_or_path) {
   if (!std::filesystem::exists(name_or_path)) {
     throw InputError("no manifold \"" + name_or_path + "\": neither a file nor one of " + names[0] +
                      ", or of the space forms " + names[1] + ", or of the metric fields " + names[2] +
-                     suggestion(name_or_path, all));
+                     ", or of the submanifolds " + names[3] + suggestion(name_or_path, all));
   }
   return read_any_manifold(name_or_path);
 }
@@ -135,7 +141,8 @@ AnyManifold find_any_manifold(const std::string& name_or_path) {
 ManifoldDescription find_manifold(const std::string& name_or_path) {
   AnyManifold found = find_any_manifold(name_or_path);
   if (auto* flat = std::get_if<ManifoldDescription>(&found)) return std::move(*flat);
-  throw InputError(name_or_path + ": a space form or a metric field, expected a flat torus or a Euclidean ball");
+  throw InputError(name_or_path +
+                   ": a space form, a metric field or a submanifold, expected a flat torus or a Euclidean ball");
 }
 
 }  // namespace delcert

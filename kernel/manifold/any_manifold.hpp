@@ -8,11 +8,13 @@
 #include "kernel/manifold/gluing/metric_field.hpp"
 #include "kernel/manifold/manifold_file.hpp"
 #include "kernel/manifold/quotient/space_form.hpp"
+#include "kernel/manifold/submanifold/zero_set.hpp"
 
 namespace delcert {
 
 /// A manifold as a file describes it, whatever its family.
-using AnyManifold = std::variant<ManifoldDescription, SpaceFormDescription, MetricFieldDescription>;
+using AnyManifold =
+    std::variant<ManifoldDescription, SpaceFormDescription, MetricFieldDescription, SubmanifoldDescription>;
 
 /// Reads a manifold in TOML; its key `family` says which reader is asked. `source` is the file's name for messages.
 /// Throws InputError with file, line, column, key, what was found and what was expected; for a family that nobody knows

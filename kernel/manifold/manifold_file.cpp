@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "kernel/manifold/exact_entry.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "support/error.hpp"
 #include "support/toml_reader.hpp"
@@ -12,8 +13,6 @@ namespace delcert {
 namespace {
 
 using Matrix = std::vector<std::vector<Rational>>;
-
-constexpr std::string_view number_expected = "an exact number: an integer, or a string such as \"3/4\" or \"0x3p-2\"";
 
 class FlatReader : TomlReader {
  public:
@@ -67,23 +66,9 @@ class FlatReader : TomlReader {
 
   Dimension dimension() const { return Dimension{integer(table_, "dimension", 1, 4)}; }
 
-  Rational number(const toml::node& node, const std::string& what) const {
-    if (const auto* integer = node.as_integer()) return Rational(integer->get());
-    if (const auto* text = node.as_string()) {
-      try {
-        return parse_exact(text->get());
-      } catch (const ExactTextError& error) {
-        fail(node.source(), what + ": " + error.what());
-      }
-    }
-    if (node.is_floating_point())
-      fail(node, what, std::string(number_expected) + "; a floating-point number would be rounded before it is read");
-    fail(node, what, number_expected);
-  }
-
   Rational radius() const {
-    const toml::node& node = required(table_, "radius", number_expected);
-    Rational value = number(node, "key \"radius\"");
+    const toml::node& node = required(table_, "radius", exact_number_expected);
+    Rational value = exact_number(*this, node, "key \"radius\"");
     if (value <= Rational(0)) fail(node, "key \"radius\"", "a number above 0");
     return value;
   }
@@ -94,7 +79,7 @@ class FlatReader : TomlReader {
     Matrix result(size);
     for_each_entry(node, size, key_in_words(key),
                    [&](std::size_t row, std::size_t, const toml::node& entry, const std::string& what) {
-                     result[row].push_back(number(entry, what));
+                     result[row].push_back(exact_number(*this, entry, what));
                    });
     return result;
   }

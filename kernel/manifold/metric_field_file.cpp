@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "kernel/manifold/exact_entry.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "support/error.hpp"
 #include "support/toml_reader.hpp"
@@ -67,22 +68,11 @@ class MetricFieldReader : TomlReader {
     Square result(size);
     for_each_entry(node, size, what,
                    [&](std::size_t row, std::size_t column, const toml::node& entry, const std::string& name) {
-                     result[row].push_back(number(entry, name));
+                     result[row].push_back(exact_number(*this, entry, name));
                      if (column < row && result[row][column] != result[column][row])
                        fail(entry, name, exact_text(result[column][row]) + ": the matrix is symmetric");
                    });
     return result;
-  }
-
-  Rational number(const toml::node& node, const std::string& what) const {
-    if (const auto* integer = node.as_integer()) return Rational(integer->get());
-    const auto* string = node.as_string();
-    if (string == nullptr) fail(node, what, "an exact number: an integer, or a string such as \"3/4\" or \"0x3p-2\"");
-    try {
-      return parse_exact(string->get());
-    } catch (const InputError& error) {
-      fail(node.source(), what + ": " + error.what());
-    }
   }
 
   toml::table table_;

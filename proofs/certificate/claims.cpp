@@ -64,8 +64,16 @@ Entries entries_of(const TriangulationClaim& claim) {
     result.push_back(at_least("thickness", claim.riemannian->thickness, Unit::one));
     result.push_back(at_most("radius", claim.riemannian->radius));
   }
+  if (claim.graph) {
+    result.push_back(at_most("contraction", claim.graph->contraction, Unit::one));
+    result.push_back(at_most("displacement", claim.graph->displacement));
+  }
   return result;
 }
+
+Entries entries_of(const IsotopyClaim& claim) { return {at_least("margin", claim.margin)}; }
+
+Entries entries_of(const FullStarsClaim&) { return {}; }
 
 Entries entries_of(const MetricClaim& claim) {
   Entries result{truth("self_delaunay", claim.self_delaunay)};
@@ -87,11 +95,13 @@ std::vector<ClaimedLevel> claimed_levels(const Claims& claims) {
   };
   add("0", claims.input);
   add("1", claims.stars);
+  add("1f", claims.full_stars);
   add("2", claims.manifold);
   add("2s", claims.stable_stars);
   add("3", claims.no_forbidden);
   add("4", claims.delaunay);
   add("5", claims.triangulation);
+  add("5i", claims.isotopy);
   add("6", claims.metric);
   return result;
 }
@@ -107,7 +117,7 @@ ManifoldClaim manifold_claim(const PureComplex& complex, std::size_t simplices, 
 }
 
 const LevelSelection& all_levels() {
-  static const LevelSelection levels{"0", "1", "2", "2s", "3", "4", "5", "6"};
+  static const LevelSelection levels{"0", "1", "1f", "2", "2s", "3", "4", "5", "5i", "6"};
   return levels;
 }
 

@@ -55,9 +55,23 @@ struct TriangulationClaim {
     Rational thickness;  ///< of the simplices in the charts at perturbed points
     Rational radius;     ///< all vertices of a star are nearer than this to its label
   };
+  struct Graph {
+    Rational contraction;   ///< in charts the map to M differs from the identity by a map with this Lipschitz constant
+                            ///< at most
+    Rational displacement;  ///< no point is moved farther
+  };
   std::string route;
-  std::optional<RiemannianSimplices> riemannian;  ///< by this second route as well
+  std::optional<RiemannianSimplices> riemannian = {};  ///< by this second route as well
+  std::optional<Graph> graph = {};                     ///< of submanifolds
 };
+
+/// Level 5i: the complex is embedded, and isotopic to M.
+struct IsotopyClaim {
+  Rational margin;  ///< by so much stars are wider than what points are moved sideways
+};
+
+/// Level 1f: stars are embedded and full, whether or not they are Delaunay.
+struct FullStarsClaim {};
 
 /// Level 6: flat simplices of the same edges, against M.
 struct MetricClaim {
@@ -70,11 +84,13 @@ struct MetricClaim {
 struct Claims {
   std::optional<InputClaim> input;                  ///< level 0
   std::optional<StarMargins> stars;                 ///< level 1
+  std::optional<FullStarsClaim> full_stars;         ///< level 1f
   std::optional<ManifoldClaim> manifold;            ///< level 2
   std::optional<StableStarsClaim> stable_stars;     ///< level 2s
   std::optional<std::string> no_forbidden;          ///< level 3: what was looked at
   std::optional<DelaunayClaim> delaunay;            ///< level 4
   std::optional<TriangulationClaim> triangulation;  ///< level 5
+  std::optional<IsotopyClaim> isotopy;              ///< level 5i
   std::optional<MetricClaim> metric;                ///< level 6
   /// What decided level 4 of a metric field, wherever it was asked for and straight simplices triangulate the torus.
   std::optional<DelaunayMargin> delaunay_margin;

@@ -73,9 +73,23 @@ std::vector<Rational> upper_triangle(const AffineChart<m>& chart) {
   return entries;
 }
 
+template <std::size_t m>
+std::vector<Rational> numbers(const std::array<Rational, m>& vector) {
+  return {vector.begin(), vector.end()};
+}
+
 template <int m>
-typename CertificateContent<m>::Coordinates exactly(const PointSet<m>& points) {
-  return [&points](Label at) { return points.exact(at); };
+typename CertificateContent<m>::Numbers exactly(const PointSet<m>& points) {
+  return [&points](Label at) { return numbers(points.exact(at)); };
+}
+
+/// s, A above the diagonal, Y, ϱ, ζ.
+std::vector<Rational> numbers(const ChartData& chart) {
+  std::vector<Rational> result(chart.columns.begin(), chart.columns.end());
+  result.insert(result.end(), chart.skew.begin(), chart.skew.end());
+  result.insert(result.end(), chart.preconditioner.begin(), chart.preconditioner.end());
+  result.insert(result.end(), {chart.radius, chart.height});
+  return result;
 }
 
 }  // namespace
@@ -109,6 +123,17 @@ std::string manifold_object(const MetricFieldDescription& field, const ChartDist
       number(distortion.rounding), number(patch_radius), number(distortion.metric));
 }
 
+std::string manifold_object(const ZeroSet& zero_set, const Rational& slope, VerticesKind vertices) {
+  const SubmanifoldDescription& manifold = zero_set.description();
+  return fmt::format(
+      "{{\"name\":{},\"family\":\"submanifold\",\"dimension\":{},\"variables\":{},\"equations\":{},\"box\":{},"
+      "\"slope\":{},\"vertices\":\"{}\"}}",
+      quoted(manifold.name), manifold.dimension.value, listed(manifold.variables, quoted),
+      listed(zero_set.map().canonical_texts(), quoted),
+      listed(manifold.box, [](const auto& axis) { return listed(axis, number); }), number(slope),
+      vertices == VerticesKind::on_manifold ? "manifold" : "given");
+}
+
 template <int m>
 CertificateContent<m> content_of(const ManifoldDescription& manifold, const FlatAtlas<m>& atlas,
                                  std::span<const LiftedSimplex<m>> net_simplices, const RunParameters& parameters,
@@ -132,7 +157,7 @@ CertificateContent<m> content_of(const SpaceFormAtlas<m>& atlas, const RunParame
           atlas.sampling_radius(),
           claims,
           atlas.size(),
-          [&atlas](Label at) { return atlas.centre(at); },
+          [&atlas](Label at) { return numbers(atlas.centre(at)); },
           exactly(run.points),
           placed_complex<m>(atlas, run.complex)};
 }
@@ -145,12 +170,28 @@ CertificateContent<m> content_of(const MetricFieldAtlas<m>& atlas, const ChartDi
           atlas.sampling_radius(),
           claims,
           atlas.size(),
-          [&atlas](Label at) { return atlas.centre(at); },
+          [&atlas](Label at) { return numbers(atlas.centre(at)); },
           exactly(run.points),
-          placed_complex<m>(atlas, run.complex),
+          placed_complex<m>(run.complex),
           {},
           distortion.transition,
           [&atlas](Label at) { return upper_triangle<m>(atlas.chart(at)); }};
+}
+
+template <int m>
+CertificateContent<m> content_of(const SubmanifoldAtlas<m>& atlas, const RunParameters& parameters,
+                                 const ChartRun<m>& run, const Claims& claims) {
+  return {manifold_object(atlas.zero_set(), atlas.slope(), VerticesKind::on_manifold),
+          parameters,
+          atlas.sampling_radius(),
+          claims,
+          atlas.size(),
+          [&atlas](Label at) { return atlas.chart(at).data().centre; },
+          exactly(run.points),
+          placed_complex<m>(run.complex),
+          {},
+          distortion_of_slope(atlas.slope()),
+          [&atlas](Label at) { return numbers(atlas.chart(at).data()); }};
 }
 
 #define DELCERT_INSTANTIATE(m)                                                                          \
@@ -159,11 +200,13 @@ CertificateContent<m> content_of(const MetricFieldAtlas<m>& atlas, const ChartDi
                                                const RunResult<m>&, const Claims&);
 DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
 #undef DELCERT_INSTANTIATE
-#define DELCERT_INSTANTIATE(m)                                                                                     \
-  template CertificateContent<m> content_of<m>(const SpaceFormAtlas<m>&, const RunParameters&, const ChartRun<m>&, \
-                                               const Claims&);                                                     \
-  template CertificateContent<m> content_of<m>(const MetricFieldAtlas<m>&, const ChartDistortion&,                 \
-                                               const RunParameters&, const ChartRun<m>&, const Claims&);
+#define DELCERT_INSTANTIATE(m)                                                                                       \
+  template CertificateContent<m> content_of<m>(const SpaceFormAtlas<m>&, const RunParameters&, const ChartRun<m>&,   \
+                                               const Claims&);                                                       \
+  template CertificateContent<m> content_of<m>(const MetricFieldAtlas<m>&, const ChartDistortion&,                   \
+                                               const RunParameters&, const ChartRun<m>&, const Claims&);             \
+  template CertificateContent<m> content_of<m>(const SubmanifoldAtlas<m>&, const RunParameters&, const ChartRun<m>&, \
+                                               const Claims&);
 DELCERT_INSTANTIATE(2)
 DELCERT_INSTANTIATE(3)
 #undef DELCERT_INSTANTIATE

@@ -4,6 +4,7 @@
 #include "kernel/manifold/gluing/metric_field_atlas.hpp"
 #include "kernel/manifold/manifold_file.hpp"
 #include "kernel/manifold/quotient/space_form_atlas.hpp"
+#include "kernel/manifold/submanifold/submanifold_atlas.hpp"
 #include "kernel/run/chart_run.hpp"
 #include "proofs/certificate/writer.hpp"
 
@@ -17,6 +18,10 @@ namespace delcert {
 /// A metric, and how far the charts are from it on patches of this radius.
 [[nodiscard]] std::string manifold_object(const MetricFieldDescription& field, const ChartDistortion& distortion,
                                           const Rational& patch_radius);
+/// Whether points of a submanifold are found over their coordinates in charts, or are given, on M or near it.
+enum class VerticesKind : unsigned char { on_manifold, given };
+/// Equations in a box, and a bound of how steep M is in the charts.
+[[nodiscard]] std::string manifold_object(const ZeroSet& zero_set, const Rational& slope, VerticesKind vertices);
 
 /// "spherical", "flat", "hyperbolic".
 [[nodiscard]] std::string_view family_of(Curvature curvature);
@@ -34,5 +39,8 @@ template <int m>
 [[nodiscard]] CertificateContent<m> content_of(const MetricFieldAtlas<m>& atlas, const ChartDistortion& distortion,
                                                const RunParameters& parameters, const ChartRun<m>& run,
                                                const Claims& claims);
+template <int m>
+[[nodiscard]] CertificateContent<m> content_of(const SubmanifoldAtlas<m>& atlas, const RunParameters& parameters,
+                                               const ChartRun<m>& run, const Claims& claims);
 
 }  // namespace delcert

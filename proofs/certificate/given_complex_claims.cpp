@@ -273,8 +273,11 @@ void write_given_complex(const std::filesystem::path& path, const ComplexDescrip
   parameters.squared_flake_parameter = Rational::power_of_two(-120);
   write_certificate<m>(path,
                        {manifold_object(form), parameters, claims.longest_edge, claims.levels, given.points.size(),
-                        [&](Label label) { return given.points[label.value]; },
-                        [](Label) { return Vector<Rational, m>{}; }, given.complex},
+                        [&](Label label) {
+                          const Vector<Rational, m>& point = given.points[label.value];
+                          return std::vector<Rational>(point.begin(), point.end());
+                        },
+                        [](Label) { return std::vector<Rational>(static_cast<std::size_t>(m)); }, given.complex},
                        progress);
 }
 

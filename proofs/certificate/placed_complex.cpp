@@ -271,7 +271,7 @@ PlacedComplex<m> placed_complex(const SpaceFormAtlas<m>& atlas, const ChartCompl
 }
 
 template <int m>
-PlacedComplex<m> placed_complex(const MetricFieldAtlas<m>&, const ChartComplex<m>& complex) {
+PlacedComplex<m> placed_complex(const ChartComplex<m>& complex) {
   return placed_by_vectors<m>(seen_once<m>(complex));
 }
 
@@ -284,7 +284,7 @@ DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
       const InvariantForm&, const std::vector<Vector<Rational, m>>&, const std::vector<FieldMatrix>&, \
       const std::vector<FieldMatrix>&, const std::vector<PlacedSimplex<m>>&, std::size_t);            \
   template PlacedComplex<m> placed_complex<m>(const SpaceFormAtlas<m>&, const ChartComplex<m>&);      \
-  template PlacedComplex<m> placed_complex<m>(const MetricFieldAtlas<m>&, const ChartComplex<m>&);
+  template PlacedComplex<m> placed_complex<m>(const ChartComplex<m>&);
 DELCERT_INSTANTIATE(2)
 DELCERT_INSTANTIATE(3)
 #undef DELCERT_INSTANTIATE

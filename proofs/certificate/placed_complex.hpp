@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "kernel/manifold/flat_atlas.hpp"
-#include "kernel/manifold/gluing/metric_field_atlas.hpp"
 #include "kernel/manifold/quotient/space_form_atlas.hpp"
 #include "kernel/stars/chart_complex.hpp"
 #include "kernel/stars/star_complex.hpp"
@@ -23,7 +22,7 @@ struct PlacedComplex {
   /// Labels in increasing order, then the numbers of the elements of all but the first of them; sorted.
   std::vector<PlacedSimplex<m>> simplices;
   /// One for each generator: m translations of a torus; the generators of a space form, then, if it is flat, m
-  /// translations. None on balls and metric fields.
+  /// translations. None on balls, metric fields and submanifolds.
   std::vector<std::vector<LoopStep>> loops;
 };
 
@@ -43,7 +42,8 @@ template <int m>
                                               const StarComplex<m>& complex);
 template <int m>
 [[nodiscard]] PlacedComplex<m> placed_complex(const SpaceFormAtlas<m>& atlas, const ChartComplex<m>& complex);
+/// The same where sightings have no elements, only shifts: of metric fields and submanifolds.
 template <int m>
-[[nodiscard]] PlacedComplex<m> placed_complex(const MetricFieldAtlas<m>& atlas, const ChartComplex<m>& complex);
+[[nodiscard]] PlacedComplex<m> placed_complex(const ChartComplex<m>& complex);
 
 }  // namespace delcert

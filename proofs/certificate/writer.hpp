@@ -17,22 +17,22 @@ namespace delcert {
 /// Everything that goes into a certificate, in any family. References are kept.
 template <int m>
 struct CertificateContent {
-  using Coordinates = std::function<Vector<Rational, m>(Label)>;
+  using Numbers = std::function<std::vector<Rational>(Label)>;
 
   std::string manifold;  ///< the value of the key, as `manifold_object` makes it
   const RunParameters& parameters;
   const Rational& sampling_radius;
   const Claims& claims;
   std::size_t labels;
-  Coordinates net;
-  Coordinates points;  ///< home coordinates
+  Numbers net;     ///< m coordinates; of a submanifold those of the space around
+  Numbers points;  ///< home coordinates
   PlacedComplex<m> complex;
   /// Written if level 0 is claimed.
   std::span<const LiftedSimplex<m>> net_simplices = {};
   /// Of the transitions, an upper bound: ξ₀ of the parameters.
   Rational distortion = Rational(0);
-  /// Of a metric field: the entries of the matrix of the chart of a label.
-  std::function<std::vector<Rational>(Label)> charts = {};
+  /// Of a metric field the entries of the matrix of the chart of a label; of a submanifold all that a chart is made of.
+  Numbers charts = {};
 };
 
 /// Writes a certificate as docs/certificate-format.md specifies, compressed if the name ends in ".zst". The file

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "kernel/formula/parser.hpp"
-#include "proofs/formula/toml_position.hpp"
 #include "proofs/formula/type_check.hpp"
 
 namespace delcert {
@@ -19,12 +18,6 @@ bool is_name(std::string_view text) {
 }
 
 }  // namespace
-
-void FormulaReader::fail_in(const toml::node& node, const FormulaError& error) const {
-  const auto& begin = node.source().begin;
-  const TextPosition where = position_in_toml_string(text(), {begin.line, begin.column}, error.offset());
-  fail(where.line, where.column, error.what());
-}
 
 void FormulaReader::require_name(const toml::node& node, const std::string& name) const {
   if (!is_name(name)) {

@@ -71,5 +71,32 @@ TEST(RunReport, has_the_bounds_of_every_level_with_their_units) {
   EXPECT_EQ(levels["6"]["bilipschitz"][1]["bound"], "upper");
 }
 
+TEST(RunReport, of_a_submanifold_says_how_steep_charts_are_and_how_far_points_move) {
+  RunReport report = sample();
+  report.graphs = RunReport::Graphs{3, Rational(3) / Rational(4), Rational(1) / Rational(4), 17, -0.5};
+  report.claims.full_stars.emplace();
+  report.claims.triangulation =
+      TriangulationClaim{"graph", {}, TriangulationClaim::Graph{Rational(1) / Rational(8), Rational(1) / Rational(80)}};
+  report.claims.isotopy = IsotopyClaim{Rational(1) / Rational(100)};
+  const std::string text = report_text(report);
+  EXPECT_TRUE(mentions(text,
+                       "charts       slope ≤ 7.500e-01, ξ₀ ≤ 2.500e-01 of each other; all of the manifold, in 17 "
+                       "parts of the box\n"))
+      << text;
+  EXPECT_TRUE(mentions(text, "  1f  full stars")) << text;
+  EXPECT_TRUE(mentions(text,
+                       "  5   triangulation: by straight simplices that are moved by ≤ 1.250e-01 ε, contraction ≤ "
+                       "1.250e-01\n"))
+      << text;
+  EXPECT_TRUE(mentions(text, "  5i  isotopy: the complex is embedded, margin ≥ 1.000e-01 ε\n")) << text;
+  const Json json = Json::parse(report_json(report));
+  EXPECT_EQ(json["manifold"]["ambient_dimension"], 3);
+  EXPECT_EQ(json["measures"]["graphs"]["isotopy_margin"]["value"], -0.5);
+  EXPECT_EQ(json["measures"]["graphs"]["cover_parts"], 17);
+  EXPECT_EQ(json["levels"]["5"]["displacement"]["in_sampling_radii"], 0.125);
+  report.graphs->margin.reset();
+  EXPECT_FALSE(Json::parse(report_json(report))["measures"]["graphs"].contains("isotopy_margin"));
+}
+
 }  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

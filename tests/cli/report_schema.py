@@ -21,7 +21,8 @@ RUNS = [("--manifold circle --radius 1/30", "levels.0.hypotheses_2"),
         ("--manifold klein-bottle --radius 1/24", "levels.0.density"),
         ("--manifold bolza-surface --radius 1/8 --seed 1", "levels.6.weight"),
         ("--manifold torus-2-hills --radius 1/20 --seed 1", "measures.delaunay_margin.margin"),
-        ("--manifold torus-2-anisotropic --radius 1/20", "levels.4.margin")]
+        ("--manifold torus-2-anisotropic --radius 1/20", "levels.4.margin"),
+        ("--manifold torus-of-revolution --radius 1/10 --seed 1", "levels.5i.margin")]
 
 TYPES = {"object": dict, "array": list, "string": str, "boolean": bool, "null": type(None)}
 

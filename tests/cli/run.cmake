@@ -90,6 +90,16 @@ delcert_cli_test(certify-metric-field-in-theory STATUS 1 OUTPUT "^$" ERROR "use 
   COMMAND ${delcert} certify --manifold torus-2-hills --radius 1/24 --mode theory --output never.json)
 delcert_cli_test(certify-metric-field-lattice STATUS 3 OUTPUT "^$" ERROR "are not for metric fields"
   COMMAND ${delcert} certify --manifold torus-2-hills --lattice 24 --output never.json)
+delcert_cli_test(certify-submanifold-in-theory STATUS 1 OUTPUT "^$" ERROR "use --mode measured"
+  COMMAND ${delcert} certify --manifold ellipsoid --radius 1/4 --mode theory --output never.json)
+delcert_cli_test(certify-submanifold-lattice STATUS 3 OUTPUT "^$" ERROR "are not for submanifolds"
+  COMMAND ${delcert} certify --manifold torus-of-revolution --lattice 24 --output never.json)
+delcert_cli_test(certify-submanifold STATUS 0
+  OUTPUT "all of the manifold.*1   stars.*2   manifold: .*Euler characteristic 2, homology Z, 0, Z.*5   triangulation: by straight simplices.*5i  isotopy"
+  ERROR "^$" COMMAND ${delcert} certify --manifold ${CMAKE_CURRENT_LIST_DIR}/submanifolds/sphere.toml --radius 1/8 --seed 1 --output sphere-of-equations.json)
+delcert_cli_test(certify-submanifold-of-other-homology STATUS 1 OUTPUT "^$"
+  ERROR "the homology is Z, 0, Z, and not Z, Z.2, Z as the file says"
+  COMMAND ${delcert} certify --manifold ${CMAKE_CURRENT_LIST_DIR}/submanifolds/no-torus.toml --radius 1/8 --seed 1 --output never.json)
 delcert_cli_test(certify-raw-metric-field STATUS 1 OUTPUT "^$" ERROR "nothing is certified.*star of"
   COMMAND ${delcert} certify --manifold torus-2-shear --radius 1/20 --no-perturbation --output never.json)
 delcert_cli_test(sample-json STATUS 0 OUTPUT "\"separation\": \"1\"" ERROR "^$"

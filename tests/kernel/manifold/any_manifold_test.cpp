@@ -9,6 +9,7 @@
 #include "kernel/manifold/builtin_manifolds.hpp"
 #include "kernel/manifold/metric_field_file.hpp"
 #include "kernel/manifold/space_form_file.hpp"
+#include "kernel/manifold/submanifold_file.hpp"
 #include "support/error.hpp"
 #include "tests/support/message_of.hpp"
 #include "tests/support/ratio.hpp"
@@ -28,6 +29,10 @@ TEST(AnyManifold, is_what_its_family_says) {
       parse_any_manifold("name = \"s\"\nfamily = \"sphere\"\ndimension = 2\n", "x.toml")));
   EXPECT_TRUE(std::holds_alternative<MetricFieldDescription>(parse_any_manifold(
       "name = \"f\"\nfamily = \"metric-field\"\ndimension = 2\nconstant = [[1, 0], [0, 1]]\n", "x.toml")));
+  EXPECT_TRUE(std::holds_alternative<SubmanifoldDescription>(
+      parse_any_manifold("name = \"s\"\nfamily = \"submanifold\"\ndimension = 2\nvariables = [\"x\", \"y\", \"z\"]\n"
+                         "equations = [\"x^2 + y^2 + z^2 - 1\"]\nbox = [[-2, 2], [-2, 2], [-2, 2]]\n",
+                         "x.toml")));
 }
 
 TEST(AnyManifold, is_a_flat_torus_where_a_space_form_has_no_rotation) {
@@ -55,7 +60,8 @@ TEST(AnyManifold, guesses_a_family_that_is_misspelt) {
   EXPECT_EQ(
       refusal("name = \"x\"\nfamily = \"space-from\"\n"),
       "x.toml:2:10: key \"family\": found \"space-from\", expected one of flat-torus, euclidean-ball, space-form, "
-      "sphere, projective-space, lens-space, regular-polygon-surface, product-with-circle, metric-field, did you mean "
+      "sphere, projective-space, lens-space, regular-polygon-surface, product-with-circle, metric-field, submanifold, "
+      "did you mean "
       "space-form?");
   EXPECT_TRUE(mentions(refusal("family = \"metric_field\"\n"), "did you mean metric-field?"));
   EXPECT_FALSE(mentions(refusal("family = \"knot\"\n"), "did you mean"));
@@ -88,6 +94,8 @@ TEST(FindAnyManifold, knows_every_builtin_one_by_its_name) {
   }
   for (const BuiltinManifold& builtin : builtin_metric_fields())
     EXPECT_EQ(std::get<MetricFieldDescription>(find_any_manifold(builtin.name)).name, builtin.name);
+  for (const BuiltinManifold& builtin : builtin_submanifolds())
+    EXPECT_EQ(std::get<SubmanifoldDescription>(find_any_manifold(builtin.name)).name, builtin.name);
 }
 
 TEST(FindAnyManifold, reads_a_file_by_its_path) {
@@ -105,6 +113,7 @@ TEST(FindAnyManifold, lists_the_names_when_there_is_neither) {
   EXPECT_TRUE(mentions(message, "no manifold \"torus-9\": neither a file nor one of ball-3, circle")) << message;
   EXPECT_TRUE(mentions(message, "torus-4, or of the space forms bolza-surface, ")) << message;
   EXPECT_TRUE(mentions(message, ", or of the metric fields torus-2-anisotropic, ")) << message;
+  EXPECT_TRUE(mentions(message, ", or of the submanifolds clifford-torus, ")) << message;
   EXPECT_TRUE(mentions(message, ", did you mean torus-2?")) << message;
 }
 

@@ -32,7 +32,11 @@ std::vector<Claims> samples() {
   curved.metric = MetricClaim{true, x, x, Rational(2)};
   Claims field = curved;
   field.delaunay = DelaunayClaim{{}, DelaunayClaim::Stability{x, x}};
-  return {flat, curved, field};
+  Claims submanifold = field;
+  submanifold.full_stars.emplace();
+  submanifold.triangulation = TriangulationClaim{"graph", {}, TriangulationClaim::Graph{x, Rational(2) * x}};
+  submanifold.isotopy = IsotopyClaim{x};
+  return {flat, curved, field, submanifold};
 }
 
 std::string text_of(const Claims& claims) {
@@ -64,6 +68,10 @@ TEST(Claims, are_stated_by_the_keys_of_the_format) {
             "4: protection=\"1/10\" circumradius=\"1/10\"\n"
             "5: route=\"space-form\" thickness=\"1/10\" radius=\"1/10\"\n"
             "6: self_delaunay=true weight=\"1/10\" bilipschitz=[\"1/10\",\"2\"]\n");
+  EXPECT_NE(text_of(all[3]).find("1f:\n2: "), std::string::npos);
+  EXPECT_NE(
+      text_of(all[3]).find("5: route=\"graph\" contraction=\"1/10\" displacement=\"1/5\"\n5i: margin=\"1/10\"\n6: "),
+      std::string::npos);
   EXPECT_NE(text_of(all[2]).find("4: edge=\"1/10\" margin=\"1/10\"\n"), std::string::npos);
 }
 
@@ -84,7 +92,9 @@ TEST(Claims, are_bounds_from_the_side_and_in_the_unit_of_the_theorem) {
       {"2s.reach", {Side::upper, Unit::length}},         {"4.protection", {Side::lower, Unit::length}},
       {"4.circumradius", {Side::upper, Unit::length}},   {"4.edge", {Side::lower, Unit::length}},
       {"4.margin", {Side::lower, Unit::squared_length}}, {"5.thickness", {Side::lower, Unit::one}},
-      {"5.radius", {Side::upper, Unit::length}},         {"6.weight", {Side::lower, Unit::one}}};
+      {"5.radius", {Side::upper, Unit::length}},         {"6.weight", {Side::lower, Unit::one}},
+      {"5.contraction", {Side::upper, Unit::one}},       {"5.displacement", {Side::upper, Unit::length}},
+      {"5i.margin", {Side::lower, Unit::length}}};
   EXPECT_EQ(found, expected);
   const auto stretch = claimed_levels(samples()[1]).back().entries.back().margins;
   ASSERT_EQ(stretch.size(), 2U);
@@ -95,10 +105,11 @@ TEST(Claims, are_bounds_from_the_side_and_in_the_unit_of_the_theorem) {
 
 TEST(Claims, name_the_levels_in_order) {
   const auto all = samples();
-  EXPECT_EQ(all[0].names(), all_levels());
+  EXPECT_EQ(all[0].names(), (Names{"0", "1", "2", "2s", "3", "4", "5", "6"}));
   EXPECT_EQ(all[1].names(), (Names{"0", "1", "2", "2s", "4", "5", "6"}));
   EXPECT_TRUE(Claims{}.names().empty());
-  EXPECT_EQ(all_levels(), (Names{"0", "1", "2", "2s", "3", "4", "5", "6"}));
+  EXPECT_EQ(all[3].names(), (Names{"0", "1", "1f", "2", "2s", "4", "5", "5i", "6"}));
+  EXPECT_EQ(all_levels(), (Names{"0", "1", "1f", "2", "2s", "3", "4", "5", "5i", "6"}));
   EXPECT_TRUE(selects(all_levels(), "2s"));
   EXPECT_FALSE(selects({"2"}, "2s"));
 }

@@ -10,6 +10,7 @@
 #include "proofs/certificate/reader.hpp"
 #include "tests/proofs/certificate/metric_field_run.hpp"
 #include "tests/proofs/certificate/small_run.hpp"
+#include "tests/proofs/certificate/submanifold_run.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
@@ -102,6 +103,44 @@ TEST(Content, OfAMetricFieldHasTheMarginsOfLevel4) {
   EXPECT_EQ(exact(json["levels"]["4"]["edge"]), claims.delaunay->stability->edge);
   EXPECT_EQ(exact(json["levels"]["4"]["margin"]), claims.delaunay->stability->margin);
   EXPECT_EQ(read_certificate(folder / "m.json").levels.size(), 5U);
+}
+
+TEST(Content, OfASubmanifoldHasItsEquationsAndCharts) {
+  const auto& sample = test::sphere_run();
+  const test::TemporaryFolder folder;
+  std::vector<std::string> reasons;
+  sample.write(folder / "s.json", sample.claims(reasons));
+  const Json json = Json::parse(bytes_of(folder / "s.json"));
+  EXPECT_EQ(keys_of(json["manifold"]), (std::vector<std::string>{"name", "family", "dimension", "variables",
+                                                                 "equations", "box", "slope", "vertices"}));
+  EXPECT_EQ(json["manifold"]["family"], "submanifold");
+  EXPECT_EQ(json["manifold"]["variables"], Json::parse(R"(["x","y","z"])"));
+  EXPECT_EQ(json["manifold"]["equations"], Json::parse(R"(["x^2+y^2+z^2-1"])"));
+  EXPECT_EQ(json["manifold"]["box"], Json::parse(R"([["-2","2"],["-2","2"],["-2","2"]])"));
+  EXPECT_EQ(json["manifold"]["vertices"], "manifold");
+  EXPECT_EQ(exact(json["manifold"]["slope"]), sample.atlas.slope());
+  // (1 + ξ₀)² ≥ 1 + L².
+  const Rational stretch = Rational(1) + exact(json["parameters"]["distortion"]);
+  EXPECT_GE(square(stretch), Rational(1) + square(sample.atlas.slope()));
+  EXPECT_EQ(keys_of(json["levels"]["5"]), (std::vector<std::string>{"route", "contraction", "displacement"}));
+  EXPECT_EQ(keys_of(json["levels"]["5i"]), (std::vector<std::string>{"margin"}));
+  // s, the skew matrix, Y, ϱ, ζ.
+  const ChartData& chart = sample.atlas.chart(Label(3)).data();
+  ASSERT_EQ(json["charts"][3].size(), 3U + 3U + 1U + 2U);
+  EXPECT_EQ(exact(json["charts"][3][1]), Rational(chart.columns[1]));
+  EXPECT_EQ(exact(json["charts"][3][5]), chart.skew[2]);
+  EXPECT_EQ(exact(json["charts"][3][6]), chart.preconditioner[0]);
+  EXPECT_EQ(exact(json["charts"][3][7]), chart.radius);
+  EXPECT_EQ(exact(json["charts"][3][8]), chart.height);
+  ASSERT_EQ(json["net"][3].size(), 3U);
+  EXPECT_EQ(exact(json["net"][3][2]), chart.centre[2]);
+  ASSERT_EQ(json["points"][3].size(), 2U);
+  EXPECT_EQ(exact(json["points"][3][1]), sample.run.points.exact(Label(3))[1]);
+  EXPECT_TRUE(json["elements"].empty());
+  EXPECT_TRUE(json["loops"].empty());
+  ASSERT_EQ(json["simplices"][5].size(), 5U);
+  EXPECT_EQ(json["simplices"][5][3], 0);
+  EXPECT_EQ(json["simplices"][5][4], 0);
 }
 
 }  // namespace DELCERT_THIS_FILE

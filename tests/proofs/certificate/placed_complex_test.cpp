@@ -83,7 +83,7 @@ TEST(PlacedComplex, OfATorusIsClosedAndItsLoopsAreTheUnitVectors) {
 
 TEST(PlacedComplex, OfAMetricFieldIsClosed) {
   const auto& sample = test::sheared_run();
-  const PlacedComplex<2> complex = placed_complex<2>(sample.atlas, sample.run.complex);
+  const PlacedComplex<2> complex = placed_complex<2>(sample.run.complex);
   EXPECT_EQ(complex.simplices.size(), sample.run.complex.simplices().size());
   EXPECT_TRUE(complex.loops.empty());
   expect_lattice_complex<2>(complex);

@@ -1,4 +1,4 @@
-#include "proofs/formula/toml_position.hpp"
+#include "kernel/formula/toml_position.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,119 @@
+#include "kernel/manifold/submanifold_file.hpp"
+
+#include <algorithm>
+
+#include "kernel/formula/plain_formula.hpp"
+#include "kernel/formula/toml_formula_reader.hpp"
+#include "kernel/manifold/exact_entry.hpp"
+#include "kernel/number/exact_text.hpp"
+
+namespace delcert {
+
+namespace {
+
+constexpr int least_submanifold_dimension = 2;
+constexpr int greatest_submanifold_dimension = 3;
+constexpr std::size_t longest_equation = 4096;
+
+class SubmanifoldReader : TomlFormulaReader {
+ public:
+  SubmanifoldReader(std::string_view text, const std::string& source)
+      : TomlFormulaReader(text, source), table_(parse()) {}
+
+  SubmanifoldDescription read() const {
+    refuse_unknown(table_, {"name", "family", "dimension", "variables", "equations", "box", "homology"});
+    if (short_string(table_, "family") != "submanifold")
+      fail(required(table_, "family"), key_in_words("family"), "\"submanifold\"");
+    SubmanifoldDescription result;
+    result.name = short_string(table_, "name");
+    result.dimension =
+        Dimension(integer(table_, "dimension", least_submanifold_dimension, greatest_submanifold_dimension));
+    result.variables = variables();
+    result.equations = equations(result);
+    result.box = box(result.variables);
+    result.homology = homology(static_cast<std::size_t>(result.dimension.value) + 1);
+    return result;
+  }
+
+ private:
+  const toml::array& array_of(std::string_view key, std::size_t least, std::size_t most, const std::string& of) const {
+    const std::string count =
+        least == most ? std::to_string(least) : std::to_string(least) + " to " + std::to_string(most);
+    const toml::node& node = required(table_, key, "an array of " + count + " " + of);
+    const auto* result = node.as_array();
+    if (result == nullptr || result->size() < least || result->size() > most)
+      fail(node, key_in_words(key), "an array of " + count + " " + of);
+    return *result;
+  }
+
+  std::vector<std::string> variables() const {
+    std::vector<std::string> result;
+    for (const toml::node& entry : array_of("variables", 3, most_ambient_dimensions, "names")) {
+      const std::string what = "variable " + std::to_string(result.size() + 1);
+      const auto* name = entry.as_string();
+      if (name == nullptr || !is_name_of_variable(name->get()))
+        fail(entry, what, "a name: at most 16 small letters, digits and _, a letter first, and no name of a function");
+      if (std::find(result.begin(), result.end(), name->get()) != result.end())
+        fail(entry, what, "another name: this one is taken");
+      result.push_back(name->get());
+    }
+    return result;
+  }
+
+  std::vector<std::string> equations(const SubmanifoldDescription& manifold) const {
+    const std::size_t ambient = manifold.variables.size();
+    const auto dimension = static_cast<std::size_t>(manifold.dimension.value);
+    if (dimension >= ambient)
+      fail(required(table_, "dimension"), key_in_words("dimension"),
+           "less than the number of variables, " + std::to_string(ambient));
+    const std::size_t count = ambient - dimension;
+    std::vector<std::string> result;
+    for (const toml::node& entry :
+         array_of("equations", count, count, "formulas: as many as there are variables, less the dimension")) {
+      const auto* text = entry.as_string();
+      if (text == nullptr || text->get().size() > longest_equation)
+        fail(entry, "equation " + std::to_string(result.size() + 1), "a string of at most 4096 bytes");
+      result.push_back(in_string(entry, "a formula", [&](const std::string& formula) {
+        return FormulaMap(manifold.variables, {formula}).canonical_texts()[0];
+      }));
+    }
+    return result;
+  }
+
+  std::vector<std::array<Rational, 2>> box(const std::vector<std::string>& variables) const {
+    std::vector<std::array<Rational, 2>> result;
+    for (const toml::node& entry :
+         array_of("box", variables.size(), variables.size(), "pairs of numbers, one for each variable")) {
+      const std::string what = "box, " + variables[result.size()];
+      const auto* ends = entry.as_array();
+      if (ends == nullptr || ends->size() != 2) fail(entry, what, "a pair of numbers");
+      const Rational from = exact_number(*this, (*ends)[0], what + ", from");
+      const Rational to = exact_number(*this, (*ends)[1], what + ", to");
+      if (to <= from) fail((*ends)[1], what + ", to", "a number above " + exact_text(from));
+      result.push_back({from, to});
+    }
+    return result;
+  }
+
+  std::vector<std::string> homology(std::size_t count) const {
+    std::vector<std::string> result;
+    if (!table_.contains("homology")) return result;
+    for (const toml::node& entry : array_of("homology", count, count, "groups, from degree 0 on")) {
+      const auto* group = entry.as_string();
+      if (group == nullptr || group->get().empty() || group->get().size() > 64)
+        fail(entry, "homology, degree " + std::to_string(result.size()), R"(a group such as "Z^2 + Z/3" or "0")");
+      result.push_back(group->get());
+    }
+    return result;
+  }
+
+  toml::table table_;
+};
+
+}  // namespace
+
+SubmanifoldDescription parse_submanifold(std::string_view text, const std::string& source) {
+  return SubmanifoldReader(text, source).read();
+}
+
+}  // namespace delcert

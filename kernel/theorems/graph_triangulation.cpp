@@ -1,0 +1,337 @@
+#include "kernel/theorems/graph_triangulation.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "kernel/chart/ambient_grid.hpp"
+#include "kernel/number/rounding_guard.hpp"
+#include "kernel/number/scalar.hpp"
+#include "kernel/parallel/parts.hpp"
+#include "support/error.hpp"
+
+namespace delcert {
+
+namespace {
+
+constexpr std::size_t simplices_at_a_time = 256;
+constexpr long digits_of_bounds = 12;
+constexpr int most_rounds = 6;
+
+/// A number of few digits above x, with room for readers whose enclosures are wider.
+Rational with_room_above(double x) {
+  const Rational wider = Rational::exactly(x) * (Rational(65) / Rational(64));
+  return rounded_up(wider, binary_exponent(wider) - digits_of_bounds + 1);
+}
+
+/// What simplices say of the whole.
+template <int m>
+struct GraphMeasures {
+  std::vector<GraphSimplex<m>> simplices;
+  double displacement = 0;
+  bool only_displacements_fail = true;
+};
+
+template <int m>
+std::vector<GraphSimplex<m>> graph_measures_part(const GraphVertices& vertices,
+                                                 const std::vector<LabelSimplex<m>>& simplices, double displacement,
+                                                 std::size_t first, std::size_t last) {
+  const RoundingGuard guard;
+  GraphSimplexCheck<m> check(vertices);
+  std::vector<GraphSimplex<m>> result;
+  for (std::size_t at = first; at < last; ++at) result.push_back(check.measure(simplices[at], displacement));
+  return result;
+}
+
+template <int m>
+GraphMeasures<m> graph_measures(const GraphVertices& vertices, const std::vector<LabelSimplex<m>>& simplices,
+                                double displacement, const Progress& progress) {
+  GraphMeasures<m> result;
+  in_parts<simplices_at_a_time>(
+      "map simplices to the manifold", simplices.size(), progress,
+      [&](std::size_t first, std::size_t last) {
+        return graph_measures_part<m>(vertices, simplices, displacement, first, last);
+      },
+      [&](std::vector<GraphSimplex<m>> part) {
+        for (const GraphSimplex<m>& one : part) {
+          result.displacement = std::max(result.displacement, one.displacement);
+          if (one.cause && *one.cause != GraphCause::displacement) result.only_displacements_fail = false;
+          result.simplices.push_back(one);
+        }
+      });
+  return result;
+}
+
+/// The least vertex of the component of each label; of labels in no simplex themselves.
+template <int m>
+std::vector<std::uint32_t> component_of_labels(std::size_t labels, const std::vector<LabelSimplex<m>>& simplices) {
+  std::vector<std::uint32_t> parent(labels);
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto root = [&parent](std::uint32_t label) {
+    while (parent[label] != label) label = parent[label] = parent[parent[label]];
+    return label;
+  };
+  for (const LabelSimplex<m>& simplex : simplices) {
+    for (const std::uint32_t label : simplex) {
+      const std::uint32_t one = root(simplex[0]);
+      const std::uint32_t other = root(label);
+      parent[std::max(one, other)] = std::min(one, other);
+    }
+  }
+  for (std::uint32_t label = 0; label < labels; ++label) parent[label] = root(label);
+  return parent;
+}
+
+/// Rule 5.clear.
+template <int m>
+class ClearLabels {
+ public:
+  ClearLabels(const GraphVertices& vertices, const std::vector<LabelSimplex<m>>& simplices,
+              const std::vector<GraphSimplex<m>>& measures, double displacement)
+      : vertices_(vertices),
+        simplices_(simplices),
+        measures_(measures),
+        around_(Interval(2) * Interval::exactly(displacement)),
+        check_(vertices),
+        shifts_(vertices.charts.size(), std::numeric_limits<double>::infinity()) {
+    for (std::size_t at = 0; at < simplices.size(); ++at) {
+      for (const std::uint32_t v : simplices[at]) shifts_[v] = std::min(shifts_[v], measures[at].shift);
+    }
+  }
+
+  /// Whether p′_k is certainly away from what simplices without it are mapped to.
+  [[nodiscard]] bool is_clear(std::uint32_t k) const {
+    for (std::size_t at = 0; at < simplices_.size(); ++at) {
+      const LabelSimplex<m>& simplex = simplices_[at];
+      if (std::find(simplex.begin(), simplex.end(), k) != simplex.end()) continue;
+      if (!is_far(k, at) && !has_other_height(k, simplex) && !is_beyond_a_facet(k, at)) return false;
+    }
+    return true;
+  }
+
+ private:
+  [[nodiscard]] bool is_far(std::uint32_t k, std::size_t at) const {
+    const Interval* here = vertices_.position(k);
+    const Interval* there = vertices_.position(simplices_[at][0]);
+    Interval squared(0);
+    for (std::size_t axis = 0; axis < vertices_.zero_set.ambient(); ++axis) squared += square(here[axis] - there[axis]);
+    return is_proved(less(square(Interval::exactly(measures_[at].edge) + around_), squared));
+  }
+
+  [[nodiscard]] bool has_other_height(std::uint32_t k, const LabelSimplex<m>& simplex) const {
+    for (std::size_t column = m; column < vertices_.zero_set.ambient(); ++column) {
+      const Interval height = check_.coordinate(simplex[0], k, column);
+      bool is_above = true;
+      bool is_below = true;
+      for (const std::uint32_t v : simplex) {
+        const Interval other = check_.coordinate(simplex[0], v, column);
+        is_above = is_above && is_proved(less(other + around_, height));
+        is_below = is_below && is_proved(less(height + around_, other));
+      }
+      if (is_above || is_below) return true;
+    }
+    return false;
+  }
+
+  /// Beyond a facet, or outside of the circumball, by more than what is moved sideways, in the chart of the least
+  /// label.
+  [[nodiscard]] bool is_beyond_a_facet(std::uint32_t k, std::size_t at) const {
+    const LabelSimplex<m>& simplex = simplices_[at];
+    const std::uint32_t j = simplex[0];
+    const auto gradients = check_.gradients(j, simplex);
+    if (!gradients) return false;
+    double side = 0;
+    for (const std::uint32_t v : simplex) side = std::max(side, check_.lateral(j, v));
+    Interval lateral = Interval::exactly(side) * Interval::exactly(measures_[at].shift);
+    if (!vertices_.residuals.empty())
+      lateral += Interval::exactly(check_.lateral(j, k)) * Interval::exactly(shifts_[k]);
+    Vector<Interval, m> place;
+    for (std::size_t row = 0; row < m; ++row)
+      place[row] = check_.coordinate(j, k, row) - check_.coordinate(j, simplex[0], row);
+    for (std::size_t v = 0; v <= m; ++v) {
+      const Vector<Interval, m>& gradient = (*gradients)[v];
+      const Interval weight = pairing(gradient, place) + Interval(v == 0 ? 1 : 0);
+      if (is_proved(less(weight, -lateral * square_root(pairing(gradient, gradient))))) return true;
+    }
+    return false;
+  }
+
+  const GraphVertices& vertices_;
+  const std::vector<LabelSimplex<m>>& simplices_;
+  const std::vector<GraphSimplex<m>>& measures_;
+  Interval around_;  // 2ω
+  GraphSimplexCheck<m> check_;
+  std::vector<double> shifts_;  // s_k: the least of the simplices at k
+};
+
+template <int m>
+std::vector<Label> unclear_components(const GraphVertices& vertices, const std::vector<LabelSimplex<m>>& simplices,
+                                      const std::vector<GraphSimplex<m>>& measures, double displacement) {
+  const RoundingGuard guard;
+  const ClearLabels<m> labels(vertices, simplices, measures, displacement);
+  const std::vector<std::uint32_t> component = component_of_labels<m>(vertices.charts.size(), simplices);
+  std::vector<bool> is_settled(component.size());
+  for (std::uint32_t k = 0; k < component.size(); ++k) {
+    if (!is_settled[component[k]] && labels.is_clear(k)) is_settled[component[k]] = true;
+  }
+  std::vector<Label> result;
+  for (std::uint32_t k = 0; k < component.size(); ++k) {
+    if (component[k] == k && !is_settled[k]) result.emplace_back(k);
+  }
+  return result;
+}
+
+/// Rule 5i.embedded: its margin, label by label.
+template <int m>
+class IsotopyMargins {
+ public:
+  IsotopyMargins(const GraphVertices& vertices, const std::vector<LabelSimplex<m>>& simplices,
+                 const std::vector<GraphSimplex<m>>& measures, const Rational& displacement,
+                 const Rational& contraction)
+      : vertices_(vertices),
+        reach_(reach_of(measures, displacement)),
+        rest_(scalar_from<Interval>((Rational(1) - contraction) / Rational(m + 1))),
+        grid_(vertices.zero_set.ambient(), reach_),
+        shifts_(vertices.charts.size()),
+        altitudes_(vertices.charts.size(), std::numeric_limits<double>::infinity()) {
+    for (std::uint32_t label = 0; label < shifts_.size(); ++label) grid_.insert(place(label).data());
+    for (std::size_t at = 0; at < simplices.size(); ++at) {
+      for (std::size_t v = 0; v <= m; ++v) {
+        const std::uint32_t label = simplices[at][v];
+        shifts_[label] = std::max(shifts_[label], measures[at].shift);
+        altitudes_[label] = std::min(altitudes_[label], measures[at].altitudes[v]);
+      }
+    }
+  }
+
+  [[nodiscard]] double margin(const GraphSimplexCheck<m>& check, std::uint32_t i) const {
+    double side = 0;
+    const RoundingGuard guard;
+    grid_.visit(place(i).data(), reach_, [&](std::uint32_t v, double) {
+      side = std::max(side, (Interval::exactly(check.lateral(i, v)) * Interval::exactly(shifts_[v])).upper());
+      return false;
+    });
+    if (!(altitudes_[i] < std::numeric_limits<double>::infinity())) return -1;
+    return (rest_ * Interval::exactly(altitudes_[i]) - Interval(2) * Interval::exactly(side)).lower();
+  }
+
+ private:
+  /// 2ℓ + 2ω, and a little more: places are rounded.
+  static double reach_of(const std::vector<GraphSimplex<m>>& measures, const Rational& displacement) {
+    double edge = 0;
+    for (const GraphSimplex<m>& one : measures) edge = std::max(edge, one.edge);
+    return (Interval(2) * (Interval::exactly(edge) + scalar_from<Interval>(displacement)) *
+            Interval::exactly(1 + 0x1p-20))
+        .upper();
+  }
+  [[nodiscard]] std::array<double, 9> place(std::uint32_t label) const {
+    std::array<double, 9> result{};
+    for (std::size_t axis = 0; axis < vertices_.zero_set.ambient(); ++axis)
+      result[axis] = vertices_.position(label)[axis].lower();
+    return result;
+  }
+
+  const GraphVertices& vertices_;
+  double reach_;
+  Interval rest_;  // (1 − γ)/(m + 1)
+  AmbientGrid grid_;
+  std::vector<double> shifts_;     // the greatest s_τ of the simplices at each label
+  std::vector<double> altitudes_;  // a_i
+};
+
+template <int m>
+void measure_isotopy(const GraphVertices& vertices, const std::vector<LabelSimplex<m>>& simplices,
+                     const std::vector<GraphSimplex<m>>& measures, GraphTriangulation<m>& result,
+                     const Progress& progress) {
+  std::optional<IsotopyMargins<m>> margins;
+  {
+    const RoundingGuard guard;
+    margins.emplace(vertices, simplices, measures, result.displacement, result.contraction);
+  }
+  result.margin = std::numeric_limits<double>::infinity();
+  std::uint32_t next = 0;
+  in_parts<simplices_at_a_time>(
+      "isotopy", vertices.charts.size(), progress,
+      [&](std::size_t first, std::size_t last) {
+        const RoundingGuard guard;
+        const GraphSimplexCheck<m> check(vertices);
+        std::vector<double> part;
+        for (std::size_t i = first; i < last; ++i)
+          part.push_back(margins->margin(check, static_cast<std::uint32_t>(i)));
+        return part;
+      },
+      [&](const std::vector<double>& part) {
+        for (const double margin : part) {
+          if (margin < result.margin) {
+            result.margin = margin;
+            result.tightest = Label(next);
+          }
+          ++next;
+        }
+      });
+  for (const GraphSimplex<m>& one : measures) result.above_lid += one.is_under_lid ? 0 : 1;
+}
+
+}  // namespace
+
+template <int m>
+GraphVertices graph_vertices(const SubmanifoldAtlas<m>& atlas, const PointSet<m>& points) {
+  GraphVertices result{atlas.zero_set(), atlas.charts(), {}, {}};
+  for (std::uint32_t index = 0; index < atlas.size(); ++index) {
+    const Label i(index);
+    const Vector<Rational, m> home = points.exact(i);
+    const auto enclosed = [&]<class S>(const auto& in_doubles_of) {
+      Vector<S, m> coordinates;
+      for (std::size_t axis = 0; axis < m; ++axis) coordinates[axis] = scalar_from<S>(home[axis]);
+      const auto position = atlas.template position<S>(i, coordinates);
+      if (!position) return false;
+      for (const S& x : *position) result.positions.push_back(in_doubles_of(x));
+      return true;
+    };
+    {
+      const RoundingGuard guard;
+      if (enclosed.template operator()<Interval>([](const Interval& x) { return x; })) continue;
+    }
+    if (!enclosed.template operator()<BigInterval>([](const BigInterval& x) { return in_doubles(x); }))
+      throw Undecided("the point of label " + std::to_string(index) + " cannot be enclosed");
+  }
+  return result;
+}
+template GraphVertices graph_vertices<2>(const SubmanifoldAtlas<2>&, const PointSet<2>&);
+template GraphVertices graph_vertices<3>(const SubmanifoldAtlas<3>&, const PointSet<3>&);
+
+template <int m>
+GraphTriangulation<m> check_graph_triangulation(const GraphVertices& vertices,
+                                                const std::vector<LabelSimplex<m>>& simplices,
+                                                const Progress& progress) {
+  GraphTriangulation<m> result;
+  // With what the points are moved by if nothing around them counts, to begin with.
+  GraphMeasures<m> found = graph_measures<m>(vertices, simplices, 0, progress);
+  for (int round = 0; round < most_rounds && found.displacement > 0; ++round) {
+    result.displacement = with_room_above(found.displacement);
+    const double displacement = approximate_double(result.displacement);
+    found = graph_measures<m>(vertices, simplices, displacement, progress);
+    const bool has_room = found.displacement == 0 || with_room_above(found.displacement) <= result.displacement;
+    if (has_room || !found.only_displacements_fail) break;
+  }
+  double contraction = 0;
+  for (std::size_t at = 0; at < simplices.size(); ++at) {
+    const GraphSimplex<m>& one = found.simplices[at];
+    contraction = std::max(contraction, one.contraction);
+    if (one.cause) result.failures.push_back({simplices[at], *one.cause});
+  }
+  if (!result.failures.empty()) return result;
+  result.contraction = contraction > 0 ? with_room_above(contraction) : Rational::power_of_two(-digits_of_bounds);
+  result.unclear = unclear_components<m>(vertices, simplices, found.simplices, approximate_double(result.displacement));
+  if (result.triangulates()) measure_isotopy<m>(vertices, simplices, found.simplices, result, progress);
+  return result;
+}
+
+template GraphTriangulation<1> check_graph_triangulation<1>(const GraphVertices&, const std::vector<LabelSimplex<1>>&,
+                                                            const Progress&);
+template GraphTriangulation<2> check_graph_triangulation<2>(const GraphVertices&, const std::vector<LabelSimplex<2>>&,
+                                                            const Progress&);
+template GraphTriangulation<3> check_graph_triangulation<3>(const GraphVertices&, const std::vector<LabelSimplex<3>>&,
+                                                            const Progress&);
+
+}  // namespace delcert

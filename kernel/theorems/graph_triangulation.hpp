@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "kernel/manifold/submanifold/submanifold_atlas.hpp"
+#include "kernel/theorems/graph_simplex.hpp"
+#include "support/progress.hpp"
+
+namespace delcert {
+
+template <int m>
+struct GraphSimplexFailure {
+  LabelSimplex<m> simplex;
+  GraphCause cause;
+};
+
+/// Levels 5 and 5i of a submanifold (docs/levels/submanifolds.md): whether the straight simplices, moved along fibres,
+/// triangulate M, and whether the complex is embedded and isotopic to M.
+template <int m>
+struct GraphTriangulation {
+  std::vector<GraphSimplexFailure<m>> failures;  ///< of 5.fibre and 5.contract, in the order of the simplices
+  std::vector<Label>
+      unclear;  ///< 5.clear: the least labels of components of which no label is certainly alone above its place
+  Rational displacement{};  ///< ω: every point of the complex is moved by no more; few binary digits, with a margin
+  Rational contraction{};  ///< γ < 1: how far the map is from the identity in charts; few binary digits, with a margin
+  std::size_t above_lid = 0;  ///< simplices that do not pass 5i.lid
+  Label tightest{0};          ///< where the margin of 5i is least
+  double margin = 0;          ///< of 5i, a lower bound; 5i holds if it is above 0
+
+  [[nodiscard]] bool triangulates() const { return failures.empty() && unclear.empty(); }
+  [[nodiscard]] bool is_isotopic() const { return triangulates() && above_lid == 0 && margin > 0; }
+};
+
+/// Where these points of the atlas are. Throws Undecided, with the label, if one cannot be enclosed. Precondition:
+/// rounding to nearest.
+template <int m>
+[[nodiscard]] GraphVertices graph_vertices(const SubmanifoldAtlas<m>& atlas, const PointSet<m>& points);
+
+/// In parallel. `simplices`: all m-simplices, each once, of a complex of which level 2 holds. Precondition: rounding to
+/// nearest.
+template <int m>
+[[nodiscard]] GraphTriangulation<m> check_graph_triangulation(const GraphVertices& vertices,
+                                                              const std::vector<LabelSimplex<m>>& simplices,
+                                                              const Progress& progress);
+
+}  // namespace delcert

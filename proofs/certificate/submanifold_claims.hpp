@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kernel/manifold/submanifold/submanifold_atlas.hpp"
+#include "kernel/run/chart_run.hpp"
+#include "kernel/stars/stable_stars.hpp"
+#include "kernel/theorems/graph_triangulation.hpp"
+#include "proofs/certificate/claims.hpp"
+#include "proofs/certificate/run_parameters.hpp"
+
+namespace delcert {
+
+/// What is measured of a certified run beyond levels 1 and 2.
+template <int m>
+struct SubmanifoldMeasures {
+  StarStability stability;              ///< level 2s
+  GraphTriangulation<m> triangulation;  ///< levels 5 and 5i
+};
+
+/// Derives the levels from a certified run and its measures, checking the inequalities of docs/certificate-format.md
+/// on the way; reasons for levels that were selected and are not reached are appended to `reasons`.
+template <int m>
+[[nodiscard]] Claims derive_claims(const SubmanifoldAtlas<m>& atlas, const RunParameters& parameters,
+                                   const ChartRun<m>& run, const SubmanifoldMeasures<m>& measures,
+                                   const LevelSelection& selection, std::vector<std::string>& reasons);
+
+/// Levels 5 and 5i, of vertices that are on M or given; without the level below nothing is claimed.
+template <int m>
+void claim_graph(const GraphTriangulation<m>& triangulation, const Rational& unit, const LevelSelection& selection,
+                 Claims& claims, std::vector<std::string>& reasons);
+
+}  // namespace delcert

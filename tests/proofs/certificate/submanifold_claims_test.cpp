@@ -1,0 +1,73 @@
+#include "proofs/certificate/submanifold_claims.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/proofs/certificate/submanifold_run.hpp"
+#include "tests/support/message_of.hpp"
+
+namespace delcert {
+namespace DELCERT_THIS_FILE {
+
+using Names = std::vector<std::string>;
+
+TEST(SubmanifoldClaims, of_a_sphere_are_what_the_measures_say) {
+  const auto& sample = test::sphere_run();
+  ASSERT_TRUE(sample.run.is_certified());
+  std::vector<std::string> reasons;
+  const Claims claims = sample.claims(reasons);
+  EXPECT_EQ(claims.names(), claims.stable_stars ? (Names{"1", "2", "2s", "5", "5i"}) : (Names{"1", "2", "5", "5i"}));
+  // Level 2s is reached or not, as stars are the same in charts, and then it is the one that is not.
+  EXPECT_EQ(claims.stable_stars.has_value(), sample.measures.stability.differing == 0);
+  EXPECT_EQ(reasons.size(), claims.stable_stars ? 0U : 1U);
+  EXPECT_EQ(claims.manifold->euler_characteristic, 2);
+  EXPECT_EQ(claims.triangulation->route, "graph");
+  EXPECT_EQ(claims.triangulation->graph->contraction, sample.measures.triangulation.contraction);
+  EXPECT_EQ(claims.triangulation->graph->displacement, sample.measures.triangulation.displacement);
+  EXPECT_GT(claims.isotopy->margin, Rational(0));
+  EXPECT_LT(claims.isotopy->margin, Rational::exactly(sample.measures.triangulation.margin));
+}
+
+TEST(SubmanifoldClaims, are_those_that_are_selected) {
+  const auto& sample = test::sphere_run();
+  const auto names = [&](const LevelSelection& levels) {
+    std::vector<std::string> reasons;
+    return sample.claims(reasons, levels).names();
+  };
+  EXPECT_EQ(names({"1"}), (Names{"1", "2"}));
+  EXPECT_EQ(names({"1", "2", "5"}), (Names{"1", "2", "5"}));
+  EXPECT_EQ(names({"1", "5i"}), (Names{"1", "2", "5", "5i"}));
+  EXPECT_EQ(names({"5", "5i"}), Names());
+}
+
+TEST(SubmanifoldClaims, say_which_level_is_not_reached_and_why) {
+  const auto& sample = test::sphere_run();
+  const auto reasons_with = [&](const GraphTriangulation<2>& triangulation) {
+    std::vector<std::string> reasons;
+    std::vector<std::string> unused;
+    Claims claims = sample.claims(unused, {"1", "2"});
+    claim_graph<2>(triangulation, test::ratio(1, 8), all_levels(), claims, reasons);
+    std::string text;
+    for (const std::string& name : claims.names()) text += name + " ";
+    for (const std::string& reason : reasons) text += "| " + reason;
+    return text;
+  };
+  GraphTriangulation<2> other = sample.measures.triangulation;
+  EXPECT_EQ(reasons_with(other), "1 2 5 5i ");
+  other.margin = -0.25;
+  other.tightest = Label(7);
+  EXPECT_EQ(reasons_with(other),
+            "1 2 5 | level 5i: stars are not wide enough for what points are moved: margin ≥ -2 ε, at label 7");
+  other = sample.measures.triangulation;
+  other.above_lid = 3;
+  EXPECT_EQ(reasons_with(other), "1 2 5 | level 5i: 3 simplices are too near to the lids of cylinders of their labels");
+  other.unclear = {Label(4), Label(9)};
+  EXPECT_EQ(reasons_with(other),
+            "1 2 | level 5: in 2 components no label is certainly alone over its place, that of label 4 first");
+  other.failures = {{{1, 2, 3}, GraphCause::fibre}};
+  EXPECT_EQ(reasons_with(other),
+            "1 2 | level 5: 1 simplices are not certainly mapped to the manifold as they should be; simplex 1 2 3: "
+            "fibres across it are not certainly transversal to the manifold");
+}
+
+}  // namespace DELCERT_THIS_FILE
+}  // namespace delcert
