@@ -13,16 +13,43 @@ namespace delcert {
 
 namespace {
 
-/// Where a chart fails with cells of this number, it is undecided.
-constexpr std::size_t most_cells = 6000;
-
 using Coordinates = std::array<double, most_ambient_dimensions>;
 
-/// A box in the coordinates (y, z) of a cylinder.
+/// A box in the coordinates (y, z) of a cylinder, by its ends, which neighbours share; and between which |y|/ϱ slopes
+/// are looked at in it.
 struct Cell {
-  Coordinates centre{};
-  Coordinates half{};
+  Coordinates lower{};
+  Coordinates upper{};
+  double from = 0;
+  double to = 1;
+
+  [[nodiscard]] double middle(std::size_t k) const { return lower[k] / 2 + upper[k] / 2; }
+  /// How far points are from the middle.
+  [[nodiscard]] Interval half(std::size_t k) const {
+    const Interval at = Interval::exactly(middle(k));
+    return maximum(Interval::exactly(upper[k]) - at, at - Interval::exactly(lower[k]));
+  }
+  [[nodiscard]] Interval greatest(std::size_t k) const {
+    return Interval::exactly(std::max(std::fabs(lower[k]), std::fabs(upper[k])));
+  }
+  [[nodiscard]] Interval least(std::size_t k) const { return Interval::exactly(std::max({lower[k], -upper[k], 0.0})); }
 };
+
+/// p(s) = (1 + 7s)/8: where |y| = sϱ, slopes may be Lp(s). P(s) = (2s + 7s²)/16, the integral: M is at most LϱP(s) from
+/// z₀.
+Interval profile(const Interval& s) { return (Interval(1) + Interval(7) * s) / Interval(8); }
+Interval profile_integral(const Interval& s) { return (Interval(2) * s + Interval(7) * square(s)) / Interval(16); }
+
+/// Between these, slopes are looked at one after the other: p(from) is to·0.85, but for 0.
+std::vector<std::pair<double, double>> shells() {
+  std::vector<std::pair<double, double>> result;
+  for (double to = 1; to > 0;) {
+    const double from = std::max(std::ldexp(std::floor(std::ldexp((8 * 0.85 * to - 1) / 7, 10)), -10), 0.0);
+    result.emplace_back(from, to);
+    to = from;
+  }
+  return result;
+}
 
 Interval norm_of(const std::vector<Interval>& entries) {
   Interval sum(0);
@@ -33,8 +60,9 @@ Interval norm_of(const std::vector<Interval>& entries) {
 /// The cells of one cylinder.
 class Cylinder {
  public:
-  Cylinder(FormulaEvaluation<Interval>& f, const TangentChart& chart, const Rational& slope)
+  Cylinder(FormulaEvaluation<Interval>& f, const TangentChart& chart, const Rational& slope, std::size_t most_cells)
       : f_(f),
+        most_cells_(most_cells),
         chart_(chart.enclosed()),
         n_(chart.ambient()),
         m_(chart.dimension()),
@@ -60,8 +88,20 @@ class Cylinder {
   enum class Outcome : unsigned char { holds, open, fails, undefined };
 
   std::optional<GraphFailure> look_at_all(Aim aim) {
-    std::vector<Cell> open(1);
-    for (std::size_t k = 0; k < n_; ++k) open[0].half[k] = (k < m_ ? radius_ : height_).upper();
+    Cell whole;
+    for (std::size_t k = 0; k < n_; ++k) {
+      whole.upper[k] = (k < m_ ? radius_ : height_).upper();
+      whole.lower[k] = -whole.upper[k];
+    }
+    std::vector<Cell> open(1, whole);
+    if (aim == Aim::flat) {
+      open.clear();
+      for (const auto& [from, to] : shells()) {
+        whole.from = from;
+        whole.to = to;
+        open.push_back(whole);
+      }
+    }
     for (std::size_t looked_at = 0; !open.empty(); ++looked_at) {
       Cell cell = open.back();
       open.pop_back();
@@ -72,13 +112,12 @@ class Cylinder {
       if (outcome == Outcome::fails && aim == Aim::transversal)
         return GraphFailure{"its patch is no graph: fibres are not transversal", false};
       if (outcome == Outcome::fails) return GraphFailure{"its patch is steeper than the slope", true};
-      if (looked_at > most_cells) return GraphFailure{"undecided whether its patch is a graph", true};
-      Cell half = cell;
-      half.half[longest] = half.half[longest] / 2;
-      half.centre[longest] = cell.centre[longest] - half.half[longest];
-      open.push_back(half);
-      half.centre[longest] = cell.centre[longest] + half.half[longest];
-      open.push_back(half);
+      if (looked_at > most_cells_) return GraphFailure{"undecided whether its patch is a graph", true};
+      const double cut = cell.middle(longest);
+      open.push_back(cell);
+      open.back().upper[longest] = cut;
+      open.push_back(cell);
+      open.back().lower[longest] = cut;
     }
     return std::nullopt;
   }
@@ -89,7 +128,8 @@ class Cylinder {
     const auto heights = zero_on_fibre<Interval>(f_, chart_, origin.data());
     if (!heights) return "no point of the manifold is certain over its centre";
     offset_ = Interval::exactly(norm_of(*heights).upper());
-    if (!is_proved(less(offset_ + slope_ * radius_, height_))) return "the lid of its patch is too low";
+    if (!is_proved(less(offset_ + slope_ * radius_ * profile_integral(Interval(1)), height_)))
+      return "the lid of its patch is too low";
     return std::nullopt;
   }
 
@@ -137,73 +177,75 @@ class Cylinder {
   }
   static double middle_of(const Interval& x) { return x.lower() / 2 + x.upper() / 2; }
 
-  /// Makes the cell smaller, to what contains its part in the cylinder, or in the cone for slopes. False if there is
-  /// none.
+  /// Makes the cell smaller, to what contains its part in the cylinder, or in the bent cone for slopes. False if there
+  /// is none.
   bool clip(Cell& cell, Aim aim) const {
     Interval nearest(0);
-    Interval farthest(0);
-    std::array<Interval, most_ambient_dimensions> least;
-    for (std::size_t k = 0; k < m_; ++k) {
-      const Interval along = absolute(Interval::exactly(cell.centre[k]));
-      const Interval half = Interval::exactly(cell.half[k]);
-      least[k] = square(maximum(along - half, Interval(0)));
-      nearest += least[k];
-      farthest += square(along + half);
-    }
-    if (is_proved(less(square(radius_), nearest))) return false;
-    for (std::size_t k = 0; k < m_; ++k) cut(cell, k, square_root(square(radius_) - (nearest - least[k])).upper());
+    for (std::size_t k = 0; k < m_; ++k) nearest += square(cell.least(k));
+    const Interval most = aim == Aim::flat ? radius_ * Interval::exactly(cell.to) : radius_;
+    if (is_proved(less(square(most), nearest))) return false;
+    for (std::size_t k = 0; k < m_; ++k)
+      cut(cell, k, square_root(square(most) - (nearest - square(cell.least(k)))).upper());
     if (aim == Aim::transversal) return true;
-    const Interval steepest = slope_ * minimum(square_root(farthest), radius_) + offset_;
+    Interval farthest(0);
     Interval lowest(0);
+    for (std::size_t k = 0; k < m_; ++k) farthest += square(cell.greatest(k));
+    if (is_proved(less(farthest, square(radius_ * Interval::exactly(cell.from))))) return false;
+    cell.from = std::max(cell.from, (square_root(nearest) / radius_).lower());
+    cell.to = std::min(cell.to, (square_root(farthest) / radius_).upper());
+    const Interval steepest = slope_ * radius_ * profile_integral(Interval::exactly(cell.to)) + offset_;
     for (std::size_t k = m_; k < n_; ++k) {
-      lowest +=
-          square(maximum(absolute(Interval::exactly(cell.centre[k])) - Interval::exactly(cell.half[k]), Interval(0)));
+      lowest += square(cell.least(k));
       cut(cell, k, steepest.upper());
     }
     return !is_proved(less(square(steepest), lowest));
   }
   /// To |coordinate| ≤ most, if that leaves something.
   static void cut(Cell& cell, std::size_t k, double most) {
-    const double upper = std::min(cell.centre[k] + cell.half[k], most);
-    const double lower = std::max(cell.centre[k] - cell.half[k], -most);
-    if (!(lower < upper) || (upper == cell.centre[k] + cell.half[k] && lower == cell.centre[k] - cell.half[k])) return;
-    cell.centre[k] = lower / 2 + upper / 2;
-    cell.half[k] =
-        std::max(upper - cell.centre[k], (Interval::exactly(cell.centre[k]) - Interval::exactly(lower)).upper());
+    const double upper = std::min(cell.upper[k], most);
+    const double lower = std::max(cell.lower[k], -most);
+    if (!(lower < upper)) return;
+    cell.upper[k] = upper;
+    cell.lower[k] = lower;
   }
 
-  /// Whether the middle of a cell is a witness: certainly in the cylinder, or in the cone for slopes.
-  [[nodiscard]] bool is_witness(const Cell& cell, Aim aim) const {
+  /// What the slope may be at the middle of a cell, if that is certainly in the cylinder, and for slopes in the bent
+  /// cone.
+  [[nodiscard]] std::optional<Interval> bound_at_middle(const Cell& cell, Aim aim) const {
     Interval across(0);
     Interval above(0);
-    for (std::size_t k = 0; k < n_; ++k) (k < m_ ? across : above) += square(Interval::exactly(cell.centre[k]));
-    if (!is_proved(less(across, square(radius_)))) return false;
-    return aim == Aim::transversal || is_proved(less(square_root(above) + offset_, slope_ * square_root(across)));
+    for (std::size_t k = 0; k < n_; ++k) (k < m_ ? across : above) += square(Interval::exactly(cell.middle(k)));
+    if (!is_proved(less(across, square(radius_)))) return std::nullopt;
+    const Interval s = square_root(across) / radius_;
+    if (aim == Aim::flat && !is_proved(less(square_root(above) + offset_, slope_ * radius_ * profile_integral(s))))
+      return std::nullopt;
+    return slope_ * profile(s);
   }
 
   /// `longest`: the side of the cell that the enclosure depends on most.
   Outcome look_at(Cell& cell, Aim aim, std::size_t& longest) {
     if (!clip(cell, aim)) return Outcome::holds;
-    longest = static_cast<std::size_t>(std::max_element(cell.half.begin(), cell.half.end()) - cell.half.begin());
-    for (std::size_t k = 0; k < n_; ++k) at_[k] = Interval::exactly(cell.centre[k]);
+    for (std::size_t k = 0; k < n_; ++k) {
+      if (cell.upper[k] - cell.lower[k] > cell.upper[longest] - cell.lower[longest]) longest = k;
+      at_[k] = Interval::exactly(cell.middle(k));
+    }
     chart_.position(at_.data(), x_.data());
     if (!f_.first(x_.data(), value_.data(), derivative_.data())) return Outcome::undefined;
     Dense<Interval> weights = chart_.preconditioner;
     Dense<Interval> entries = product(product(weights, derivative_, q_, n_), chart_.frame, n_, n_);
     // What fails in the middle fails.
-    const bool fails_if_at_all = is_witness(cell, aim);
+    const auto bound = bound_at_middle(cell, aim);
     if (aim == Aim::flat) {
       const auto adapted = adapted_to(entries);
-      if (!adapted) return fails_if_at_all ? Outcome::fails : Outcome::open;
+      if (!adapted) return bound ? Outcome::fails : Outcome::open;
       weights = product(*adapted, weights, q_, q_);
       entries = product(*adapted, entries, q_, n_);
-      if (fails_if_at_all && !(steepness_in(entries) < slope_.lower())) return Outcome::fails;
-    } else if (fails_if_at_all && !is_refuted(less(Interval(1), distance_from_identity(entries)))) {
+      if (bound && !(steepness_in(entries) <= bound->upper())) return Outcome::fails;
+    } else if (bound && !is_refuted(less(Interval(1), distance_from_identity(entries)))) {
       return Outcome::fails;
     }
     for (std::size_t axis = 0; axis < n_; ++axis) {
-      for (std::size_t k = 0; k < n_; ++k)
-        x_[axis] += chart_.at(axis, k) * Interval::between(-cell.half[k], cell.half[k]);
+      for (std::size_t k = 0; k < n_; ++k) x_[axis] += chart_.at(axis, k) * (cell.half(k) * Interval::between(-1, 1));
     }
     if (!f_.second(x_.data(), value_.data(), derivative_.data(), second_.data())) return Outcome::open;
     second_order(weights);
@@ -257,13 +299,13 @@ class Cylinder {
       for (std::size_t l = 0; l < n_; ++l) {
         Interval unsplit(0);
         for (std::size_t k = 0; k < n_; ++k) {
-          const Interval half = Interval::exactly(cell.half[k]);
+          const Interval half = cell.half(k);
           const Interval all = absolute(bend(row, k, l)) * half;
           Interval part = all;
           if (k < m_ && l < m_) {
             const double middle = middle_of(bend(row, k, l));
             flat[(row * m_ + l) * m_ + k] = middle;
-            rest[row * m_ + l] -= Interval::exactly(middle) * Interval::exactly(cell.centre[k]);
+            rest[row * m_ + l] -= Interval::exactly(middle) * Interval::exactly(cell.middle(k));
             part = absolute(bend(row, k, l) - Interval::exactly(middle)) * half;
           }
           if (l < m_) unsplit += part;
@@ -277,17 +319,11 @@ class Cylinder {
     const auto most = static_cast<std::size_t>(std::max_element(share.begin(), share.end()) - share.begin());
     if (share[most] < std::numeric_limits<double>::infinity()) longest = most;
     if (aim == Aim::transversal) return is_proved(less(distance_from_identity(entries), Interval(1)));
-    if (steepness_in(entries) <= slope_.lower()) return true;
-    const Interval split = square_root(apart) + operator_norm(flat) * farthest_in(cell) + square_root(left);
-    return over(split, distance_from_identity(entries)) <= slope_.lower();
-  }
-
-  /// The greatest |y| in the disc and the cell.
-  [[nodiscard]] Interval farthest_in(const Cell& cell) const {
-    Interval squared(0);
-    for (std::size_t k = 0; k < m_; ++k)
-      squared += square(absolute(Interval::exactly(cell.centre[k])) + Interval::exactly(cell.half[k]));
-    return minimum(square_root(squared), radius_);
+    const double allowed = (slope_ * profile(Interval::exactly(cell.from))).lower();
+    if (steepness_in(entries) <= allowed) return true;
+    const Interval split =
+        square_root(apart) + operator_norm(flat) * Interval::exactly(cell.to) * radius_ + square_root(left);
+    return over(split, distance_from_identity(entries)) <= allowed;
   }
 
   /// A bound of max |By| for |y| ≤ 1, B with m columns, by (tr (BᵀB)^64)^(1/128).
@@ -312,6 +348,7 @@ class Cylinder {
   }
 
   FormulaEvaluation<Interval>& f_;
+  std::size_t most_cells_;
   const EnclosedChart<Interval>& chart_;
   std::size_t n_;
   std::size_t m_;
@@ -332,7 +369,8 @@ class Cylinder {
 
 GraphCheck::GraphCheck(const ZeroSet& zero_set) : zero_set_(zero_set) {}
 
-std::optional<GraphFailure> GraphCheck::failure(const TangentChart& chart, const Rational& slope) {
+std::optional<GraphFailure> GraphCheck::failure(const TangentChart& chart, const Rational& slope,
+                                                std::size_t most_cells) {
   const RoundingGuard guard;
   const std::size_t n = chart.ambient();
   const EnclosedChart<Interval>& enclosed = chart.enclosed();
@@ -351,22 +389,24 @@ std::optional<GraphFailure> GraphCheck::failure(const TangentChart& chart, const
                           false};
   }
   FormulaEvaluation<Interval> f(zero_set_.map());
-  return Cylinder(f, chart, slope).failure();
+  return Cylinder(f, chart, slope, most_cells).failure();
 }
 
 namespace {
 
 constexpr std::array patch_factors{5, 4, 3};
 /// The slope is greater than needed by this: the more, the fewer cells.
-constexpr std::array slope_slacks{1.12, 1.04};
+constexpr std::array slope_slacks{1.6, 1.25, 1.1};
 constexpr long slope_exponent = -8;
 /// What is not so at all charts is mostly seen at some of them.
 constexpr std::size_t most_suspects = 64;
+constexpr std::size_t cells_for_high_lids = 100;
 constexpr std::size_t most_estimates = 1024;
 
-/// ζ > |z₀| + Lϱ by a little, with few digits.
-Rational height_for(const Rational& radius, const Rational& slope) {
-  const Rational needed = radius * slope * (Rational(1) + Rational::power_of_two(-6));
+/// ζ > |z₀| + 9Lϱ/16 by a little, with few digits.
+Rational least_height(const Rational& radius, const Rational& slope) {
+  const Rational needed =
+      radius * slope * Rational(Integer(9), Integer(16)) * (Rational(1) + Rational::power_of_two(-6));
   return rounded_up(needed, binary_exponent(needed) - 6);
 }
 
@@ -396,13 +436,16 @@ class SlopeEstimate {
         length += y[k] * y[k];
       }
       if (length == 0) continue;
-      for (std::size_t k = 0; k < m_; ++k) y[k] *= radius / std::sqrt(length);
-      for (std::size_t b = m_; b < n_; ++b) {
-        for (const double sign : {-1.0, 1.0}) {
-          y[b] = sign * slope * radius;
-          result = std::max(result, slope_at(enclosed, y));
+      for (const double s : {0.5, 1.0}) {
+        std::vector<double> at(n_, 0);
+        for (std::size_t k = 0; k < m_; ++k) at[k] = y[k] * s * radius / std::sqrt(length);
+        for (std::size_t b = m_; b < n_; ++b) {
+          for (const double sign : {-1.0, 1.0}) {
+            at[b] = sign * slope * radius * (2 * s + 7 * s * s) / 16;
+            result = std::max(result, slope_at(enclosed, at) * 8 / (1 + 7 * s));
+          }
+          at[b] = 0;
         }
-        y[b] = 0;
       }
     }
     return result;
@@ -542,10 +585,11 @@ class Fitting {
 
   std::vector<std::pair<std::size_t, GraphFailure>> failing(const std::vector<std::size_t>& labels,
                                                             const Rational& radius, const Rational& slope) {
-    const Rational height = height_for(radius, slope);
+    const Rational least = least_height(radius, slope);
+    const std::array high_lids{radius * Rational::power_of_two(-1),
+                               sampling_radius_ * Rational(Integer(13), Integer(8))};
     // Others may divide the cylinders otherwise.
     const Rational less = slope * (Rational(1) - Rational::power_of_two(-6));
-    for (TangentChart& chart : charts_) chart.set_size(radius, height);
     std::vector<std::pair<std::size_t, GraphFailure>> result;
     in_parts(
         "look at patches", labels.size(), progress_,
@@ -553,8 +597,15 @@ class Fitting {
           GraphCheck check(zero_set_);
           std::vector<std::pair<std::size_t, GraphFailure>> found;
           for (std::size_t at = first; at < last; ++at) {
-            if (auto failure = check.failure(charts_[labels[at]], less))
-              found.emplace_back(labels[at], std::move(*failure));
+            // The higher, the fewer parts the box is divided into.
+            TangentChart& chart = charts_[labels[at]];
+            const bool is_high = std::any_of(high_lids.begin(), high_lids.end(), [&](const Rational& height) {
+              chart.set_size(radius, height);
+              return least < height && !check.failure(chart, less, cells_for_high_lids);
+            });
+            if (is_high) continue;
+            chart.set_size(radius, least);
+            if (auto failure = check.failure(chart, less)) found.emplace_back(labels[at], std::move(*failure));
           }
           return found;
         },

@@ -58,7 +58,7 @@ TEST(SubmanifoldNet, says_what_is_wrong_and_where) {
       rejection(zero_set("cut", {"x", "y", "z"}, {"x^2 + y^2 + z^2 - 1"}, {ratio(3, 2), ratio(3, 2), ratio(9, 10)}),
                 ratio(1, 10)),
       "its patch is not inside of the box, across z"));
-  EXPECT_TRUE(mentions(rejection(unit_sphere_in_space(), ratio(1, 5)), "its patch is steeper than 1"));
+  EXPECT_TRUE(mentions(rejection(unit_sphere_in_space(), ratio(1, 4)), "its patch is steeper than 1"));
   EXPECT_THROW(attempt(unit_sphere_in_space(), Rational(0)), InputError);
   // Everything is a zero: undecided, at a place.
   const std::string everything = message_of<Undecided>([&] {

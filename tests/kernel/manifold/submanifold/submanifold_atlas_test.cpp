@@ -46,17 +46,17 @@ TEST(SubmanifoldAtlas, has_its_points_on_the_manifold) {
 }
 
 TEST(SubmanifoldAtlas, sees_what_is_in_the_patch_and_nothing_through_the_hole) {
-  // The spheres of radius 1 and 5/4 about 0: sheets that are closer than patches are wide.
-  const ZeroSet m = zero_set("sheets", {"x", "y", "z"}, {"(x^2 + y^2 + z^2 - 1)*(x^2 + y^2 + z^2 - 25/16)"},
+  // The spheres of radius 1 and 4/3 about 0: sheets that are closer than patches are wide.
+  const ZeroSet m = zero_set("sheets", {"x", "y", "z"}, {"(x^2 + y^2 + z^2 - 1)*(x^2 + y^2 + z^2 - 16/9)"},
                              std::vector<Rational>(3, Rational(2)));
-  const auto atlas = atlas_of(m, ratio(1, 16));
+  const auto atlas = atlas_of(m, ratio(1, 12));
   ASSERT_GT(atlas.patch_radius(), ratio(3, 20));
   std::vector<Vector<double, 3>> centres;
   for (const TangentChart& chart : atlas.charts()) {
     Vector<double, 3>& centre = centres.emplace_back();
     for (std::size_t axis = 0; axis < 3; ++axis) centre[axis] = approximate_double(chart.data().centre[axis]);
   }
-  const auto shell = [&](Label i) { return pairing(centres[i.value], centres[i.value]) > 1.25; };
+  const auto shell = [&](Label i) { return pairing(centres[i.value], centres[i.value]) > 1.4; };
   std::vector<Sighting<2>> seen;
   std::vector<Label> near;
   for (std::uint32_t index = 0; index < atlas.size(); index += 137) {
@@ -88,7 +88,7 @@ TEST(SubmanifoldAtlas, sees_what_is_in_the_patch_and_nothing_through_the_hole) {
       EXPECT_LE(found.size(), expected + 1);
     }
     near.clear();
-    atlas.near(i, 0.3, near);
+    atlas.near(i, 0.4, near);
     EXPECT_TRUE(std::any_of(near.begin(), near.end(), [&](Label other) { return shell(other) != shell(i); }));
   }
   EXPECT_EQ(atlas.neighbours(Label(5)).size(), [&] {
