@@ -23,7 +23,7 @@ Certificate::Certificate(std::string_view text) {
   require_lengths();
   Budget::open(n);
   metric = Metric(m, gram);
-  net = PointSet(metric, torus, net_text);
+  if (!submanifold) net = PointSet(metric, torus, net_text);
   points = PointSet(metric, torus, points_text);
   for (Label i = 0; i < n; ++i) interior.push_back(is_interior(i));
   require_parameters();
@@ -31,6 +31,7 @@ Certificate::Certificate(std::string_view text) {
   require_levels();
   if (space_form) require_space_form();
   if (metric_field) require_metric_field();
+  if (submanifold) require_submanifold();
   require_elements();
   require_loops();
   derive_stars();
@@ -53,9 +54,11 @@ void Certificate::require_lengths() const {
   };
   require("form.lengths", !points_text.empty() && points_text.size() / static_cast<std::size_t>(m) < UINT32_MAX,
           "too few or too many points");
-  require("form.lengths", net_text.size() == points_text.size() || (net_text.empty() && torus && !claimed[level_0]),
-          "net and points have different lengths");
-  require("form.lengths", !metric_field || chart_text.size() / chart_size() == points_text.size() / m_size(),
+  require(
+      "form.lengths",
+      net_text.size() / net_size() == points_text.size() / m_size() || (net_text.empty() && torus && !claimed[level_0]),
+      "net and points have different lengths");
+  require("form.lengths", chart_size() == 0 || chart_text.size() / chart_size() == points_text.size() / m_size(),
           "charts and points have different lengths");
   for (const std::vector<Label>* labels : {&net_simplices, &simplex_labels}) {
     for (const Label j : *labels)
@@ -72,9 +75,9 @@ void Certificate::require_parameters() const {
   require(positive(mu) && at_most(mu.exact, Rational(1)), "separation is not in (0, 1]");
   require(radius_variation.exact.sign() == 0, "radius_variation is not 0");
   const bool undistorted = distortion.exact.sign() == 0;
-  require(
-      undistorted || (metric_field && positive(distortion) && less(distortion.exact, Rational(1)) == Verdict::proved),
-      "distortion is not 0, nor, on a metric field, in (0, 1)");
+  require(undistorted || ((metric_field || submanifold) && positive(distortion) &&
+                          less(distortion.exact, Rational(1)) == Verdict::proved),
+          "distortion is not 0, nor, on a metric field or a submanifold, in (0, 1)");
   require(rho.exact.sign() >= 0 && at_most(rho.exact * Rational(4), mu.exact),
           "perturbation is not in [0, separation/4]");
   require(positive(flake_squared) && at_most(flake_squared.exact, Rational(1)),
@@ -85,13 +88,12 @@ void Certificate::require_parameters() const {
   require(!claimed[level_1] || positive(circumradius), "circumradius is not positive");
 }
 
-/// On a space form and a metric field `points` are what the net points are moved by.
 void Certificate::require_mode() const {
   if (!unperturbed) return;
   Report::require("form.mode", rho.exact.sign() == 0, "the mode is none, but perturbation is not 0");
-  if (!space_form && !metric_field && net_text.empty()) return;
+  if (!points_are_moves() && net_text.empty()) return;
   for (std::size_t k = 0; k < points_text.size(); ++k) {
-    const Rational original = space_form || metric_field ? Rational(0) : exact_value(net_text[k]);
+    const Rational original = points_are_moves() ? Rational(0) : exact_value(net_text[k]);
     if (exact_value(points_text[k]) == original) continue;
     Report::require("form.mode", false, "the mode is none, but label " + std::to_string(k / m_size()) + " is moved");
   }
@@ -110,7 +112,7 @@ void Certificate::require_levels() const {
   Report::require("form.levels", any, "no level is claimed");
   Report::require("form.family", !has_boundary() || !(claimed[level_5] || claimed[level_6]),
                   "levels 5 and 6 are for closed manifolds");
-  Report::require("form.net-simplices", net_simplices.empty() || (claimed[level_0] && !space_form && !metric_field),
+  Report::require("form.net-simplices", net_simplices.empty() || (claimed[level_0] && !points_are_moves()),
                   "net_simplices is not empty although no level 0 looks at it");
   const auto size = static_cast<std::size_t>(m) + 1;
   for (std::size_t s = 0; s < net_simplices.size(); s += size) {
@@ -125,13 +127,16 @@ std::vector<Level> rests_on(std::size_t level, Kind kind) {
     case level_0:
       return kind == Kind::space_form ? std::vector{level_1, level_4} : std::vector<Level>{};
     case level_1:
+    case level_1f:
       return {level_2};
     case level_2:
-      return has_core(kind) ? std::vector<Level>{} : std::vector{level_1};
+      return has_core(kind) ? std::vector<Level>{} : std::vector{level_of_stars(kind)};
     case level_2s:
       return kind == Kind::ball || kind == Kind::torus ? std::vector{level_0, level_1} : std::vector{level_1};
     case level_3:
       return {level_0};
+    case level_5i:
+      return {level_5};
     case level_6:
       return kind == Kind::torus ? std::vector{level_4, level_5} : std::vector{level_5};
     default:

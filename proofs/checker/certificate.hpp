@@ -9,18 +9,33 @@
 #include "proofs/checker/metric_field.hpp"
 #include "proofs/checker/point_set.hpp"
 #include "proofs/checker/space_form.hpp"
+#include "proofs/checker/submanifold.hpp"
 
 namespace delcert::checker {
 
-inline constexpr std::array<std::string_view, 8> level_names = {"0", "1", "2", "2s", "3", "4", "5", "6"};
-enum Level : std::size_t { level_0, level_1, level_2, level_2s, level_3, level_4, level_5, level_6 };
+inline constexpr std::array<std::string_view, 10> level_names = {"0", "1", "1f", "2", "2s", "3", "4", "5", "5i", "6"};
+enum Level : std::size_t {
+  level_0,
+  level_1,
+  level_1f,
+  level_2,
+  level_2s,
+  level_3,
+  level_4,
+  level_5,
+  level_5i,
+  level_6
+};
 
 /// What rules there are depends on which kind of manifold it is.
-enum class Kind { ball, torus, space_form, metric_field };
-/// Whether the core decides levels 2, 4, 5 and 6 (docs/levels/core.md). On other kinds levels 1 and 2 are one.
+enum class Kind { ball, torus, space_form, metric_field, submanifold, given_complex };
+/// Whether the core decides levels 2, 4, 5 and 6 (docs/levels/core.md). On other kinds levels 1, of given
+/// complexes 1f, and 2 are one.
 constexpr bool has_core(Kind kind) { return kind == Kind::torus || kind == Kind::space_form; }
 /// The levels with which a level must be claimed.
 std::vector<Level> rests_on(std::size_t level, Kind kind);
+/// The level of the stars with which level 2 is one, where there is no core.
+constexpr Level level_of_stars(Kind kind) { return kind == Kind::given_complex ? level_1f : level_1; }
 
 /// An edge of a simplex: from its vertex at one position to that at another.
 struct LoopStep {
@@ -38,6 +53,7 @@ struct Certificate {
   bool torus = false;
   std::unique_ptr<SpaceForm> space_form;      // of its families; otherwise none
   std::unique_ptr<MetricField> metric_field;  // of its family; otherwise none
+  std::unique_ptr<Submanifold> submanifold;   // of its family; otherwise none
   int m = 0;
   Label n = 0;
   std::vector<Rational> gram;  // m rows of m; empty on a Euclidean ball
@@ -51,16 +67,17 @@ struct Certificate {
   std::uint64_t simplices = 0;                                 // level 2
   std::int64_t euler_characteristic = 0;
   bool closed = false;
-  std::vector<std::string> homology;   // m + 1 groups, or none
-  Quantity reach_2s;                   // level 2s on a space form
-  Quantity empty_margin, ball_radius;  // level 4 on a space form
-  Quantity edge, stability_margin;     // level 4 on a metric field
-  bool riemannian_simplices = false;   // level 5: whether the two that follow are there
+  std::vector<std::string> homology;                     // m + 1 groups, or none
+  Quantity reach_2s;                                     // level 2s on a space form
+  Quantity empty_margin, ball_radius;                    // level 4 on a space form
+  Quantity edge, stability_margin;                       // level 4 on a metric field
+  Quantity contraction, displacement, embedding_margin;  // levels 5 and 5i on a submanifold
+  bool riemannian_simplices = false;                     // level 5: whether the two that follow are there
   Quantity riemannian_thickness, riemannian_radius;
   bool self_delaunay = true;  // level 6
   Quantity weight, least_stretch, greatest_stretch;
-  std::vector<std::string_view> net_text, points_text;  // m to a point
-  std::vector<std::string_view> chart_text;             // m (m + 1) / 2 to a point, on a metric field
+  std::vector<std::string_view> net_text, points_text;  // m to a point; in net_text, on a submanifold, N
+  std::vector<std::string_view> chart_text;             // chart_size() to a point
   std::vector<Label> net_simplices;                     // m + 1 to a simplex
   std::vector<std::int32_t> element_entries;            // element_size() to an element; the identity is not among them
   std::vector<Label> simplex_labels;                    // m + 1 to a simplex, increasing
@@ -75,21 +92,32 @@ struct Certificate {
   std::vector<bool> interior;
 
   Kind kind() const {
-    return space_form ? Kind::space_form : metric_field ? Kind::metric_field : torus ? Kind::torus : Kind::ball;
+    return space_form     ? Kind::space_form
+           : metric_field ? Kind::metric_field
+           : submanifold  ? (submanifold->given ? Kind::given_complex : Kind::submanifold)
+           : torus        ? Kind::torus
+                          : Kind::ball;
   }
   bool has_boundary() const { return kind() == Kind::ball; }
   std::size_t m_size() const { return static_cast<std::size_t>(m); }
-  std::size_t chart_size() const { return m_size() * (m_size() + 1) / 2; }
+  /// How many numbers describe a chart; 0 where the file has none.
+  std::size_t chart_size() const {
+    return metric_field ? m_size() * (m_size() + 1) / 2 : submanifold ? submanifold->chart_size() : 0;
+  }
+  /// How many numbers describe a point of the net.
+  std::size_t net_size() const { return submanifold ? submanifold->N : m_size(); }
+  /// On a space form, a metric field and a submanifold `points` are what the net points are moved by.
+  bool points_are_moves() const { return space_form || metric_field || submanifold; }
   /// On a metric field: the entries on and above the diagonal of the chart of a label, row by row.
   std::vector<Rational> chart_entries(Label i) const;
-  /// On a space form or a metric field: within rho epsilon + 2 (circumradius) + protection of p_i is what level 1 looks
-  /// at.
+  /// On a space form, a metric field or a submanifold: within rho epsilon + 2 (circumradius) + protection of p_i is
+  /// what level 1 looks at.
   Rational reach_1() const;
   /// How far from p_i any level looks; 0 if none does.
   Rational reach() const;
 
-  /// How many integers describe an element: a vector, or parent and letter; none on a Euclidean ball.
-  std::size_t element_size() const { return space_form ? 2 : has_boundary() ? 0 : m_size(); }
+  /// How many integers describe an element: a vector, or parent and letter; none where there is no group.
+  std::size_t element_size() const { return space_form ? 2 : has_boundary() || submanifold ? 0 : m_size(); }
   /// The identity, element 0, is counted.
   std::size_t element_count() const { return 1 + (element_size() == 0 ? 0 : element_entries.size() / element_size()); }
   /// What describes element number e > 0.
@@ -128,6 +156,8 @@ struct Certificate {
   void require_levels() const;
   void require_space_form() const;
   void require_metric_field() const;
+  void parse_submanifold_level(Cursor& cursor, std::size_t level);
+  void require_submanifold() const;
   void require_elements() const;
   void require_loops() const;
   void require_simplices() const;

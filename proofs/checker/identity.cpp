@@ -33,6 +33,11 @@ Identity identify(const Certificate& c) {
     result.family = c.space_form->K > 0 ? "spherical" : c.space_form->K == 0 ? "flat" : "hyperbolic";
     return result;
   }
+  if (c.submanifold) {
+    result.family = "submanifold";
+    result.size = std::to_string(c.submanifold->q) + " equations in R^" + std::to_string(c.submanifold->N);
+    return result;
+  }
   result.orientability = "orientable";
   result.first_homology = group_text(c.has_boundary() ? 0 : c.m_size(), {});
   if (c.metric_field) {

@@ -113,7 +113,7 @@ void check_patch(const Certificate& c, Report& report) {
 }  // namespace
 
 /// Every (m-1)-face of star(i) that contains i lies in exactly two simplices of star(i).
-void check_facets(const Certificate& c, Label i, Report& report) {
+void check_facets(const Certificate& c, Label i, Report& report, const char* rule) {
   const auto m = static_cast<std::size_t>(c.m);
   std::vector<std::array<Label, 3>> facets;
   for (std::size_t s = 0; s < c.star_size(i); ++s) {
@@ -127,7 +127,7 @@ void check_facets(const Certificate& c, Label i, Report& report) {
   for (auto begin = facets.begin(), end = begin; begin != facets.end(); begin = end) {
     end = std::upper_bound(begin, facets.end(), *begin);
     if (end - begin == 2) continue;
-    report.reject("1.facets", [&] {
+    report.reject(rule, [&] {
       return "in the star of " + std::to_string(i) + ", " + std::to_string(end - begin) + " simplices have the face " +
              label_set(begin->data(), begin->data() + m - 1) + " and the label";
     });

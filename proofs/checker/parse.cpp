@@ -46,15 +46,18 @@ void Certificate::parse_manifold(Cursor& cursor) {
   cursor.expect("{\"name\":");
   name = cursor.string();
   cursor.expect(",\"family\":");
-  const std::size_t family =
-      parse_word(cursor, {"flat-torus", "euclidean-ball", "spherical", "flat", "hyperbolic", "metric-field"});
+  const std::size_t family = parse_word(
+      cursor, {"flat-torus", "euclidean-ball", "spherical", "flat", "hyperbolic", "metric-field", "submanifold"});
   torus = family == 0;
   cursor.expect(",\"dimension\":");
   m = static_cast<int>(cursor.count(4));
   if (m == 0) cursor.fail("form.types", "a dimension from 1 to 4 before this");
-  if (family > 1 && m != 2 && m != 3) cursor.fail("form.types", "the dimension 2 or 3 before this");
+  if (family > 1 && m != 2 && m != 3 && !(family == 6 && m == 1))
+    cursor.fail("form.types", "a dimension of this family before this");
   if (family == 5) {
     metric_field = std::make_unique<MetricField>(m, cursor);
+  } else if (family == 6) {
+    submanifold = std::make_unique<Submanifold>(m, cursor);
   } else if (family > 1) {
     space_form = std::make_unique<SpaceForm>(3 - static_cast<int>(family), m, cursor);
   } else if (torus) {
@@ -98,7 +101,11 @@ void Certificate::parse_levels(Cursor& cursor) {
     claimed[level] = cursor.accept(separator + "\"" + std::string(level_names[level]) + "\":");
     if (!claimed[level]) continue;
     separator = ",";
-    if (metric_field && level != level_1 && level != level_2) {
+    if ((level == level_1f || level == level_5i) && !submanifold)
+      cursor.fail("form.family", "a level for this family before this");
+    if (submanifold && level != level_1 && level != level_2) {
+      parse_submanifold_level(cursor, level);
+    } else if (metric_field && level != level_1 && level != level_2) {
       parse_metric_field_level(cursor, level);
     } else if (space_form && level != level_1 && level != level_2 && level != level_3) {
       parse_space_form_level(cursor, level);
@@ -151,6 +158,24 @@ void Certificate::parse_metric_field_level(Cursor& cursor, std::size_t level) {
 }
 
 /// Without the brace at its end.
+void Certificate::parse_submanifold_level(Cursor& cursor, std::size_t level) {
+  const auto number = [&](std::string_view key, Quantity& value) {
+    cursor.expect(key);
+    value = parse_quantity(cursor);
+  };
+  if (level == level_2s) {
+    number("{\"reach\":", reach_2s);
+  } else if (level == level_5) {
+    number("{\"route\":\"graph\",\"contraction\":", contraction);
+    number(",\"displacement\":", displacement);
+  } else if (level == level_5i) {
+    number("{\"margin\":", embedding_margin);
+  } else {
+    cursor.expect("{");
+  }
+}
+
+/// Without the brace at its end.
 void Certificate::parse_space_form_level(Cursor& cursor, std::size_t level) {
   const auto number = [&](std::string_view key, Quantity& value) {
     cursor.expect(key);
@@ -182,8 +207,8 @@ void Certificate::parse_space_form_level(Cursor& cursor, std::size_t level) {
 }
 
 void Certificate::parse(Cursor& cursor) {
-  const auto parse_points = [&](std::vector<std::string_view>& points_of) {
-    cursor.array([&] { cursor.row(m, [&] { points_of.push_back(cursor.number()); }); });
+  const auto parse_points = [&](std::vector<std::string_view>& points_of, std::size_t length) {
+    cursor.array([&] { cursor.row(static_cast<int>(length), [&] { points_of.push_back(cursor.number()); }); });
   };
   const auto parse_labels = [&](std::vector<Label>& labels, int length) {
     cursor.array([&] { cursor.row(length, [&] { labels.push_back(static_cast<Label>(cursor.count(UINT32_MAX))); }); });
@@ -201,15 +226,15 @@ void Certificate::parse(Cursor& cursor) {
   cursor.expect(",\"levels\":");
   parse_levels(cursor);
   cursor.expect(",\"net\":");
-  parse_points(net_text);
-  if (metric_field) {
+  parse_points(net_text, net_size());
+  if (chart_size() != 0) {
     cursor.expect(",\"charts\":");
-    cursor.array([&] { cursor.row(static_cast<int>(chart_size()), [&] { chart_text.push_back(cursor.number()); }); });
+    parse_points(chart_text, chart_size());
   }
   cursor.expect(",\"net_simplices\":");
   parse_labels(net_simplices, m + 1);
   cursor.expect(",\"points\":");
-  parse_points(points_text);
+  parse_points(points_text, m_size());
   parse_complex(cursor);
 }
 

@@ -11,6 +11,7 @@
 #include "proofs/checker/metric_field_levels.hpp"
 #include "proofs/checker/space_form_charts.hpp"
 #include "proofs/checker/space_form_levels.hpp"
+#include "proofs/checker/tangent_charts.hpp"
 
 namespace delcert::checker {
 namespace {
@@ -69,18 +70,31 @@ class Run {
       }));
       if (outcome_.levels.back().status != 0) return list_levels();
     }
+    if (c_.submanifold) {
+      outcome_.levels.push_back(run_check("charts", [&](Report& report) {
+        tangent_charts_.emplace(c_);
+        return tangent_charts_->check(report);
+      }));
+      if (outcome_.levels.back().status != 0) return list_levels();
+    }
     for (const std::size_t level : order()) {
       if (!chosen_[level] || !stands(level) || (needs_group(level) && !has_group())) continue;
       results_[level] = run_check(level_names[level], [&](Report& report) { return check(level, report); });
       holds_[level] = results_[level]->status == 0;
       if (level == level_2 && !has_core(c_.kind()))
-        holds_[level_1] = holds_[level_2] = holds_[level_1] && holds_[level_2];
+        holds_[level_of_stars(c_.kind())] = holds_[level_2] = holds_[level_of_stars(c_.kind())] && holds_[level_2];
     }
     list_levels();
   }
 
   Identity identity() const {
     Identity result = identify(c_);
+    if (c_.submanifold && holds_[level_5] && !c_.homology.empty()) {
+      // The top group has a Z for each component that is orientable, the first one for each that there is.
+      result.orientability = c_.homology.back() == c_.homology.front() ? "orientable" : "not orientable";
+      result.first_homology = c_.homology[1];
+      result.homology_of = "the complex";
+    }
     if (!c_.space_form) return result;
     // A matrix that is no isometry neither keeps nor changes an orientation.
     if (holds_[level_2]) result.orientability = keeps_orientation(*c_.space_form) ? "orientable" : "not orientable";
@@ -110,12 +124,12 @@ class Run {
   std::vector<std::size_t> order() const {
     if (c_.space_form) return {level_2, level_1, level_2s, level_4, level_5, level_6, level_0};
     if (c_.torus) return {level_0, level_2, level_1, level_2s, level_3, level_4, level_5, level_6};
-    return {level_0, level_1, level_2, level_2s, level_3, level_4, level_5, level_6};
+    return {level_0, level_1, level_1f, level_2, level_2s, level_3, level_4, level_5, level_5i, level_6};
   }
 
   /// Where levels 1 and 2 rest on each other they are looked at together.
   bool stands(std::size_t level) const {
-    if (!has_core(c_.kind()) && (level == level_1 || level == level_2)) return true;
+    if (!has_core(c_.kind()) && (level == level_1 || level == level_1f || level == level_2)) return true;
     const std::vector<Level> bases = rests_on(level, c_.kind());
     return std::all_of(bases.begin(), bases.end(), [&](Level base) { return holds_[base]; });
   }
@@ -139,7 +153,8 @@ class Run {
   std::string check(std::size_t level, Report& report) {
     if (level == level_2) {
       if (has_core(c_.kind())) core_.emplace(c_).check_manifold(report);
-      return check_level_2(c_, has_core(c_.kind()) ? report.findings.empty() : holds_[level_1], report);
+      return check_level_2(c_, has_core(c_.kind()) ? report.findings.empty() : holds_[level_of_stars(c_.kind())],
+                           report);
     }
     if (core_ && level == level_4) return core_->check_delaunay(report);
     if (core_ && level == level_5) return core_->check_triangulation(report);
@@ -153,6 +168,13 @@ class Run {
       if (level == level_0) return check_input_on_space_form(c_, *lifts_, report);
       const SpaceFormCharts charts(c_, *lifts_);
       return level == level_1 ? check_stars(charts, report) : check_stable_stars(charts, report);
+    }
+    if (tangent_charts_) {
+      if (level == level_5) return triangulation_.emplace(*tangent_charts_).check(report);
+      return level == level_5i   ? triangulation_->check_embedding(report)
+             : level == level_1f ? check_given_stars(c_, report)
+             : level == level_1  ? check_stars(*tangent_charts_, report)
+                                 : check_stable_stars(*tangent_charts_, report);
     }
     if (charts_) {
       return level == level_1    ? check_stars(*charts_, report)
@@ -178,6 +200,8 @@ class Run {
   std::optional<core::Core> core_;
   std::optional<Lifts> lifts_;
   std::optional<AffineCharts> charts_;
+  std::optional<TangentCharts> tangent_charts_;
+  std::optional<GraphTriangulation> triangulation_;
 };
 
 }  // namespace

@@ -24,8 +24,8 @@ std::string check_level_3(const Certificate& c, Report& report);
 void check_cycle(const Certificate& c, Report& report);
 void check_density(const Certificate& c, Report& report);
 
-/// The rule 1.facets for the star of i, where there is no core.
-void check_facets(const Certificate& c, Label i, Report& report);
+/// The rule 1.facets, or that of another level, for the star of i, where there is no core.
+void check_facets(const Certificate& c, Label i, Report& report, const char* rule = "1.facets");
 
 /// What became of one level: its exit status if it were alone, what was looked at, what is wrong.
 struct LevelResult {

@@ -19,7 +19,7 @@ std::vector<Forgery> all_forgeries() {
   std::vector<Forgery> all;
   for (const auto& part :
        {form_forgeries(), level_0_forgeries(), star_forgeries(), core_forgeries(), configuration_forgeries(),
-        space_form_forgeries(), metric_field_forgeries(), metric_field_delaunay_forgeries()})
+        space_form_forgeries(), metric_field_forgeries(), metric_field_delaunay_forgeries(), submanifold_forgeries()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }
@@ -38,7 +38,8 @@ std::set<std::string> rules_of_the_checker() {
   std::set<std::string> rules;
   for (const auto& file : std::filesystem::recursive_directory_iterator(DELCERT_SOURCE_DIR "/proofs/checker")) {
     if (!file.is_regular_file()) continue;
-    rules.merge(matches(file.path(), std::regex(R"re("((?:form|core|group|field|[0-6]s?)\.[a-z][a-z0-9-]*|seal)")re")));
+    rules.merge(
+        matches(file.path(), std::regex(R"re("((?:form|core|group|field|sub|[0-6][sfi]?)\.[a-z][a-z0-9-]*|seal)")re")));
   }
   return rules;
 }
@@ -78,12 +79,12 @@ TEST(Forgeries, are_rejected_each_by_its_rule_and_accepted_without_it) {
 
 /// Without these there is no document to look at.
 const std::map<std::string, std::string> structural = {
-    {"form.bytes", "malformed_test.cpp"},    {"form.version", "malformed_test.cpp"},
-    {"form.keys", "malformed_test.cpp"},     {"form.types", "malformed_test.cpp"},
-    {"form.numbers", "malformed_test.cpp"},  {"form.lengths", "malformed_test.cpp"},
-    {"form.labels", "malformed_test.cpp"},   {"form.elements", "malformed_test.cpp"},
-    {"form.loops", "malformed_test.cpp"},    {"form.field", "space_form_test.cpp"},
-    {"form.charts", "metric_field_test.cpp"}};
+    {"form.bytes", "malformed_test.cpp"},     {"form.version", "malformed_test.cpp"},
+    {"form.keys", "malformed_test.cpp"},      {"form.types", "malformed_test.cpp"},
+    {"form.numbers", "malformed_test.cpp"},   {"form.lengths", "malformed_test.cpp"},
+    {"form.labels", "malformed_test.cpp"},    {"form.elements", "malformed_test.cpp"},
+    {"form.loops", "malformed_test.cpp"},     {"form.field", "space_form_test.cpp"},
+    {"form.charts", "metric_field_test.cpp"}, {"form.formula", "submanifold_test.cpp"}};
 
 TEST(Forgeries, there_is_one_for_every_rule_that_only_this_rule_rejects) {
   std::set<std::string> tested;
@@ -139,7 +140,7 @@ TEST(Forgeries, are_those_of_the_page) {
 std::set<std::string> rules_of_the_page() {
   const std::string page = DELCERT_SOURCE_DIR "/docs/certificate-format.md";
   std::set<std::string> rules =
-      matches(page, std::regex(R"re((?:^|[^a-z0-9./])((?:core|group|field|[0-6]s?)\.[a-z][a-z0-9-]+))re"));
+      matches(page, std::regex(R"re((?:^|[^a-z0-9./])((?:core|group|field|sub|[0-6][sfi]?)\.[a-z][a-z0-9-]+))re"));
   rules.merge(matches(page, std::regex(R"re(\| (form\.[a-z][a-z0-9-]*|seal) \|)re")));
   return rules;
 }

@@ -24,6 +24,8 @@ std::vector<Forgery> space_form_forgeries();
 /// In metric_field_test.cpp and metric_field_delaunay_test.cpp, as they are made from a run.
 std::vector<Forgery> metric_field_forgeries();
 std::vector<Forgery> metric_field_delaunay_forgeries();
+/// In submanifold_test.cpp.
+std::vector<Forgery> submanifold_forgeries();
 
 /// The certificates from which the forgeries are made, by name; they are valid.
 std::vector<std::pair<std::string, std::string>> valid_certificates();

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "proofs/checker/chart_stars.hpp"
+#include "proofs/checker/near_points.hpp"
+#include "proofs/checker/submanifold.hpp"
+
+namespace delcert::checker {
+
+/// The charts of a submanifold M: U_i, what is in the cylinder of a chart, is a graph over its disc.
+class TangentCharts : public StarCharts<Ball> {
+ public:
+  explicit TangentCharts(const Certificate& c);
+
+  /// The rules sub.*, whatever level is looked at. All else presumes that they hold.
+  std::string check(Report& report);
+
+  const Submanifold& manifold() const { return M_; }
+  const TangentChart<Interval>& chart(Label i) const { return charts_[i]; }
+  const TangentPatch& patch(Label i) const { return patches_[i]; }
+  /// The perturbed point in R^N, that of U_j over its home coordinates, or a vertex that is given.
+  const Matrix<Interval>& point(Label j) const { return points_[j]; }
+  const NearPoints& points() const { return near_points_; }
+  const NearPoints& centres() const { return near_centres_; }
+
+  ShownPoints<Ball> shown(Label i, const Quantity& radius) const override;
+  Vector<Interval> home(Label i, In<Interval>) const override { return c_.points.position<Interval>({i, {}}); }
+  Vector<Ball> home(Label i, In<Ball>) const override { return c_.points.position<Ball>({i, {}}); }
+  std::string fault_of_patches(Level level) const override;
+
+  struct Cell;  // of the division of a cylinder
+
+ private:
+  struct Drift;
+  void check_graph(Label i, Report& report);
+  bool check_fibres(Label i, double& theta);
+  bool check_slopes(Label i, const Matrix<Interval>& foot);
+  std::shared_ptr<const Drift> drift_in(Label i, const Matrix<Interval>& place);
+  bool holds_in_cells(Label i, Matrix<Interval> box, const std::function<bool(Matrix<Interval>&)>& clip,
+                      const std::function<Verdict(const Cell&, const Matrix<Interval>&, const Matrix<Interval>&,
+                                                  std::vector<double>&)>& question);
+  bool is_flat_at_corners(Label i, const Matrix<Interval>& place, const Matrix<Interval>& rise,
+                          const std::vector<Matrix<Interval>>& changes, double more) const;
+  Matrix<Interval> position_of(Label i, const Matrix<Interval>& place) const;
+  Matrix<Interval> cylinder(Label i) const;
+  bool clip_to_disc(Label i, Matrix<Interval>& place) const;
+  bool is_middle_in_disc(Label i, const Matrix<Interval>& place) const;
+  void check_box(Label i, Report& report) const;
+  void check_cover(Report& report);
+  struct Cover;
+  template <class N>
+  TangentChart<N> chart_as(Label i) const;
+  template <class N>
+  Matrix<N> height_over(const TangentChart<N>& chart, const Matrix<N>& home, int steps) const;
+  template <class N>
+  Matrix<N> point_as(Label j) const;
+
+  const Submanifold& M_;
+  mutable FormulaValues<Interval> values_;
+  std::vector<TangentChart<Interval>> charts_;
+  std::vector<TangentPatch> patches_;
+  std::vector<double> theta_;  // |1 - Y Df N| <= theta < 1 in the cylinder
+  std::vector<double>
+      lid_;  // no point of M over the disc is as high as this, or has the height between it and `height`
+  std::vector<Matrix<Interval>> points_;
+  NearPoints near_points_, near_centres_;
+  std::size_t cells_ = 0, parts_ = 0;
+};
+
+/// Levels 5 and 5i, as the functions of run.hpp: along the normals W, |K| is moved to M.
+class GraphTriangulation {
+ public:
+  explicit GraphTriangulation(const TangentCharts& charts);
+  std::string check(Report& report);            // 5
+  std::string check_embedding(Report& report);  // 5i, after 5
+
+ private:
+  struct Estimate;
+
+  Estimate estimate(std::size_t s);
+  double height_between(std::size_t s, double longest) const;
+  void check_simplex(std::size_t s, Report& report);
+  double contraction_in(Label i, std::size_t s, const Estimate& estimate) const;
+  void check_clear(Report& report);
+  bool is_clear_of(Label k, std::size_t s) const;
+  /// |N_i^T (p'_v - c_i)|_inf + margin < height, certainly.
+  bool is_below_lid(Label i, Label v, double margin) const;
+  /// Upper bounds of |E_i^T W_v|, for one label or the greatest for those of a simplex.
+  double lateral(Label i, Label v) const;
+  double greatest_lateral(Label i, std::size_t s) const;
+  /// The gradients of the barycentric coordinates of a simplex in chart i, one a row.
+  Matrix<Interval> gradients(Label i, std::size_t s) const;
+
+  const TangentCharts& charts_;
+  const Certificate& c_;
+  FormulaValues<Interval> values_, middle_values_;
+  double displacement_;
+  std::vector<double> climb_, longest_;           // of each simplex: what |s| is at most; its longest edge in R^N
+  std::vector<double> least_climb_, most_climb_;  // of the simplices of each label
+};
+
+/// Level 1f, as the functions of run.hpp.
+std::string check_given_stars(const Certificate& c, Report& report);
+
+}  // namespace delcert::checker
