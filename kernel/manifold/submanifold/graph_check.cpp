@@ -40,7 +40,7 @@ struct Cell {
 Interval profile(const Interval& s) { return (Interval(1) + Interval(7) * s) / Interval(8); }
 Interval profile_integral(const Interval& s) { return (Interval(2) * s + Interval(7) * square(s)) / Interval(16); }
 
-/// Between these, slopes are looked at one after the other: p(from) is to·0.85, but for 0.
+/// Between these, from the rim inwards, slopes are looked at one after the other: p(from) is to·0.85, but for 0.
 std::vector<std::pair<double, double>> shells() {
   std::vector<std::pair<double, double>> result;
   for (double to = 1; to > 0;) {
@@ -76,6 +76,7 @@ class Cylinder {
         derivative_(q_ * n_),
         second_(q_ * n_ * n_) {}
 
+  bool is_transversal() { return !look_at_all(Aim::transversal); }
   std::optional<GraphFailure> failure() {
     if (auto reason = outside_of_centre()) return GraphFailure{*reason, true};
     if (auto result = look_at_all(Aim::transversal)) return result;
@@ -99,7 +100,7 @@ class Cylinder {
       for (const auto& [from, to] : shells()) {
         whole.from = from;
         whole.to = to;
-        open.push_back(whole);
+        open.insert(open.begin(), whole);
       }
     }
     for (std::size_t looked_at = 0; !open.empty(); ++looked_at) {
@@ -369,9 +370,7 @@ class Cylinder {
 
 GraphCheck::GraphCheck(const ZeroSet& zero_set) : zero_set_(zero_set) {}
 
-std::optional<GraphFailure> GraphCheck::failure(const TangentChart& chart, const Rational& slope,
-                                                std::size_t most_cells) {
-  const RoundingGuard guard;
+std::optional<GraphFailure> GraphCheck::outside_of_box(const TangentChart& chart) const {
   const std::size_t n = chart.ambient();
   const EnclosedChart<Interval>& enclosed = chart.enclosed();
   const Interval radius = scalar_from<Interval>(chart.data().radius);
@@ -388,19 +387,34 @@ std::optional<GraphFailure> GraphCheck::failure(const TangentChart& chart, const
       return GraphFailure{"its patch is not inside of the box, across " + zero_set_.description().variables[axis],
                           false};
   }
+  return std::nullopt;
+}
+
+std::optional<GraphFailure> GraphCheck::failure(const TangentChart& chart, const Rational& slope) {
+  constexpr std::size_t most_cells = 6000;
+  const RoundingGuard guard;
+  if (auto result = outside_of_box(chart)) return result;
   FormulaEvaluation<Interval> f(zero_set_.map());
   return Cylinder(f, chart, slope, most_cells).failure();
+}
+
+bool GraphCheck::may_be_as_high(const TangentChart& chart) {
+  constexpr std::size_t most_cells = 100;
+  const RoundingGuard guard;
+  if (outside_of_box(chart)) return false;
+  FormulaEvaluation<Interval> f(zero_set_.map());
+  return Cylinder(f, chart, Rational(0), most_cells).is_transversal();
 }
 
 namespace {
 
 constexpr std::array patch_factors{5, 4, 3};
-/// The slope is greater than needed by this: the more, the fewer cells.
-constexpr std::array slope_slacks{1.6, 1.25, 1.1};
+/// The slope is greater than needed by this: the more, the fewer cells, here and for whoever checks it.
+constexpr std::array slope_slacks{1.6, 1.25};
+constexpr double last_slack = 1.1;
 constexpr long slope_exponent = -8;
 /// What is not so at all charts is mostly seen at some of them.
 constexpr std::size_t most_suspects = 64;
-constexpr std::size_t cells_for_high_lids = 100;
 constexpr std::size_t most_estimates = 1024;
 
 /// ζ > |z₀| + 9Lϱ/16 by a little, with few digits.
@@ -515,6 +529,8 @@ class Fitting {
         if (auto slope = fitting_slope(factor, slack, reason)) return {std::move(charts_), std::move(*slope), factor};
       }
     }
+    if (auto slope = fitting_slope(patch_factors.back(), last_slack, reason))
+      return {std::move(charts_), std::move(*slope), patch_factors.back()};
     throw Rejection(reason);
   }
 
@@ -597,15 +613,19 @@ class Fitting {
           GraphCheck check(zero_set_);
           std::vector<std::pair<std::size_t, GraphFailure>> found;
           for (std::size_t at = first; at < last; ++at) {
-            // The higher, the fewer parts the box is divided into.
             TangentChart& chart = charts_[labels[at]];
-            const bool is_high = std::any_of(high_lids.begin(), high_lids.end(), [&](const Rational& height) {
-              chart.set_size(radius, height);
-              return least < height && !check.failure(chart, less, cells_for_high_lids);
-            });
-            if (is_high) continue;
             chart.set_size(radius, least);
-            if (auto failure = check.failure(chart, less)) found.emplace_back(labels[at], std::move(*failure));
+            if (auto failure = check.failure(chart, less)) {
+              found.emplace_back(labels[at], std::move(*failure));
+              continue;
+            }
+            // The higher, the fewer parts the box is divided into.
+            for (const Rational& height : high_lids) {
+              if (height <= least) break;
+              chart.set_size(radius, height);
+              if (check.may_be_as_high(chart)) break;
+              chart.set_size(radius, least);
+            }
           }
           return found;
         },

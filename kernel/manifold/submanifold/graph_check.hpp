@@ -25,10 +25,13 @@ class GraphCheck {
  public:
   /// Keeps a reference. Not for several threads. Precondition of this and of `failure`: rounding to nearest.
   explicit GraphCheck(const ZeroSet& zero_set);
-  [[nodiscard]] std::optional<GraphFailure> failure(const TangentChart& chart, const Rational& slope,
-                                                    std::size_t most_cells = 6000);
+  [[nodiscard]] std::optional<GraphFailure> failure(const TangentChart& chart, const Rational& slope);
+  /// For a chart that would pass if ζ were less: whether it passes as it is, that is whether its cylinder is in the box
+  /// and fibres are transversal on all of it. False also where more than a few cells are needed.
+  [[nodiscard]] bool may_be_as_high(const TangentChart& chart);
 
  private:
+  [[nodiscard]] std::optional<GraphFailure> outside_of_box(const TangentChart& chart) const;
   const ZeroSet& zero_set_;
 };
 
