@@ -38,6 +38,9 @@ SubmanifoldModel circle_model(int points, int turns);
 /// The product of two such circles in R^4.
 SubmanifoldModel flat_torus_model(int points);
 
+/// The graph over such a product of e = ac/2 and, in dimension 6, f = bd/2.
+SubmanifoldModel lifted(SubmanifoldModel flat_torus, std::size_t dimension);
+
 /// The document without its seal: the levels are those of the list that the certificate shall claim.
 Json certificate(const SubmanifoldModel& model, const std::vector<std::string>& levels);
 
