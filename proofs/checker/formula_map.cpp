@@ -163,7 +163,12 @@ Ball reciprocal(const Ball& x) { return Ball(1) / x; }
 Interval certain_root(const Interval& x) {
   return x.lower() > 0 ? square_root(x) : Interval::between(-infinity, infinity);
 }
-Ball certain_root(const Ball& x) { return square_root(x); }
+Ball certain_root(const Ball& x) {
+  if (arb_is_positive(x.raw()) != 0) return square_root(x);
+  Ball unknown;
+  arb_indeterminate(unknown.raw());
+  return unknown;
+}
 
 Ball apply(void (*f)(arb_t, const arb_t, slong), const Ball& x) { return Ball::apply(f, x); }
 Interval apply(void (*f)(arb_t, const arb_t, slong), const Interval& x) {

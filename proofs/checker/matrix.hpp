@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "proofs/checker/ball.hpp"
@@ -11,17 +12,18 @@ template <class N>
 class Matrix {
  public:
   Matrix() = default;
-  Matrix(std::size_t rows, std::size_t columns) : rows_(rows), columns_(columns), entries_(rows * columns) {}
+  Matrix(std::size_t rows, std::size_t columns) : rows_(rows), columns_(columns) {
+    if (size() > few) many_.resize(size());
+  }
 
   std::size_t rows() const { return rows_; }
   std::size_t columns() const { return columns_; }
-  N& operator()(std::size_t i, std::size_t k) { return entries_[i * columns_ + k]; }
-  const N& operator()(std::size_t i, std::size_t k) const { return entries_[i * columns_ + k]; }
+  N& operator()(std::size_t i, std::size_t k) { return data()[i * columns_ + k]; }
+  const N& operator()(std::size_t i, std::size_t k) const { return data()[i * columns_ + k]; }
   /// The i-th entry, row by row.
-  N& operator[](std::size_t i) { return entries_[i]; }
-  const N& operator[](std::size_t i) const { return entries_[i]; }
-  std::size_t size() const { return entries_.size(); }
-  const N* data() const { return entries_.data(); }
+  N& operator[](std::size_t i) { return data()[i]; }
+  const N& operator[](std::size_t i) const { return data()[i]; }
+  std::size_t size() const { return rows_ * columns_; }
 
   /// The columns first … first + number - 1.
   Matrix columns_from(std::size_t first, std::size_t number) const {
@@ -62,7 +64,7 @@ class Matrix {
     return result;
   }
   friend Matrix operator*(const N& a, Matrix b) {
-    for (N& entry : b.entries_) entry = a * entry;
+    for (std::size_t k = 0; k < b.size(); ++k) b[k] = a * b[k];
     return b;
   }
   friend Matrix operator+(Matrix a, const Matrix& b) {
@@ -82,7 +84,7 @@ class Matrix {
   /// The sum of the squares of the entries.
   friend N squared_norm(const Matrix& a) {
     N sum(0);
-    for (const N& entry : a.entries_) sum = sum + square(entry);
+    for (std::size_t k = 0; k < a.size(); ++k) sum = sum + square(a[k]);
     return sum;
   }
   /// Gauss and Jordan without a search for pivots: of a with |1 - a| < 1 no leading minor is 0, nor of 1 + a for a
@@ -103,8 +105,13 @@ class Matrix {
   }
 
  private:
+  static constexpr std::size_t few = 12;  // entries need no memory of their own
+  N* data() { return many_.empty() ? few_.data() : many_.data(); }
+  const N* data() const { return many_.empty() ? few_.data() : many_.data(); }
+
   std::size_t rows_ = 0, columns_ = 0;
-  std::vector<N> entries_;
+  std::array<N, few> few_{};
+  std::vector<N> many_;
 };
 
 /// An upper bound of the root of the sum of the squares, and so of the spectral norm. Precondition: rounding upwards.
