@@ -166,10 +166,10 @@ class ClearLabels {
 
 template <int m>
 std::vector<Label> unclear_components(const GraphVertices& vertices, const std::vector<LabelSimplex<m>>& simplices,
-                                      const std::vector<GraphSimplex<m>>& measures, double displacement) {
+                                      const std::vector<GraphSimplex<m>>& measures,
+                                      const std::vector<std::uint32_t>& component, double displacement) {
   const RoundingGuard guard;
   const ClearLabels<m> labels(vertices, simplices, measures, displacement);
-  const std::vector<std::uint32_t> component = component_of_labels<m>(vertices.charts.size(), simplices);
   std::vector<bool> is_settled(component.size());
   for (std::uint32_t k = 0; k < component.size(); ++k) {
     if (!is_settled[component[k]] && labels.is_clear(k)) is_settled[component[k]] = true;
@@ -241,8 +241,8 @@ class IsotopyMargins {
 
 template <int m>
 void measure_isotopy(const GraphVertices& vertices, const std::vector<LabelSimplex<m>>& simplices,
-                     const std::vector<GraphSimplex<m>>& measures, GraphTriangulation<m>& result,
-                     const Progress& progress) {
+                     GraphTriangulation<m>& result, const Progress& progress) {
+  const std::vector<GraphSimplex<m>>& measures = result.simplices;
   std::optional<IsotopyMargins<m>> margins;
   {
     const RoundingGuard guard;
@@ -322,8 +322,11 @@ GraphTriangulation<m> check_graph_triangulation(const GraphVertices& vertices,
   }
   if (!result.failures.empty()) return result;
   result.contraction = contraction > 0 ? with_room_above(contraction) : Rational::power_of_two(-digits_of_bounds);
-  result.unclear = unclear_components<m>(vertices, simplices, found.simplices, approximate_double(result.displacement));
-  if (result.triangulates()) measure_isotopy<m>(vertices, simplices, found.simplices, result, progress);
+  result.component = component_of_labels<m>(vertices.charts.size(), simplices);
+  result.simplices = std::move(found.simplices);
+  result.unclear = unclear_components<m>(vertices, simplices, result.simplices, result.component,
+                                         approximate_double(result.displacement));
+  if (result.triangulates()) measure_isotopy<m>(vertices, simplices, result, progress);
   return result;
 }
 

@@ -312,7 +312,7 @@ void check_zero_set(const ZeroSet& m, const Rational& radius, long characteristi
 }
 
 TEST(RunInCharts, certifies_zero_sets) {
-  check_zero_set(torus_of_revolution(), ratio(1, 10), 0, false);
+  check_zero_set(torus_of_revolution(), ratio(1, 16), 0, true);
   check_zero_set(
       zero_set("ellipsoid", {"x", "y", "z"}, {"x^2/4 + 4*y^2/9 + z^2 - 1"}, {ratio(5, 2), Rational(2), ratio(3, 2)}),
       ratio(1, 24), 2, true);
