@@ -28,6 +28,14 @@ class AffineAtlas : public Atlas<m> {
   [[nodiscard]] const Rational& sampling_radius() const { return sampling_radius_; }
   [[nodiscard]] int patch_factor() const { return patch_factor_; }
   [[nodiscard]] Rational patch_radius() const { return Rational(patch_factor_) * sampling_radius_; }
+  /// What the filter needs of a chart: enclosures.
+  struct Enclosed {
+    Matrix<Interval, m> matrix;
+    Matrix<Interval, m> inverse;
+    Matrix<Interval, m> gram;
+    Vector<double, m> stretch;  // upper bounds of √(B⁻¹)_kk
+  };
+  [[nodiscard]] const Enclosed& enclosed(Label i) const { return enclosed_[i.value]; }
   /// An enclosure of B_i = A_iᵀA_i.
   [[nodiscard]] const Matrix<Interval, m>& enclosed_gram(Label i) const { return enclosed_[i.value].gram; }
   /// The point with these home coordinates: p_i + A_i⁻¹y.
@@ -53,14 +61,6 @@ class AffineAtlas : public Atlas<m> {
   /// Throws InputError for a sampling radius ≤ 0, or no points.
   AffineAtlas(std::vector<Vector<Rational, m>> centres, Rational sampling_radius);
 
-  /// What the filter needs of a chart.
-  struct Enclosed {
-    Matrix<Interval, m> matrix;
-    Matrix<Interval, m> inverse;
-    Matrix<Interval, m> gram;
-    Vector<double, m> stretch;  // upper bounds of √(B⁻¹)_kk
-  };
-  [[nodiscard]] const Enclosed& enclosed(Label i) const { return enclosed_[i.value]; }
   [[nodiscard]] const PointSet<m>& centres() const { return centres_; }
 
   /// Makes the charts about all centres: of the inner products that these enclosures have. Precondition: rounding to

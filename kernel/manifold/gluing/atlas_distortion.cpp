@@ -44,10 +44,10 @@ std::optional<Rational> measure_transitions(const FormulaAtlas<m>& atlas, const 
     if (index % 256 == 0) progress("measure the distortion", index, atlas.size());
     const Label i(index);
     const RoundingGuard guard;
-    const auto here = matrix_on<Interval>(atlas.chart(i).matrix());
+    const Matrix<Interval, m>& here = atlas.enclosed(i).matrix;
     atlas.visit_derivatives(i, [&](Label j, const Matrix<Interval, m>& derivative) {
       if (j == i) return;
-      const auto whole = product(product(here, derivative), matrix_on<Interval>(atlas.chart(j).inverse()));
+      const auto whole = product(product(here, derivative), atlas.enclosed(j).inverse);
       const auto gram = gram_of(whole);
       bound.grow_until([&](const Interval& xi) { return is_below(gram, square(Interval(1) + xi), identity); });
     });
@@ -58,7 +58,7 @@ std::optional<Rational> measure_transitions(const FormulaAtlas<m>& atlas, const 
 
 template <int m>
 Rational fit_patches(FormulaAtlas<m>& atlas, const Progress& progress) {
-  return fitted_patches<m>(atlas, atlas.gluing().description().name, Rational(2),
+  return fitted_patches<m>(atlas, atlas.gluing().description().name, Rational(4),
                            [&](const Rational& limit) { return measure_transitions<m>(atlas, limit, progress); });
 }
 

@@ -17,7 +17,7 @@ template <int m>
                                                           const Progress& progress);
 
 /// Makes the patches of the atlas smaller until that is below 1/4, or they are as small as they can be. Throws
-/// Rejection if it is 2 or more then: the radius is too large for the charts. Levels 1 and 2 need no small bound.
+/// Rejection if it is 4 or more then: the radius is too large for the charts. Levels 1 and 2 need no small bound.
 template <int m>
 [[nodiscard]] Rational fit_patches(FormulaAtlas<m>& atlas, const Progress& progress);
 

@@ -55,6 +55,14 @@ std::vector<Vector<Rational, m>> coordinates_of(const std::vector<NetPlace<m>>& 
   return result;
 }
 
+/// An image is divided until it is this part of the chart's box, at most so often along each axis.
+constexpr double widest_image = 8;
+constexpr int most_halvings_of_images = 4;
+
+Interval hull(const Interval& a, const Interval& b) {
+  return Interval::between(std::min(a.lower(), b.lower()), std::max(a.upper(), b.upper()));
+}
+
 double middle_double(const Interval& x) { return x.lower() + (x.upper() - x.lower()) / 2; }
 
 }  // namespace
@@ -147,39 +155,91 @@ void FormulaAtlas<m>::find_appearances() {
 }
 
 template <int m>
-bool FormulaAtlas<m>::follow(std::size_t transition, const Cell& still, const Cell& moved, Appearance& seen) const {
+bool FormulaAtlas<m>::include_image(std::size_t transition, const Cell& cell, const MapOnCell& found, bool is_first,
+                                    Appearance& seen) const {
   constexpr auto n = static_cast<std::size_t>(m);
   std::array<Interval, n> ignored;
-  std::array<Interval, n * n> at_centre;
+  std::array<Interval, n * n> at_middle;
   std::array<Interval, n * n> derivative;
   std::array<Interval, n * n * n> second;
+  Cell middle;
+  for (std::size_t axis = 0; axis < n; ++axis) middle[axis] = Interval::exactly(middle_double(cell[axis]));
   const bool is_defined = evaluations_->on_filter[transition]->with_one([&](FormulaEvaluation<Interval>& map) {
-    return map.second(moved.data(), ignored.data(), derivative.data(), second.data()) &&
-           map.first(still.data(), seen.place.data(), at_centre.data());
+    return map.second(cell.data(), ignored.data(), derivative.data(), second.data()) &&
+           map.first(middle.data(), ignored.data(), at_middle.data());
   });
   if (!is_defined) return false;
-  // By the mean value theorem: tighter than what intervals make of the derivative.
-  for (std::size_t entry = 0; entry < n * n; ++entry) {
-    Interval centred = at_centre[entry];
-    for (std::size_t axis = 0; axis < n; ++axis) centred += second[entry * n + axis] * (moved[axis] - still[axis]);
-    seen.derivative[entry / n][entry % n] = centred;
+  for (std::size_t row = 0; row < n; ++row) {
+    seen.image[row] = is_first ? found.image[row] : hull(seen.image[row], found.image[row]);
+    for (std::size_t column = 0; column < n; ++column) {
+      // By the mean value theorem: tighter than what intervals make of the derivative.
+      Interval centred = at_middle[row * n + column];
+      for (std::size_t axis = 0; axis < n; ++axis)
+        centred += second[(row * n + column) * n + axis] * (cell[axis] - middle[axis]);
+      seen.derivative[row][column] = is_first ? centred : hull(seen.derivative[row][column], centred);
+    }
   }
   return true;
 }
 
 template <int m>
+typename FormulaAtlas<m>::Following FormulaAtlas<m>::follow(std::size_t transition, const Cell& still,
+                                                            const Cell& moved, CellMapEvaluation& on_cells,
+                                                            Appearance& seen) const {
+  struct Part {
+    Cell cell;
+    int halvings;
+  };
+  const Sides& box = gluing_->chart(gluing_->transitions()[transition].to).domain;
+  const Cell whole = cell_around(box);
+  bool is_first = true;
+  std::vector<Part> parts{{moved, 0}};
+  while (!parts.empty()) {
+    const Part part = parts.back();
+    parts.pop_back();
+    const MapOnCell found = on_cells.on(part.cell);
+    if (found.is_excluded) continue;
+    bool is_narrow = found.is_regular;
+    for (std::size_t axis = 0; axis < m && is_narrow; ++axis)
+      is_narrow = found.image[axis].upper() - found.image[axis].lower() <=
+                  (whole[axis].upper() - whole[axis].lower()) / widest_image;
+    if (!is_narrow && part.halvings < most_halvings_of_images * m) {
+      const auto axis = static_cast<std::size_t>(part.halvings % m);
+      const double middle = middle_double(part.cell[axis]);
+      Part half{part.cell, part.halvings + 1};
+      half.cell[axis] = Interval::between(part.cell[axis].lower(), middle);
+      parts.push_back(half);
+      half.cell[axis] = Interval::between(middle, part.cell[axis].upper());
+      parts.push_back(half);
+      continue;
+    }
+    if (!found.is_regular || !include_image(transition, part.cell, found, is_first, seen)) return Following::uncertain;
+    is_first = false;
+  }
+  if (is_first) return Following::nowhere;
+  // What is outside of the box is in no patch.
+  for (std::size_t axis = 0; axis < m; ++axis) {
+    const double lower = std::max(seen.image[axis].lower(), whole[axis].lower());
+    const double upper = std::min(seen.image[axis].upper(), whole[axis].upper());
+    if (lower > upper) return Following::nowhere;
+    seen.image[axis] = Interval::between(lower, upper);
+  }
+  seen.is_seen = evaluations_->on_filter[transition]->with_one(
+      [&](FormulaEvaluation<Interval>& map) { return map.value(still.data(), seen.place.data()); });
+  return seen.is_seen || on_cells.on(still).is_excluded ? Following::somewhere : Following::uncertain;
+}
+
+template <int m>
 void FormulaAtlas<m>::note_appearances(Label i, std::vector<CellMapEvaluation>& on_cells) {
-  const Vector<Filter, m>& centre = this->centres().enclosure(i);
   const Interval radius = scalar_from<Interval>(greatest_displacement() * this->sampling_radius());
-  Appearance at_home{i.value, 0, {}, {}, {}};
+  Appearance at_home{i.value, 0, true, enclosed_centre(i), {}, {}};
   Cell moved;
   Cell still;
   for (std::size_t axis = 0; axis < m; ++axis) {
-    still[axis] = Interval::between(centre[axis].lower(), centre[axis].upper());
+    still[axis] = at_home.place[axis];
     const Interval half = radius * Interval::exactly(this->enclosed(i).stretch[axis]);
     moved[axis] = Interval::between((still[axis] - half).lower(), (still[axis] + half).upper());
-    at_home.place[axis] = still[axis];
-    at_home.spread[axis] = half.upper();
+    at_home.image[axis] = moved[axis];
     at_home.derivative[axis][axis] = Interval(1);
   }
   shown_[home_[i.value]].appearances.push_back(at_home);
@@ -187,10 +247,10 @@ void FormulaAtlas<m>::note_appearances(Label i, std::vector<CellMapEvaluation>& 
   for (std::size_t t = 0; t < gluing_->transitions().size(); ++t) {
     const ChartGluing::Transition& transition = gluing_->transitions()[t];
     if (transition.from != home_[i.value]) continue;
-    const MapOnCell found = on_cells[t].on(moved);
-    if (found.is_excluded) continue;
-    Appearance seen{i.value, static_cast<std::uint32_t>(t + 1), {}, {}, {}};
-    if (!found.is_regular || !follow(t, still, moved, seen))
+    Appearance seen{i.value, static_cast<std::uint32_t>(t + 1), false, {}, {}, {}};
+    const Following found = follow(t, still, moved, on_cells[t], seen);
+    if (found == Following::nowhere) continue;
+    if (found == Following::uncertain)
       throw Undecided(gluing_->description().name + ": label " + std::to_string(i.value) + ": " + transition.name +
                       " is not certainly defined about it, nor certainly not: take a smaller radius");
     // The same function may be listed for several pieces.
@@ -200,8 +260,6 @@ void FormulaAtlas<m>::note_appearances(Label i, std::vector<CellMapEvaluation>& 
     });
     if (is_known) continue;
     followed.push_back(t);
-    for (std::size_t axis = 0; axis < m; ++axis)
-      seen.spread[axis] = absolute(found.image[axis] - seen.place[axis]).upper();
     shown_[transition.to].appearances.push_back(seen);
   }
 }
@@ -222,11 +280,14 @@ void FormulaAtlas<m>::fill_cells() {
       shown.scale[axis] = 0.5 / approximate_double(side[1] - side[0]);
       unit[axis] = widths[axis] * shown.scale[axis];
     }
-    shown.cells = std::make_unique<TorusCells<m>>(unit);
+    shown.by_place = std::make_unique<TorusCells<m>>(unit);
+    shown.by_image = std::make_unique<TorusCells<m>>(unit);
     for (std::uint32_t at = 0; at < shown.appearances.size(); ++at) {
       const Appearance& seen = shown.appearances[at];
-      shown.cells->insert(at, in_unit_cube(shown, seen.place));
-      for (std::size_t axis = 0; axis < m; ++axis) shown.spread[axis] = std::max(shown.spread[axis], seen.spread[axis]);
+      if (seen.is_seen) shown.by_place->insert(at, in_unit_cube(shown, seen.place));
+      shown.by_image->insert(at, in_unit_cube(shown, seen.image));
+      for (std::size_t axis = 0; axis < m; ++axis)
+        shown.spread[axis] = std::max(shown.spread[axis], seen.image[axis].upper() - seen.image[axis].lower());
     }
   }
 }
@@ -237,10 +298,18 @@ void FormulaAtlas<m>::sightings(Label i, double distance, std::vector<Sighting<m
   const Vector<double, m> half_widths = scaled(distance, this->enclosed(i).stretch);
   const RoundingGuard guard;
   const double most = distance * distance;  // rounded upwards
-  visit_seen(i, half_widths, false, [&](const Appearance& seen, const Vector<Interval, m>& offset) {
-    if (this->may_be_within(i, offset, most)) out.push_back({seen.label, {}, seen.route});
+  const Vector<Interval, m> here = enclosed_centre(i);
+  const Shown& shown = shown_[home_[i.value]];
+  visit_cells(shown, *shown.by_place, here, half_widths, [&](const Appearance& seen) {
+    if (this->may_be_within(i, difference(seen.place, here), most)) out.push_back({seen.label, {}, seen.route});
   });
   std::sort(out.begin(), out.end());
+}
+
+template <int m>
+void FormulaAtlas<m>::throw_undefined(std::size_t transition) const {
+  throw Undecided(gluing_->description().name + ": " + gluing_->transitions()[transition].name +
+                  " is not certainly defined at a point that it is asked for");
 }
 
 template <int m>
@@ -258,14 +327,14 @@ Vector<S, m> FormulaAtlas<m>::offset_on(Label i, const Sighting<m>& seen, const 
     if (!is_defined) there.fill(Interval::between(-infinity, infinity));
   } else if constexpr (std::same_as<S, Rational>) {
     const std::vector<Rational> place(x.begin(), x.end());
-    // Defined wherever points may be moved to: `find_appearances` has seen to that.
-    for (std::size_t axis = 0; axis < m; ++axis)
-      there[axis] = value_at(gluing_->transitions()[transition].cells.map()[axis], place).value();
+    for (std::size_t axis = 0; axis < m; ++axis) {
+      const auto value = value_at(gluing_->transitions()[transition].cells.map()[axis], place);
+      if (!value) throw_undefined(transition);
+      there[axis] = *value;
+    }
   } else if constexpr (std::same_as<S, BigInterval>) {
     FormulaEvaluation<BigInterval> map(gluing_->transitions()[transition].formulas);
-    if (!map.value(x.data(), there.data()))
-      throw Undecided(gluing_->description().name + ": " + gluing_->transitions()[transition].name +
-                      " is not certainly defined at a point that it is asked for");
+    if (!map.value(x.data(), there.data())) throw_undefined(transition);
   } else {
     Vector<double, m> plain;
     Vector<double, m> image;

@@ -46,14 +46,15 @@ class FormulaAtlas final : public AffineAtlas<m> {
   /// show: D encloses the derivative of the transition at all these points. Needs a `RoundingGuard`.
   template <class Visit>
   void visit_derivatives(Label i, const Visit& visit) const {
-    visit_seen(i, scaled(patch_reach(), this->enclosed(i).stretch), true,
-               [&](const Appearance& seen, const Vector<Interval, m>& offset) {
-                 Vector<Interval, m> moved;
-                 for (std::size_t axis = 0; axis < m; ++axis)
-                   moved[axis] = offset[axis] + Interval::between(-seen.spread[axis], seen.spread[axis]);
-                 if (!this->may_be_within(i, moved, patch_reach() * patch_reach())) return;
-                 visit(Label(seen.label), seen.derivative);
-               });
+    const Shown& shown = shown_[home_[i.value]];
+    Vector<double, m> half_widths;
+    for (std::size_t axis = 0; axis < m; ++axis)
+      half_widths[axis] = patch_reach() * this->enclosed(i).stretch[axis] + shown.spread[axis];
+    const Vector<Interval, m> here = enclosed_centre(i);
+    visit_cells(shown, *shown.by_image, here, half_widths, [&](const Appearance& seen) {
+      if (this->may_be_within(i, difference(seen.image, here), patch_reach() * patch_reach()))
+        visit(Label(seen.label), seen.derivative);
+    });
   }
 
  private:
@@ -61,20 +62,26 @@ class FormulaAtlas final : public AffineAtlas<m> {
   struct Appearance {
     std::uint32_t label;
     std::uint32_t route;
-    Vector<Interval, m> place;
-    Vector<double, m> spread;  ///< how far its moved points are from it there at most
+    bool is_seen;               ///< whether the transition is defined at the point itself
+    Vector<Interval, m> place;  ///< then: of the point
+    Vector<Interval, m> image;  ///< of all its moved points that the chart shows
     Matrix<Interval, m> derivative;
   };
   struct Shown {
     std::vector<Appearance> appearances;
-    Vector<double, m> spread{};  ///< the greatest
+    Vector<double, m> spread{};  ///< the greatest widths of images
     Vector<double, m> lowest{};  ///< of the box
     Vector<double, m> scale{};   ///< coordinates to the unit cube
-    std::unique_ptr<TorusCells<m>> cells;
+    std::unique_ptr<TorusCells<m>> by_place;
+    std::unique_ptr<TorusCells<m>> by_image;
   };
   struct Evaluations;
-  /// What the transition makes of a point and of all points that it may be moved to; false if that is not certain.
-  [[nodiscard]] bool follow(std::size_t transition, const Cell& still, const Cell& moved, Appearance& seen) const;
+  enum class Following { nowhere, somewhere, uncertain };
+  /// What the transition makes of a point and of all points that it may be moved to.
+  [[nodiscard]] Following follow(std::size_t transition, const Cell& still, const Cell& moved,
+                                 CellMapEvaluation& on_cells, Appearance& seen) const;
+  [[nodiscard]] bool include_image(std::size_t transition, const Cell& cell, const MapOnCell& found, bool is_first,
+                                   Appearance& seen) const;
 
   void require_places(const std::vector<NetPlace<m>>& net) const;
   void choose_patches();
@@ -83,25 +90,26 @@ class FormulaAtlas final : public AffineAtlas<m> {
   void fill_cells();
   [[nodiscard]] double patch_reach() const;
   [[nodiscard]] Vector<double, m> in_unit_cube(const Shown& shown, const Vector<Interval, m>& place) const;
+  [[nodiscard]] Vector<Interval, m> enclosed_centre(Label i) const {
+    const Vector<Filter, m>& centre = this->centres().enclosure(i);
+    Vector<Interval, m> result;
+    for (std::size_t axis = 0; axis < m; ++axis)
+      result[axis] = Interval::between(centre[axis].lower(), centre[axis].upper());
+    return result;
+  }
 
   template <class Visit>
-  void visit_seen(Label i, const Vector<double, m>& half_widths, bool with_spread, const Visit& visit) const {
-    const Shown& shown = shown_[home_[i.value]];
-    const Vector<Filter, m>& centre = this->centres().enclosure(i);
+  void visit_cells(const Shown& shown, const TorusCells<m>& cells, const Vector<Interval, m>& here,
+                   const Vector<double, m>& half_widths, const Visit& visit) const {
     Vector<double, m> widths;
-    Vector<Interval, m> here;
-    for (std::size_t axis = 0; axis < m; ++axis) {
-      here[axis] = Interval::between(centre[axis].lower(), centre[axis].upper());
-      widths[axis] = (half_widths[axis] + (with_spread ? shown.spread[axis] : 0)) * shown.scale[axis];
-    }
-    shown.cells->visit(in_unit_cube(shown, here), widths, [&](const Lift<m>& lift) {
-      if (!lift.is_unmoved()) return false;
-      const Appearance& seen = shown.appearances[lift.index];
-      visit(seen, difference(seen.place, here));
+    for (std::size_t axis = 0; axis < m; ++axis) widths[axis] = half_widths[axis] * shown.scale[axis];
+    cells.visit(in_unit_cube(shown, here), widths, [&](const Lift<m>& lift) {
+      if (lift.is_unmoved()) visit(shown.appearances[lift.index]);
       return false;
     });
   }
 
+  [[noreturn]] void throw_undefined(std::size_t transition) const;
   template <class S>
   [[nodiscard]] Vector<S, m> offset_on(Label i, const Sighting<m>& seen, const Vector<S, m>& moved) const;
   [[nodiscard]] Vector<Filter, m> offset(Label i, const Sighting<m>& seen,

@@ -154,6 +154,27 @@ TEST(FormulaAtlas, refuses_what_is_no_net_of_it) {
                        "about label 0 does not fit into the chart north"));
 }
 
+TEST(FormulaAtlas, divides_what_has_a_pole_in_it) {
+  // The inversion is not defined at the centre, from where points may move to places that the other chart shows.
+  auto description = atlas_named("sphere-2-stereographic");
+  for (auto& chart : description.charts) chart.domain = Sides(2, {Rational(-8), Rational(8)});
+  const auto gluing = std::make_shared<const ChartGluing>(description);
+  const std::vector<NetPlace<2>> net{{0, {Rational(0), Rational(0)}}, {1, {Rational(1), Rational(0)}}};
+  const FormulaAtlas<2> atlas(gluing, net, ratio(1, 2));
+  for (const std::uint32_t index : {0U, 1U}) {
+    // Each sees the other, which is a unit away, by the inversion, and itself.
+    std::set<std::uint32_t> seen;
+    for (const auto& one : atlas.neighbours(Label(index))) seen.insert(one.index);
+    EXPECT_EQ(seen.contains(0), index == 0) << "the centre is nowhere else";
+    EXPECT_TRUE(seen.contains(1));
+  }
+  // A point that is moved goes to where the inversion takes it.
+  const auto moved = atlas.carry(Label(1), {0, {}, 1}, Vector<Rational, 2>{ratio(1, 8), Rational(0)}).value();
+  const Rational place = Rational(1) / atlas.position(Label(0), {ratio(1, 8), Rational(0)})[0];
+  EXPECT_EQ(moved[0], atlas.chart(Label(1)).matrix()[0][0] * (place - Rational(1)));
+  EXPECT_THROW((void)atlas.carry(Label(1), {0, {}, 1}, Vector<Rational, 2>{}), Undecided);
+}
+
 TEST(FormulaAtlas, does_not_guess_where_a_transition_is_defined) {
   auto description = atlas_named("sphere-2-stereographic");
   description.transitions[0].where = {"x - 1"};
