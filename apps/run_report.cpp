@@ -217,6 +217,14 @@ std::string level_line(const Claims& claims, const std::string& level, const Rat
     return fmt::format("Delaunay for the distance of the metric: margin of stability ≥ {} ε²",
                        decimal_lower(claims.delaunay->stability->margin / square(unit)));
   }
+  if (level == "4" && claims.delaunay->restricted) {
+    const auto& [extrinsic, intrinsic, density] = *claims.delaunay->restricted;
+    return fmt::format("Delaunay for {}; every point of the manifold is within {} ε of a vertex",
+                       !intrinsic   ? "the distance in the space around it"
+                       : !extrinsic ? "the length of curves"
+                                    : "the distance in the space around it and for the length of curves",
+                       decimal_upper(density / unit));
+  }
   if (level == "4") return "Delaunay: the complex is the Delaunay complex of the points in the manifold";
   if (level == "5" && claims.triangulation->route == "affine-charts") {
     return fmt::format(
@@ -242,8 +250,10 @@ std::string level_line(const Claims& claims, const std::string& level, const Rat
   const std::string how = metric.self_delaunay ? "self-Delaunay, " : "";
   if (metric.least_stretch == Rational(1) && metric.greatest_stretch == Rational(1))
     return "metric: " + how + "isometric to the manifold";
-  return fmt::format("metric: {}bi-Lipschitz with factors ≥ {}, ≤ {}", how, decimal_lower(metric.least_stretch),
-                     decimal_upper(metric.greatest_stretch));
+  const std::string angles =
+      metric.normal ? ", sine of the angle to tangent spaces ≤ " + decimal_upper(*metric.normal) : "";
+  return fmt::format("metric: {}bi-Lipschitz with factors ≥ {}, ≤ {}{}", how, decimal_lower(metric.least_stretch),
+                     decimal_upper(metric.greatest_stretch), angles);
 }
 
 nlohmann::ordered_json levels_json(const Claims& claims, const Rational& sampling_radius) {

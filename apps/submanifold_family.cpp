@@ -54,10 +54,7 @@ class SubmanifoldFamily final : public ChartFamily<m, SubmanifoldAtlas<m>> {
 
   void derive(const LevelSelection& selection, const Progress& progress) override {
     const auto& run = *this->run_;
-    const GraphVertices vertices = graph_vertices<m>(*this->atlas_, run.points);
-    const SubmanifoldMeasures<m> measures{
-        check_stability<m>(*this->atlas_, run.points, geometry(), run.complex, progress),
-        check_graph_triangulation<m>(vertices, run.complex.simplices(), progress)};
+    const SubmanifoldMeasures<m> measures = measure_submanifold<m>(*this->atlas_, run, geometry(), selection, progress);
     report.claims = derive_claims<m>(*this->atlas_, report.parameters, run, measures, selection, report.reasons);
     report.stability = measures.stability;
     if (measures.triangulation.triangulates()) report.graphs->margin = measures.triangulation.margin;

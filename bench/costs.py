@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """What runs cost: measures it, records it in bench/costs.json, and writes the tables of README.md and
-docs/performance.md, and those of the members in docs/space-forms.md, between their marks, <!-- costs: NAME --> and
+docs/performance.md, those of the members in docs/space-forms.md, and of zero sets in docs/submanifolds.md, between their marks, <!-- costs: NAME --> and
 <!-- costs: end -->.
 
   bench/costs.py measure [--build build/release] [--long] [--members]   all of it, in less than ten minutes on two idle cores
@@ -70,7 +70,12 @@ MEMBERS = [Run(manifold, radius, 1, 2, member=True, cheap=manifold in ("klein-bo
                                     ("hantzsche-wendt", "1/24"), ("flat-first-amphicosm", "1/24"),
                                     ("flat-second-amphicosm", "1/24"), ("flat-first-amphidicosm", "1/24"),
                                     ("flat-second-amphidicosm", "1/24"), ("seifert-weber-space", "9/125")]]
-ALL = {run.name: run for run in TORI + FORMS + SIZES + sum(THREADS, []) + MEMBERS}
+ZERO_SETS = [Run(manifold, radius, 1, 2, cheap=manifold == "two-spheres")
+             for manifold, radius in [("torus-of-revolution", "3/20"), ("torus-of-revolution", "1/10"),
+                                      ("torus-of-revolution", "1/20"), ("ellipsoid", "1/10"), ("ellipsoid", "1/16"),
+                                      ("two-spheres", "1/17"), ("tanglecube", "1/12"), ("clifford-torus", "1/20"),
+                                      ("sphere-3-in-r4", "1/11")]]
+ALL = {run.name: run for run in TORI + FORMS + SIZES + sum(THREADS, []) + MEMBERS + ZERO_SETS}
 BENCHES = {"ratios": ["ratios", "3"],
            "claims": ["claims", "--benchmark_filter=^(thickness-and-singular-value|crude-circumradius-bound).*k=3,m=3",
                       "--benchmark_min_time=0.5", "--benchmark_format=json"],
@@ -106,6 +111,20 @@ def timed(command):
                                         "mib": round(peak / 1024)}
 
 
+def of_zero_set(report):
+    """What a table says of a submanifold besides: margins of levels, in sampling radii where they are lengths."""
+    levels = report["levels"]
+    if "5" not in levels or "contraction" not in levels["5"]:
+        return {}
+    five, isotopy, metric = levels["5"], levels.get("5i"), levels.get("6")
+    return {"zero set": {"contraction": five["contraction"]["value"],
+                         "displacement": five["displacement"]["in_sampling_radii"],
+                         "isotopy": isotopy and isotopy["margin"]["in_sampling_radii"],
+                         "delaunay": levels.get("4", {}).get("metric"),
+                         "normal": metric and metric["normal"]["value"],
+                         "homology": levels["2"]["homology"]}}
+
+
 def counts(report, certificate, check):
     """What a run and its check count, which is the same on every machine: points, simplices, decisions, and a digest of
     the points and simplices."""
@@ -115,6 +134,7 @@ def counts(report, certificate, check):
             "levels": [str(level["level"]) if isinstance(level, dict) else level for level in report["levels"]],
             "decisions": {stage["stage"]: sum(stage["decisions"].values()) for stage in report["stages"]
                           if sum(stage["decisions"].values()) > 0},
+            **of_zero_set(report),
             "content": hashlib.sha256(content.encode()).hexdigest(),
             "check": {"levels": [level["level"] for level in check["levels"]], "decisions": check["decisions"]}}
 
@@ -359,6 +379,24 @@ class Tables:
                  if member["hinges"][0] + member["hinges"][1] > 0]
         return (", ".join(wrong) or "none") + "; of the other members none.\n"
 
+    def zero_sets(self):
+        rows = []
+        for run in ZERO_SETS:
+            one = self.of(run)
+            if one and "zero set" in one["counts"]:
+                counted = one["counts"]
+                found = counted["zero set"]
+                rows.append([run.manifold + self.mark(run), run.radius, thousands(counted["points"]),
+                             thousands(counted["simplices"]), " ".join(counted["levels"]),
+                             decimals(found["contraction"], 3, math.ceil), decimals(found["displacement"], 3, math.ceil),
+                             decimals(found["isotopy"], 3, math.floor) if found["isotopy"] else "–",
+                             found["delaunay"] or "–",
+                             decimals(found["normal"], 3, math.ceil) if found["normal"] else "–",
+                             ", ".join(found["homology"]), f"{one['certify']['wall']:.1f}", f"{one['check']['user']:.1f}",
+                             f"{max(one['certify']['mib'], one['check']['mib']):.0f}"])
+        return self.table("| manifold | ε | points | simplices | levels | γ ≤ | ω/ε ≤ | 5i/ε ≥ | level 4 | normal ≤ | homology | certify, s | check, s | MiB |",
+                          "|---|---|--:|--:|---|--:|--:|--:|---|--:|---|--:|--:|--:|", rows)
+
     def sizes(self):
         rows = []
         for run in SIZES:
@@ -406,7 +444,8 @@ class Tables:
         result = {"readme-tori": self.readme_tori(), "readme-forms": self.readme_forms(), "whole-runs": self.whole_runs(),
                   "checks-of-tori": self.checks_of_tori(), "checks-by-levels": self.checks_by_levels(),
                   "sizes": self.sizes(), "threads": self.threads(), "members": self.members(),
-                  "members-costs": self.costs_of_members(), "members-hinges": self.hinges()}
+                  "members-costs": self.costs_of_members(), "members-hinges": self.hinges(),
+                  "zero-sets": self.zero_sets()}
         for name, text in self.record["benches"].items():
             result[name] = self.claims() if name == "claims" else text
             if name == "claims":
@@ -420,7 +459,7 @@ def rendered(text, tables):
 
 
 def pages(root):
-    return [root / "README.md", root / "docs/performance.md", root / "docs/space-forms.md"]
+    return [root / "README.md", root / "docs/performance.md", root / "docs/space-forms.md", root / "docs/submanifolds.md"]
 
 
 def render(root, record):

@@ -1,6 +1,7 @@
 #include "kernel/theorems/graph_simplex.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace delcert {
 
@@ -217,11 +218,40 @@ std::array<bool, 2> GraphSimplexCheck<m>::lies_inside(const LabelSimplex<m>& sim
   return result;
 }
 
-/// γ in the chart of the label that stands at this place.
+/// sup ‖(J·N)⁻¹·J·E‖ ≤ ‖Y·J·E‖/(1 − ‖1 − Y·J·N‖).
+template <int m>
+double GraphSimplexCheck<m>::steepness(std::uint32_t i) const {
+  const EnclosedChart<Interval>& chart = vertices_.charts[i].enclosed();
+  const Interval spread = spread_ * norm_of({chart.preconditioner.data(), q_ * q_});
+  double result = 0;
+  for (std::size_t v = 0; v <= m; ++v) {
+    const Interval* j = &derivatives_[v * q_ * n_];
+    Interval along(0);
+    Interval defect(0);
+    for (std::size_t row = 0; row < q_; ++row) {
+      for (std::size_t column = 0; column < n_; ++column) {
+        Interval entry(column >= m && column - m == row ? -1 : 0);
+        for (std::size_t b = 0; b < q_; ++b) {
+          Interval sum(0);
+          for (std::size_t axis = 0; axis < n_; ++axis) sum += j[b * n_ + axis] * chart.at(axis, column);
+          entry += chart.preconditioner[row * q_ + b] * sum;
+        }
+        (column < m ? along : defect) += square(entry);
+      }
+    }
+    const Interval rest = Interval(1) - square_root(defect) - spread;
+    if (!is_proved(less(Interval(0), rest))) return std::numeric_limits<double>::infinity();
+    result = std::max(result, ((square_root(along) + spread) / rest).upper());
+  }
+  return result;
+}
+
+/// γ, and how distances and planes change.
 template <int m>
 std::optional<double> GraphSimplexCheck<m>::contraction(std::size_t at, const LabelSimplex<m>& simplex,
                                                         const Gradients& gradients, const Interval& theta,
-                                                        const Interval& shift) const {
+                                                        GraphSimplex<m>& measured) const {
+  const Interval shift = Interval::exactly(measured.shift);
   double side = 0;
   for (const std::uint32_t v : simplex) side = std::max(side, lateral(simplex[at], v));
   // D·Y⁻¹, N×m.
@@ -261,10 +291,22 @@ std::optional<double> GraphSimplexCheck<m>::contraction(std::size_t at, const La
   }
   const Interval rest = Interval(1) - theta;
   const Interval sideways = Interval::exactly(side);
-  const Interval along = Interval::exactly(slope) + spread_ * norm_of({lift.data(), n_ * m});
+  const Interval stretch = norm_of({lift.data(), n_ * m});
+  const Interval along = Interval::exactly(slope) + spread_ * stretch;
   const Interval across = Interval(1) + sideways * (Interval::exactly(size) + spread_) / rest;
   const double result = (sideways * along / rest + across * square_root(turn_squared) * shift).upper();
   if (!(result < greatest_contraction)) return std::nullopt;
+  const Interval moved = Interval::exactly(result);
+  // ‖D·Q⁻¹‖, of which the part in the plane of the chart is the identity.
+  const Interval lifted = square_root(maximum(Interval(1), square(stretch) - Interval(m - 1)));
+  measured.least_stretch = std::max(measured.least_stretch, ((Interval(1) - moved) / lifted).lower());
+  const double steepest = steepness(simplex[at]);
+  const Interval longer = (Interval(1) + moved) * square_root(Interval(1) + square(Interval::exactly(steepest)));
+  measured.greatest_stretch = std::min(measured.greatest_stretch, longer.upper());
+  double narrowest = std::numeric_limits<double>::infinity();
+  for (std::size_t v = 0; v <= m; ++v)
+    narrowest = std::min(narrowest, norm_of({&fibres_[v * n_ * q_], n_ * q_}).upper());
+  measured.normal = std::min(measured.normal, (Interval::exactly(narrowest) * along / rest).upper());
   return result;
 }
 
@@ -302,6 +344,7 @@ GraphSimplex<m> GraphSimplexCheck<m>::measure(const LabelSimplex<m>& simplex, do
   result.displacement = (Interval::exactly(widest) * shift).upper();
   const auto [is_inside, is_under_lid] = lies_inside(simplex, displacement);
   result.is_under_lid = is_under_lid;
+  result.greatest_stretch = result.normal = std::numeric_limits<double>::infinity();
   if (!is_inside) fail(GraphCause::outside);
   if (!(result.displacement <= displacement)) fail(GraphCause::displacement);
   for (std::size_t at = 0; at <= m; ++at) {
@@ -311,7 +354,7 @@ GraphSimplex<m> GraphSimplexCheck<m>::measure(const LabelSimplex<m>& simplex, do
       continue;
     }
     result.altitudes[at] = (Interval(1) / norm_of((*gradient)[at])).lower();
-    const auto found = contraction(at, simplex, *gradient, theta, shift);
+    const auto found = contraction(at, simplex, *gradient, theta, result);
     if (found) {
       result.contraction = std::max(result.contraction, *found);
     } else {

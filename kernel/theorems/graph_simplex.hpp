@@ -42,6 +42,9 @@ struct GraphSimplex {
   double displacement = 0;          ///< max ‖W_v‖·s_σ
   double contraction = 0;           ///< the greatest γ_{σ,i}
   bool is_under_lid = false;        ///< 5i.lid: heights with 3ω below ζ
+  double least_stretch = 0;  ///< level 6: distances on σ, moved to M, are at least this times as long; a lower bound
+  double greatest_stretch = 0;  ///< and at most this times
+  double normal = 0;            ///< the sine of the angle between σ and the tangent spaces of M over it
   std::array<double, static_cast<std::size_t>(m) + 1> altitudes{};  ///< at each vertex, in its own chart: lower bounds
 };
 
@@ -75,9 +78,13 @@ class GraphSimplexCheck {
   [[nodiscard]] double defect(std::size_t v, std::size_t w) const;
   [[nodiscard]] Interval shift_of(const LabelSimplex<m>& simplex, const Interval& edge_squared,
                                   const Interval& theta) const;
+  /// What the simplex is in the chart of the label that stands at this place; adds to what is known of it. None if γ <
+  /// 1 fails.
   [[nodiscard]] std::optional<double> contraction(std::size_t at, const LabelSimplex<m>& simplex,
                                                   const Gradients& gradients, const Interval& theta,
-                                                  const Interval& shift) const;
+                                                  GraphSimplex<m>& result) const;
+  /// Of ker J to the plane of the chart, for all J that may be on the simplex; infinite if unknown.
+  [[nodiscard]] double steepness(std::uint32_t i) const;
   /// 5.fibre and 5i.lid.
   [[nodiscard]] std::array<bool, 2> lies_inside(const LabelSimplex<m>& simplex, double displacement) const;
 

@@ -166,10 +166,10 @@ class ClearLabels {
 
 template <int m>
 std::vector<Label> unclear_components(const GraphVertices& vertices, const std::vector<LabelSimplex<m>>& simplices,
-                                      const std::vector<GraphSimplex<m>>& measures, double displacement) {
+                                      const std::vector<GraphSimplex<m>>& measures,
+                                      const std::vector<std::uint32_t>& component, double displacement) {
   const RoundingGuard guard;
   const ClearLabels<m> labels(vertices, simplices, measures, displacement);
-  const std::vector<std::uint32_t> component = component_of_labels<m>(vertices.charts.size(), simplices);
   std::vector<bool> is_settled(component.size());
   for (std::uint32_t k = 0; k < component.size(); ++k) {
     if (!is_settled[component[k]] && labels.is_clear(k)) is_settled[component[k]] = true;
@@ -241,8 +241,8 @@ class IsotopyMargins {
 
 template <int m>
 void measure_isotopy(const GraphVertices& vertices, const std::vector<LabelSimplex<m>>& simplices,
-                     const std::vector<GraphSimplex<m>>& measures, GraphTriangulation<m>& result,
-                     const Progress& progress) {
+                     GraphTriangulation<m>& result, const Progress& progress) {
+  const std::vector<GraphSimplex<m>>& measures = result.simplices;
   std::optional<IsotopyMargins<m>> margins;
   {
     const RoundingGuard guard;
@@ -300,6 +300,26 @@ GraphVertices graph_vertices(const SubmanifoldAtlas<m>& atlas, const PointSet<m>
 template GraphVertices graph_vertices<2>(const SubmanifoldAtlas<2>&, const PointSet<2>&);
 template GraphVertices graph_vertices<3>(const SubmanifoldAtlas<3>&, const PointSet<3>&);
 
+GraphVertices given_vertices(const ZeroSet& zero_set, const std::vector<TangentChart>& charts) {
+  GraphVertices result{zero_set, charts, {}, {}};
+  FormulaEvaluation<BigInterval> evaluation(zero_set.map());
+  std::vector<BigInterval> place(zero_set.ambient());
+  std::vector<BigInterval> f(zero_set.codimension());
+  for (const TangentChart& chart : charts) {
+    for (std::size_t axis = 0; axis < place.size(); ++axis) {
+      place[axis] = BigInterval(chart.data().centre[axis]);
+      result.positions.push_back(in_doubles(place[axis]));
+    }
+    if (!evaluation.value(place.data(), f.data())) {
+      throw Undecided("the equations are not certainly defined at label " + std::to_string(result.residuals.size()));
+    }
+    BigInterval squared(0);
+    for (const BigInterval& value : f) squared += square(value);
+    result.residuals.push_back(in_doubles(square_root(squared)).upper());
+  }
+  return result;
+}
+
 template <int m>
 GraphTriangulation<m> check_graph_triangulation(const GraphVertices& vertices,
                                                 const std::vector<LabelSimplex<m>>& simplices,
@@ -322,8 +342,11 @@ GraphTriangulation<m> check_graph_triangulation(const GraphVertices& vertices,
   }
   if (!result.failures.empty()) return result;
   result.contraction = contraction > 0 ? with_room_above(contraction) : Rational::power_of_two(-digits_of_bounds);
-  result.unclear = unclear_components<m>(vertices, simplices, found.simplices, approximate_double(result.displacement));
-  if (result.triangulates()) measure_isotopy<m>(vertices, simplices, found.simplices, result, progress);
+  result.component = component_of_labels<m>(vertices.charts.size(), simplices);
+  result.simplices = std::move(found.simplices);
+  result.unclear = unclear_components<m>(vertices, simplices, result.simplices, result.component,
+                                         approximate_double(result.displacement));
+  if (result.triangulates()) measure_isotopy<m>(vertices, simplices, result, progress);
   return result;
 }
 

@@ -23,9 +23,11 @@ struct GraphTriangulation {
       unclear;  ///< 5.clear: the least labels of components of which no label is certainly alone above its place
   Rational displacement{};  ///< ω: every point of the complex is moved by no more; few binary digits, with a margin
   Rational contraction{};  ///< γ < 1: how far the map is from the identity in charts; few binary digits, with a margin
-  std::size_t above_lid = 0;  ///< simplices that do not pass 5i.lid
-  Label tightest{0};          ///< where the margin of 5i is least
-  double margin = 0;          ///< of 5i, a lower bound; 5i holds if it is above 0
+  std::size_t above_lid = 0;               ///< simplices that do not pass 5i.lid
+  Label tightest{0};                       ///< where the margin of 5i is least
+  double margin = 0;                       ///< of 5i, a lower bound; 5i holds if it is above 0
+  std::vector<GraphSimplex<m>> simplices;  ///< what was measured of each
+  std::vector<std::uint32_t> component;    ///< of each label: the least label of its component
 
   [[nodiscard]] bool triangulates() const { return failures.empty() && unclear.empty(); }
   [[nodiscard]] bool is_isotopic() const { return triangulates() && above_lid == 0 && margin > 0; }
@@ -35,6 +37,10 @@ struct GraphTriangulation {
 /// rounding to nearest.
 template <int m>
 [[nodiscard]] GraphVertices graph_vertices(const SubmanifoldAtlas<m>& atlas, const PointSet<m>& points);
+
+/// The centres of the charts, exactly, as points that are on M or near it. Throws Undecided, with the label, where the
+/// equations are not certainly defined. Precondition: rounding to nearest.
+[[nodiscard]] GraphVertices given_vertices(const ZeroSet& zero_set, const std::vector<TangentChart>& charts);
 
 /// In parallel. `simplices`: all m-simplices, each once, of a complex of which level 2 holds. Precondition: rounding to
 /// nearest.

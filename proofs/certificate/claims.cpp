@@ -55,6 +55,13 @@ Entries entries_of(const DelaunayClaim& claim) {
     return {at_least("protection", claim.balls->protection), at_most("circumradius", claim.balls->circumradius)};
   if (claim.stability)
     return {at_least("edge", claim.stability->edge), at_least("margin", claim.stability->margin, Unit::squared_length)};
+  if (claim.restricted) {
+    const auto& [extrinsic, intrinsic, density] = *claim.restricted;
+    return {fact("metric", quoted(!intrinsic  ? "extrinsic"
+                                  : extrinsic ? "both"
+                                              : "intrinsic")),
+            at_most("density", density)};
+  }
   return {};
 }
 
@@ -83,6 +90,7 @@ Entries entries_of(const MetricClaim& claim) {
       {"bilipschitz",
        {{claim.least_stretch, Side::lower, Unit::one}, {claim.greatest_stretch, Side::upper, Unit::one}},
        is_isometric ? number(Rational(1)) : listed(std::array{claim.least_stretch, claim.greatest_stretch}, number)});
+  if (claim.normal) result.push_back(at_most("normal", *claim.normal, Unit::one));
   return result;
 }
 

@@ -45,8 +45,14 @@ struct DelaunayClaim {
     Rational edge;    ///< a lower bound of the longest edge of every simplex
     Rational margin;  ///< of stability, in squares of lengths
   };
-  std::optional<Balls> balls;          ///< of space forms
-  std::optional<Stability> stability;  ///< of metric fields
+  struct Restricted {
+    bool extrinsic = false;  ///< for the distance in the space around
+    bool intrinsic = false;  ///< for the length of curves in M
+    Rational density;        ///< no point of M is farther from the vertices
+  };
+  std::optional<Balls> balls = {};            ///< of space forms
+  std::optional<Stability> stability = {};    ///< of metric fields
+  std::optional<Restricted> restricted = {};  ///< of submanifolds
 };
 
 /// Level 5.
@@ -78,6 +84,7 @@ struct MetricClaim {
   bool self_delaunay = false;
   std::optional<Rational> weight;  ///< of surfaces: cotangents opposite to an edge sum to more than this ≥ 0
   Rational least_stretch{1}, greatest_stretch{1};
+  std::optional<Rational> normal = {};  ///< of submanifolds: the sine of the angle between simplices and tangent spaces
 };
 
 /// The levels of docs/certificate-format.md that a run reaches, with their margins: lengths, not in units of ε.

@@ -2,7 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
+#include <map>
+
 #include "kernel/number/decimal_bounds.hpp"
+#include "kernel/number/rounding_guard.hpp"
 #include "proofs/certificate/derivation.hpp"
 #include "proofs/certificate/stated_bounds.hpp"
 
@@ -23,7 +28,103 @@ std::string reason_of(const GraphTriangulation<m>& triangulation) {
                      triangulation.failures.size(), fmt::join(first.simplex, " "), description_of(first.cause));
 }
 
+std::string reason_of(const char* distance, const RestrictedDelaunay& delaunay) {
+  if (delaunay.failures.empty())
+    return fmt::format("level 4, {}: label {} is not certainly clear of simplices around", distance,
+                       delaunay.unclear.front().value);
+  return fmt::format("level 4, {}: at {} labels it is not certain which simplices are nearest, label {} first",
+                     distance, delaunay.failures.size(), delaunay.failures.front().value);
+}
+
+template <int m>
+void claim_delaunay(const SubmanifoldMeasures<m>& measures, Claims& claims, std::vector<std::string>& reasons) {
+  if (!measures.delaunay) return;
+  const bool extrinsic = measures.delaunay->extrinsic.holds();
+  const bool intrinsic = measures.delaunay->intrinsic.holds();
+  if (!extrinsic) reasons.push_back(reason_of("for the distance around", measures.delaunay->extrinsic));
+  if (!intrinsic) reasons.push_back(reason_of("for the length of curves", measures.delaunay->intrinsic));
+  if (!extrinsic && !intrinsic) return;
+  claims.delaunay = DelaunayClaim{{}, {}, DelaunayClaim::Restricted{extrinsic, intrinsic, measures.delaunay->density}};
+}
+
+/// Bounds with room for readers whose enclosures are wider.
+template <int m>
+void claim_metric(const SubmanifoldMeasures<m>& measures, Claims& claims, std::vector<std::string>& reasons) {
+  double least = 1;
+  double greatest = 1;
+  double normal = 0;
+  for (const GraphSimplex<m>& one : measures.triangulation.simplices) {
+    least = std::min(least, one.least_stretch);
+    greatest = std::max(greatest, one.greatest_stretch);
+    normal = std::max(normal, one.normal);
+  }
+  const Rational room = Rational::power_of_two(-6);
+  const Rational sine = stated_above(Rational::exactly(normal) * (Rational(1) + room));
+  if (!(least > 0) || !(greatest < 0x1p10) || Rational(1) <= sine) {
+    reasons.emplace_back("level 6: it is not known how much longer distances become");
+    return;
+  }
+  MetricClaim metric;
+  metric.least_stretch = stated_below(Rational::exactly(least) * (Rational(1) - room), digits_of_stretches);
+  metric.greatest_stretch = stated_above(Rational::exactly(greatest) * (Rational(1) + room), digits_of_stretches);
+  metric.normal = sine;
+  metric.self_delaunay = measures.weight > 0;
+  if (metric.self_delaunay) metric.weight = stated_below(measures.weight);
+  claims.metric = metric;
+}
+
+/// The least sum of the cotangents of the angles opposite to an edge, over the edges of straight triangles in ℝᴺ; 0
+/// if it is not above that.
+double least_weight(const GraphVertices& vertices, const std::vector<LabelSimplex<2>>& triangles) {
+  const RoundingGuard guard;
+  std::map<std::array<std::uint32_t, 2>, Interval> sums;
+  for (const LabelSimplex<2>& triangle : triangles) {
+    for (std::size_t apex = 0; apex < 3; ++apex) {
+      const Interval* c = vertices.position(triangle[apex]);
+      const std::uint32_t one = triangle[apex == 0 ? 1 : 0];
+      const std::uint32_t other = triangle[apex == 2 ? 1 : 2];
+      Interval across(0), a_squared(0), b_squared(0);
+      for (std::size_t axis = 0; axis < vertices.zero_set.ambient(); ++axis) {
+        const Interval a = vertices.position(one)[axis] - c[axis];
+        const Interval b = vertices.position(other)[axis] - c[axis];
+        across += a * b;
+        a_squared += square(a);
+        b_squared += square(b);
+      }
+      sums[{one, other}] += across / square_root(a_squared * b_squared - square(across));
+    }
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [edge, sum] : sums) least = std::min(least, sum.lower());
+  return least > 0 && least < std::numeric_limits<double>::infinity() ? least : 0;
+}
+
 }  // namespace
+
+template <int m>
+SubmanifoldMeasures<m> measure_submanifold(const SubmanifoldAtlas<m>& atlas, const ChartRun<m>& run,
+                                           const ModelGeometry& geometry, const LevelSelection& selection,
+                                           const Progress& progress) {
+  const GraphVertices vertices = graph_vertices<m>(atlas, run.points);
+  const std::vector<LabelSimplex<m>> simplices = run.complex.simplices();
+  SubmanifoldMeasures<m> result{check_stability<m>(atlas, run.points, geometry, run.complex, progress),
+                                check_graph_triangulation<m>(vertices, simplices, progress),
+                                {}};
+  if (!result.triangulation.triangulates()) return result;
+  if (selects(selection, "4")) {
+    const Rational density = graph_density<m>(vertices, simplices, result.triangulation, atlas.slope());
+    const auto check = [&](GraphMetric metric) {
+      return check_restricted_delaunay<m>(vertices, simplices, result.triangulation, atlas.slope(), density, metric,
+                                          progress);
+    };
+    result.delaunay = typename SubmanifoldMeasures<m>::Delaunay{density, check(GraphMetric::extrinsic),
+                                                                check(GraphMetric::intrinsic)};
+  }
+  if constexpr (m == 2) {
+    if (selects(selection, "6")) result.weight = least_weight(vertices, simplices);
+  }
+  return result;
+}
 
 template <int m>
 void claim_graph(const GraphTriangulation<m>& triangulation, const Rational& unit, const LevelSelection& selection,
@@ -58,11 +159,18 @@ Claims derive_claims(const SubmanifoldAtlas<m>& atlas, const RunParameters& para
                         parameters.algorithm.perturbation * atlas.sampling_radius()};
   derivation.derive_stars(run);
   derivation.derive_stability(measures.stability, run.margins.reach);
-  claim_graph<m>(measures.triangulation, atlas.sampling_radius(), selection, derivation.claims, reasons);
-  return derivation.claims;
+  Claims& claims = derivation.claims;
+  claim_graph<m>(measures.triangulation, atlas.sampling_radius(), selection, claims, reasons);
+  if (claims.triangulation) {
+    claim_delaunay<m>(measures, claims, reasons);
+    if (selects(selection, "6")) claim_metric<m>(measures, claims, reasons);
+  }
+  return claims;
 }
 
 #define DELCERT_INSTANTIATE(m)                                                                                       \
+  template SubmanifoldMeasures<m> measure_submanifold<m>(                                                            \
+      const SubmanifoldAtlas<m>&, const ChartRun<m>&, const ModelGeometry&, const LevelSelection&, const Progress&); \
   template Claims derive_claims<m>(const SubmanifoldAtlas<m>&, const RunParameters&, const ChartRun<m>&,             \
                                    const SubmanifoldMeasures<m>&, const LevelSelection&, std::vector<std::string>&); \
   template void claim_graph<m>(const GraphTriangulation<m>&, const Rational&, const LevelSelection&, Claims&,        \

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "kernel/run/chart_run.hpp"
 #include "kernel/stars/stable_stars.hpp"
 #include "kernel/theorems/graph_triangulation.hpp"
+#include "kernel/theorems/restricted_delaunay.hpp"
 #include "proofs/certificate/claims.hpp"
 #include "proofs/certificate/run_parameters.hpp"
 
@@ -17,7 +19,21 @@ template <int m>
 struct SubmanifoldMeasures {
   StarStability stability;              ///< level 2s
   GraphTriangulation<m> triangulation;  ///< levels 5 and 5i
+  /// Level 4, if level 5 holds.
+  struct Delaunay {
+    Rational density;
+    RestrictedDelaunay extrinsic;
+    RestrictedDelaunay intrinsic;
+  };
+  std::optional<Delaunay> delaunay;
+  double weight = 0;  ///< of surfaces: a lower bound of the sums of the cotangents opposite to edges
 };
+
+/// Measures a certified run for those levels that are selected.
+template <int m>
+[[nodiscard]] SubmanifoldMeasures<m> measure_submanifold(const SubmanifoldAtlas<m>& atlas, const ChartRun<m>& run,
+                                                         const ModelGeometry& geometry, const LevelSelection& selection,
+                                                         const Progress& progress);
 
 /// Derives the levels from a certified run and its measures, checking the inequalities of docs/certificate-format.md
 /// on the way; reasons for levels that were selected and are not reached are appended to `reasons`.

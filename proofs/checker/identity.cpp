@@ -35,7 +35,7 @@ Identity identify(const Certificate& c) {
   }
   if (c.submanifold) {
     result.family = "submanifold";
-    result.size = std::to_string(c.submanifold->q) + " equations in R^" + std::to_string(c.submanifold->N);
+    result.size = "in R^" + std::to_string(c.submanifold->N);
     return result;
   }
   result.orientability = "orientable";

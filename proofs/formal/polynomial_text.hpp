@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "proofs/prover/polynomial.hpp"
+#include "kernel/formula/polynomial.hpp"
 
 namespace delcert {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "proofs/prover/polynomial.hpp"
+#include "kernel/formula/polynomial.hpp"
 
 namespace delcert {
 

@@ -7,28 +7,7 @@ namespace delcert {
 
 namespace {
 
-constexpr std::size_t most_terms = 3000;
 constexpr long greatest_exponent = 100000;
-constexpr unsigned long greatest_degree = 2000;
-
-bool is_moderate(const RationalFunction& a) {
-  return a.numerator.term_count() <= most_terms && a.denominator.term_count() <= most_terms;
-}
-
-/// Whether a power of a polynomial has a moderate number of terms of a moderate degree: of t terms to the power e there
-/// are at most C(e + t − 1, t − 1).
-bool has_moderate_power(const Polynomial& base, unsigned long exponent) {
-  if (base.constant()) return true;
-  for (const unsigned long degree : base.degrees()) {
-    if (degree > 0 && exponent > greatest_degree / degree) return false;
-  }
-  double terms = 1;
-  for (std::size_t i = 1; i < base.term_count(); ++i) {
-    terms *= static_cast<double>(exponent + i) / static_cast<double>(i);
-    if (terms > static_cast<double>(most_terms)) return false;
-  }
-  return true;
-}
 
 std::optional<Rational> constant_of(const RationalFunction& a) {
   const auto numerator = a.numerator.constant();
@@ -59,25 +38,6 @@ RationalFunctionReader::RationalFunctionReader(RingPointer ring, std::vector<boo
 
 RationalFunction RationalFunctionReader::constant(const Rational& value) const {
   return {Polynomial(ring_, value), Polynomial(ring_, Rational(1))};
-}
-
-RationalFunction RationalFunctionReader::reduced(const Polynomial& numerator, const Polynomial& denominator) {
-  const RingPointer& ring = numerator.ring();
-  if (const auto value = denominator.constant()) {
-    return {numerator * Polynomial(ring, Rational(1) / *value), Polynomial(ring, Rational(1))};
-  }
-  const Polynomial common = Polynomial::common_divisor(numerator, denominator);
-  if (common.constant()) return {numerator, denominator};
-  return reduced(Polynomial::exact_quotient(numerator, common), Polynomial::exact_quotient(denominator, common));
-}
-
-RationalFunction RationalFunctionReader::sum(const RationalFunction& a, const RationalFunction& b, bool subtract) {
-  const Polynomial common = Polynomial::common_divisor(a.denominator, b.denominator);
-  const Polynomial for_a = Polynomial::exact_quotient(b.denominator, common);
-  const Polynomial for_b = Polynomial::exact_quotient(a.denominator, common);
-  const Polynomial left = a.numerator * for_a;
-  const Polynomial right = b.numerator * for_b;
-  return reduced(subtract ? left - right : left + right, a.denominator * for_a);
 }
 
 std::optional<RationalFunction> RationalFunctionReader::read(const Expression& term) {
@@ -118,9 +78,9 @@ std::optional<RationalFunction> RationalFunctionReader::compute(const Expression
   switch (term.operation) {
     case Operation::add:
     case Operation::subtract:
-      return sum(*first, *second, term.operation == Operation::subtract);
+      return term.operation == Operation::add ? *first + *second : *first - *second;
     case Operation::multiply:
-      return reduced(first->numerator * second->numerator, first->denominator * second->denominator);
+      return *first * *second;
     case Operation::divide:
       return quotient(*first, *second);
     default:
@@ -209,7 +169,7 @@ std::optional<RationalFunction> RationalFunctionReader::extreme(const Expression
   for (std::size_t at = 1; at < term.children.size() && best; ++at) {
     const Result next = read(*term.children[at]);
     if (!next) return std::nullopt;
-    Sign difference = sign(sum(*next, *best, true));
+    Sign difference = sign(*next - *best);
     if (difference == Sign::unknown) return std::nullopt;
     if (!greatest) difference = opposite(difference);
     if (difference == Sign::positive || difference == Sign::nonnegative) best = next;

@@ -9,16 +9,10 @@
 #include <vector>
 
 #include "kernel/formula/expression.hpp"
+#include "kernel/formula/rational_function.hpp"
 #include "proofs/prover/bernstein.hpp"
-#include "proofs/prover/polynomial.hpp"
 
 namespace delcert {
-
-/// A quotient of two polynomials without a common factor; the denominator is not 0.
-struct RationalFunction {
-  Polynomial numerator;
-  Polynomial denominator;
-};
 
 /// Reads terms as rational functions of the variables of a ring. A parameter that is marked *squared* is the square of
 /// its variable, which is not negative: so its roots and half-integer powers are polynomials.
@@ -54,8 +48,6 @@ class RationalFunctionReader {
   [[nodiscard]] std::optional<Polynomial> size(const Polynomial& p) const;
   [[nodiscard]] Sign sign(const RationalFunction& a) const;
   [[nodiscard]] RationalFunction constant(const Rational& value) const;
-  [[nodiscard]] static RationalFunction reduced(const Polynomial& numerator, const Polynomial& denominator);
-  [[nodiscard]] static RationalFunction sum(const RationalFunction& a, const RationalFunction& b, bool subtract);
 
   RingPointer ring_;
   std::map<std::string, std::size_t> index_;

@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <fstream>
+
 #include "tests/checker/support/forgeries.hpp"
 #include "tests/checker/support/run_checker.hpp"
 #include "tests/checker/support/submanifold_model.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace delcert::checker_tests {
 namespace {
@@ -92,6 +96,29 @@ TEST(Submanifold, a_place_as_near_to_one_label_as_to_others_ends_undecided_at_a_
   const CheckerRun run = run_with(half_edge + 0x1p-21);
   EXPECT_EQ(run.status, 2) << run.output;
   EXPECT_NE(run.output.find("which labels are nearest in the chart of label"), std::string::npos) << run.output;
+}
+
+TEST(Submanifold, in_higher_codimension_are_verified) {
+  for (const std::size_t dimension : {5U, 6U})
+    expect_verified(certificate(given(lifted(flat_torus_model(40), dimension)), {"1f", "2", "5"}));
+}
+
+TEST(Submanifold, is_the_one_that_is_expected_whatever_its_charts_are) {
+  const test::TemporaryFolder folder;
+  const auto check = [&](const Json& document, const Json& expected) {
+    const auto write = [&](const char* name, const Json& j) {
+      std::ofstream(folder / name) << sealed(j);
+      return (folder / name).string();
+    };
+    const std::string files = write("document", document) + " --expect-manifold " + write("expected", expected);
+    return run_checker_with(files).status;
+  };
+  EXPECT_NE(circle_document()["manifold"]["slope"], polygon_document()["manifold"]["slope"]);
+  EXPECT_EQ(check(circle_document(), polygon_document()), 0);
+  EXPECT_EQ(check(circle_document(), sphere_document()), 1);
+  Json other = polygon_document();
+  other["manifold"]["box"][0][1] = "3";
+  EXPECT_EQ(check(circle_document(), other), 1);
 }
 
 TEST(Submanifold, where_the_equations_may_not_be_defined_nothing_is_decided) {

@@ -1,8 +1,6 @@
 #include "kernel/manifold/gluing/chart_distortion.hpp"
 
-#include <string>
-
-#include "support/error.hpp"
+#include "kernel/manifold/gluing/growing_bound.hpp"
 
 namespace delcert {
 
@@ -11,35 +9,6 @@ namespace {
 /// Patches are covered by so many boxes along each axis.
 template <int m>
 constexpr int pieces = m == 2 ? 4 : 2;
-
-/// A bound that grows until it suffices, or reaches the limit.
-class Bound {
- public:
-  explicit Bound(double limit) : limit_(limit) {}
-  [[nodiscard]] double value() const { return value_; }
-  [[nodiscard]] bool is_below_limit() const { return value_ < limit_; }
-
-  template <class Suffices>
-  void grow_until(const Suffices& suffices) {
-    while (is_below_limit() && !is_proved(suffices(Interval::exactly(value_)))) value_ += value_ / 32;
-  }
-
- private:
-  double limit_;
-  double value_ = 0x1p-40;
-};
-
-/// (1 − a)² b < x < (1 + a)² b.
-template <std::size_t m>
-Verdict is_within(const std::array<std::array<Interval, m>, m>& x, const Interval& a,
-                  const std::array<std::array<Interval, m>, m>& b) {
-  return conjunction(is_above(x, square(Interval(1) - a), b), is_below(x, square(Interval(1) + a), b));
-}
-
-Rational with_few_digits(double bound) {
-  const Rational exact = Rational::exactly(bound);
-  return rounded_up(exact, binary_exponent(exact) - 11);
-}
 
 template <int m>
 class Measurement {
@@ -73,8 +42,7 @@ class Measurement {
   }
 
   [[nodiscard]] ChartDistortion result() const {
-    return {with_few_digits(rounding_.value()), all_are_same_ ? Rational(0) : with_few_digits(transition_.value()),
-            with_few_digits(metric_.value())};
+    return {rounding_.rounded(), all_are_same_ ? Rational(0) : transition_.rounded(), metric_.rounded()};
   }
 
  private:
@@ -103,9 +71,9 @@ class Measurement {
   const MetricFieldAtlas<m>& atlas_;
   bool all_are_same_;
   Rational radius_;
-  Bound rounding_;
-  Bound transition_;
-  Bound metric_;
+  GrowingBound rounding_;
+  GrowingBound transition_;
+  GrowingBound metric_;
   std::vector<Sighting<m>> seen_;
 };
 
@@ -124,16 +92,8 @@ std::optional<ChartDistortion> measure_distortion(const MetricFieldAtlas<m>& atl
 
 template <int m>
 ChartDistortion fit_patches(MetricFieldAtlas<m>& atlas, const Progress& progress) {
-  while (true) {
-    const bool is_least = atlas.patch_factor() == MetricFieldAtlas<m>::least_patch_factor;
-    const Rational limit = Rational::power_of_two(is_least ? -1 : -2);
-    if (const auto result = measure_distortion<m>(atlas, limit, progress)) return *result;
-    if (is_least)
-      throw Rejection(atlas.field().description().name + ": charts are distorted by 1/2 or more within " +
-                      std::to_string(MetricFieldAtlas<m>::least_patch_factor) +
-                      " sampling radii: take a smaller radius");
-    atlas.shrink_patches(atlas.patch_factor() - 1);
-  }
+  return fitted_patches<m>(atlas, atlas.field().description().name, Rational::power_of_two(-1),
+                           [&](const Rational& limit) { return measure_distortion<m>(atlas, limit, progress); });
 }
 
 Rational relative_stretch(const ChartDistortion& distortion) {

@@ -13,16 +13,43 @@ namespace delcert {
 
 namespace {
 
-/// Where a chart fails with cells of this number, it is undecided.
-constexpr std::size_t most_cells = 20000;
-
 using Coordinates = std::array<double, most_ambient_dimensions>;
 
-/// A box in the coordinates (y, z) of a cylinder.
+/// A box in the coordinates (y, z) of a cylinder, by its ends, which neighbours share; and between which |y|/ϱ slopes
+/// are looked at in it.
 struct Cell {
-  Coordinates centre{};
-  Coordinates half{};
+  Coordinates lower{};
+  Coordinates upper{};
+  double from = 0;
+  double to = 1;
+
+  [[nodiscard]] double middle(std::size_t k) const { return lower[k] / 2 + upper[k] / 2; }
+  /// How far points are from the middle.
+  [[nodiscard]] Interval half(std::size_t k) const {
+    const Interval at = Interval::exactly(middle(k));
+    return maximum(Interval::exactly(upper[k]) - at, at - Interval::exactly(lower[k]));
+  }
+  [[nodiscard]] Interval greatest(std::size_t k) const {
+    return Interval::exactly(std::max(std::fabs(lower[k]), std::fabs(upper[k])));
+  }
+  [[nodiscard]] Interval least(std::size_t k) const { return Interval::exactly(std::max({lower[k], -upper[k], 0.0})); }
 };
+
+/// p(s) = (1 + 7s)/8: where |y| = sϱ, slopes may be Lp(s). P(s) = (2s + 7s²)/16, the integral: M is at most LϱP(s) from
+/// z₀.
+Interval profile(const Interval& s) { return (Interval(1) + Interval(7) * s) / Interval(8); }
+Interval profile_integral(const Interval& s) { return (Interval(2) * s + Interval(7) * square(s)) / Interval(16); }
+
+/// Between these, from the rim inwards, slopes are looked at one after the other: p(from) is to·0.85, but for 0.
+std::vector<std::pair<double, double>> shells() {
+  std::vector<std::pair<double, double>> result;
+  for (double to = 1; to > 0;) {
+    const double from = std::max(std::ldexp(std::floor(std::ldexp((8 * 0.85 * to - 1) / 7, 10)), -10), 0.0);
+    result.emplace_back(from, to);
+    to = from;
+  }
+  return result;
+}
 
 Interval norm_of(const std::vector<Interval>& entries) {
   Interval sum(0);
@@ -33,8 +60,9 @@ Interval norm_of(const std::vector<Interval>& entries) {
 /// The cells of one cylinder.
 class Cylinder {
  public:
-  Cylinder(FormulaEvaluation<Interval>& f, const TangentChart& chart, const Rational& slope)
+  Cylinder(FormulaEvaluation<Interval>& f, const TangentChart& chart, const Rational& slope, std::size_t most_cells)
       : f_(f),
+        most_cells_(most_cells),
         chart_(chart.enclosed()),
         n_(chart.ambient()),
         m_(chart.dimension()),
@@ -48,6 +76,7 @@ class Cylinder {
         derivative_(q_ * n_),
         second_(q_ * n_ * n_) {}
 
+  bool is_transversal() { return !look_at_all(Aim::transversal); }
   std::optional<GraphFailure> failure() {
     if (auto reason = outside_of_centre()) return GraphFailure{*reason, true};
     if (auto result = look_at_all(Aim::transversal)) return result;
@@ -60,8 +89,20 @@ class Cylinder {
   enum class Outcome : unsigned char { holds, open, fails, undefined };
 
   std::optional<GraphFailure> look_at_all(Aim aim) {
-    std::vector<Cell> open(1);
-    for (std::size_t k = 0; k < n_; ++k) open[0].half[k] = (k < m_ ? radius_ : height_).upper();
+    Cell whole;
+    for (std::size_t k = 0; k < n_; ++k) {
+      whole.upper[k] = (k < m_ ? radius_ : height_).upper();
+      whole.lower[k] = -whole.upper[k];
+    }
+    std::vector<Cell> open(1, whole);
+    if (aim == Aim::flat) {
+      open.clear();
+      for (const auto& [from, to] : shells()) {
+        whole.from = from;
+        whole.to = to;
+        open.insert(open.begin(), whole);
+      }
+    }
     for (std::size_t looked_at = 0; !open.empty(); ++looked_at) {
       Cell cell = open.back();
       open.pop_back();
@@ -72,13 +113,12 @@ class Cylinder {
       if (outcome == Outcome::fails && aim == Aim::transversal)
         return GraphFailure{"its patch is no graph: fibres are not transversal", false};
       if (outcome == Outcome::fails) return GraphFailure{"its patch is steeper than the slope", true};
-      if (looked_at > most_cells) return GraphFailure{"undecided whether its patch is a graph", true};
-      Cell half = cell;
-      half.half[longest] = half.half[longest] / 2;
-      half.centre[longest] = cell.centre[longest] - half.half[longest];
-      open.push_back(half);
-      half.centre[longest] = cell.centre[longest] + half.half[longest];
-      open.push_back(half);
+      if (looked_at > most_cells_) return GraphFailure{"undecided whether its patch is a graph", true};
+      const double cut = cell.middle(longest);
+      open.push_back(cell);
+      open.back().upper[longest] = cut;
+      open.push_back(cell);
+      open.back().lower[longest] = cut;
     }
     return std::nullopt;
   }
@@ -89,7 +129,8 @@ class Cylinder {
     const auto heights = zero_on_fibre<Interval>(f_, chart_, origin.data());
     if (!heights) return "no point of the manifold is certain over its centre";
     offset_ = Interval::exactly(norm_of(*heights).upper());
-    if (!is_proved(less(offset_ + slope_ * radius_, height_))) return "the lid of its patch is too low";
+    if (!is_proved(less(offset_ + slope_ * radius_ * profile_integral(Interval(1)), height_)))
+      return "the lid of its patch is too low";
     return std::nullopt;
   }
 
@@ -105,157 +146,210 @@ class Cylinder {
     return square_root(sum);
   }
 
-  /// A bound of ‖(Df·N)⁻¹Df·E‖, from entries of Y·Df·T; unbounded if there is none. By ‖Y′DfE‖/(1 − ‖1 − Y′DfN‖), where
-  /// Y′ is nearly the inverse in the middle.
-  double steepness(const Dense<Interval>& entries) const {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Dense<double> normal(q_ * q_);
-    for (std::size_t row = 0; row < q_; ++row) {
-      for (std::size_t column = 0; column < q_; ++column) {
-        const Interval& entry = entries[row * n_ + m_ + column];
-        normal[row * q_ + column] = entry.lower() / 2 + entry.upper() / 2;
-        if (!(std::fabs(normal[row * q_ + column]) < infinity)) return infinity;
-      }
-    }
-    const auto inverse = inverse_of(std::move(normal), q_);
-    if (!inverse) return infinity;
-    Dense<Interval> adapted(q_ * n_, Interval(0));
-    Interval tangential(0);
-    for (std::size_t row = 0; row < q_; ++row) {
-      for (std::size_t column = 0; column < n_; ++column) {
-        for (std::size_t b = 0; b < q_; ++b)
-          adapted[row * n_ + column] += Interval::exactly((*inverse)[row * q_ + b]) * entries[b * n_ + column];
-        if (column < m_) tangential += square(adapted[row * n_ + column]);
-      }
-    }
-    const Interval theta = distance_from_identity(adapted);
-    if (!is_proved(less(theta, Interval(1)))) return infinity;
-    return (square_root(tangential) / (Interval(1) - theta)).upper();
-  }
-
-  /// Y·J·T.
-  Dense<Interval> in_chart(const Dense<Interval>& derivative) const {
-    Dense<Interval> preconditioned(q_ * n_, Interval(0));
-    for (std::size_t row = 0; row < q_; ++row) {
-      for (std::size_t b = 0; b < q_; ++b) {
-        for (std::size_t axis = 0; axis < n_; ++axis)
-          preconditioned[row * n_ + axis] += chart_.preconditioner[row * q_ + b] * derivative[b * n_ + axis];
-      }
-    }
-    Dense<Interval> result(q_ * n_, Interval(0));
-    for (std::size_t row = 0; row < q_; ++row) {
-      for (std::size_t column = 0; column < n_; ++column) {
-        for (std::size_t axis = 0; axis < n_; ++axis)
-          result[row * n_ + column] += preconditioned[row * n_ + axis] * chart_.at(axis, column);
+  /// a·b, rows·inner and inner·columns.
+  static Dense<Interval> product(const Dense<Interval>& a, const Dense<Interval>& b, std::size_t inner,
+                                 std::size_t columns) {
+    const std::size_t rows = a.size() / inner;
+    Dense<Interval> result(rows * columns, Interval(0));
+    for (std::size_t row = 0; row < rows; ++row) {
+      for (std::size_t k = 0; k < inner; ++k) {
+        for (std::size_t column = 0; column < columns; ++column)
+          result[row * columns + column] += a[row * inner + k] * b[k * columns + column];
       }
     }
     return result;
   }
 
-  /// Makes the cell smaller, to what contains its part in the cylinder, or in the cone for slopes. False if there is
-  /// none.
+  /// Nearly (Df·N)⁻¹ times what Y·Df·N is in the middle: from entries of Y·Df·T. None if that is singular.
+  std::optional<Dense<Interval>> adapted_to(const Dense<Interval>& entries) const {
+    Dense<double> normal(q_ * q_);
+    for (std::size_t row = 0; row < q_; ++row) {
+      for (std::size_t column = 0; column < q_; ++column)
+        normal[row * q_ + column] = middle_of(entries[row * n_ + m_ + column]);
+    }
+    const auto inverse = inverse_of(std::move(normal), q_);
+    if (!inverse) return std::nullopt;
+    Dense<Interval> result;
+    for (const double entry : *inverse) {
+      if (!(std::fabs(entry) < std::numeric_limits<double>::max())) return std::nullopt;
+      result.push_back(Interval::exactly(entry));
+    }
+    return result;
+  }
+  static double middle_of(const Interval& x) { return x.lower() / 2 + x.upper() / 2; }
+
+  /// Makes the cell smaller, to what contains its part in the cylinder, or in the bent cone for slopes. False if there
+  /// is none.
   bool clip(Cell& cell, Aim aim) const {
     Interval nearest(0);
-    Interval farthest(0);
-    std::array<Interval, most_ambient_dimensions> least;
-    for (std::size_t k = 0; k < m_; ++k) {
-      const Interval along = absolute(Interval::exactly(cell.centre[k]));
-      const Interval half = Interval::exactly(cell.half[k]);
-      least[k] = square(maximum(along - half, Interval(0)));
-      nearest += least[k];
-      farthest += square(along + half);
-    }
-    if (is_proved(less(square(radius_), nearest))) return false;
-    for (std::size_t k = 0; k < m_; ++k) cut(cell, k, square_root(square(radius_) - (nearest - least[k])).upper());
+    for (std::size_t k = 0; k < m_; ++k) nearest += square(cell.least(k));
+    const Interval most = aim == Aim::flat ? radius_ * Interval::exactly(cell.to) : radius_;
+    if (is_proved(less(square(most), nearest))) return false;
+    for (std::size_t k = 0; k < m_; ++k)
+      cut(cell, k, square_root(square(most) - (nearest - square(cell.least(k)))).upper());
     if (aim == Aim::transversal) return true;
-    const Interval steepest = slope_ * minimum(square_root(farthest), radius_) + offset_;
+    Interval farthest(0);
     Interval lowest(0);
+    for (std::size_t k = 0; k < m_; ++k) farthest += square(cell.greatest(k));
+    if (is_proved(less(farthest, square(radius_ * Interval::exactly(cell.from))))) return false;
+    cell.from = std::max(cell.from, (square_root(nearest) / radius_).lower());
+    cell.to = std::min(cell.to, (square_root(farthest) / radius_).upper());
+    const Interval steepest = slope_ * radius_ * profile_integral(Interval::exactly(cell.to)) + offset_;
     for (std::size_t k = m_; k < n_; ++k) {
-      lowest +=
-          square(maximum(absolute(Interval::exactly(cell.centre[k])) - Interval::exactly(cell.half[k]), Interval(0)));
+      lowest += square(cell.least(k));
       cut(cell, k, steepest.upper());
     }
     return !is_proved(less(square(steepest), lowest));
   }
   /// To |coordinate| ≤ most, if that leaves something.
   static void cut(Cell& cell, std::size_t k, double most) {
-    const double upper = std::min(cell.centre[k] + cell.half[k], most);
-    const double lower = std::max(cell.centre[k] - cell.half[k], -most);
-    if (!(lower < upper) || (upper == cell.centre[k] + cell.half[k] && lower == cell.centre[k] - cell.half[k])) return;
-    cell.centre[k] = lower / 2 + upper / 2;
-    cell.half[k] =
-        std::max(upper - cell.centre[k], (Interval::exactly(cell.centre[k]) - Interval::exactly(lower)).upper());
+    const double upper = std::min(cell.upper[k], most);
+    const double lower = std::max(cell.lower[k], -most);
+    if (!(lower < upper)) return;
+    cell.upper[k] = upper;
+    cell.lower[k] = lower;
   }
 
-  /// Whether the middle of a cell is a witness: certainly in the cylinder, or in the cone for slopes.
-  [[nodiscard]] bool is_witness(const Cell& cell, Aim aim) const {
+  /// What the slope may be at the middle of a cell, if that is certainly in the cylinder, and for slopes in the bent
+  /// cone.
+  [[nodiscard]] std::optional<Interval> bound_at_middle(const Cell& cell, Aim aim) const {
     Interval across(0);
     Interval above(0);
-    for (std::size_t k = 0; k < n_; ++k) (k < m_ ? across : above) += square(Interval::exactly(cell.centre[k]));
-    if (!is_proved(less(across, square(radius_)))) return false;
-    return aim == Aim::transversal || is_proved(less(square_root(above) + offset_, slope_ * square_root(across)));
+    for (std::size_t k = 0; k < n_; ++k) (k < m_ ? across : above) += square(Interval::exactly(cell.middle(k)));
+    if (!is_proved(less(across, square(radius_)))) return std::nullopt;
+    const Interval s = square_root(across) / radius_;
+    if (aim == Aim::flat && !is_proved(less(square_root(above) + offset_, slope_ * radius_ * profile_integral(s))))
+      return std::nullopt;
+    return slope_ * profile(s);
   }
 
   /// `longest`: the side of the cell that the enclosure depends on most.
   Outcome look_at(Cell& cell, Aim aim, std::size_t& longest) {
     if (!clip(cell, aim)) return Outcome::holds;
-    std::vector<Interval>& at = at_;
-    for (std::size_t k = 0; k < n_; ++k) at[k] = Interval::exactly(cell.centre[k]);
-    chart_.position(at.data(), x_.data());
+    for (std::size_t k = 0; k < n_; ++k) {
+      if (cell.upper[k] - cell.lower[k] > cell.upper[longest] - cell.lower[longest]) longest = k;
+      at_[k] = Interval::exactly(cell.middle(k));
+    }
+    chart_.position(at_.data(), x_.data());
     if (!f_.first(x_.data(), value_.data(), derivative_.data())) return Outcome::undefined;
-    Dense<Interval> entries = in_chart(derivative_);
-    // What fails at a point fails; a little farther than the bound, so that what is left to cells ends.
-    if (is_witness(cell, aim)) {
-      if (aim == Aim::transversal && !is_refuted(less(Interval(1), distance_from_identity(entries))))
-        return Outcome::fails;
-      if (aim == Aim::flat && !(steepness(entries) < slope_.lower())) return Outcome::fails;
+    Dense<Interval> weights = chart_.preconditioner;
+    Dense<Interval> entries = product(product(weights, derivative_, q_, n_), chart_.frame, n_, n_);
+    // What fails in the middle fails.
+    const auto bound = bound_at_middle(cell, aim);
+    if (aim == Aim::flat) {
+      const auto adapted = adapted_to(entries);
+      if (!adapted) return bound ? Outcome::fails : Outcome::open;
+      weights = product(*adapted, weights, q_, q_);
+      entries = product(*adapted, entries, q_, n_);
+      if (bound && !(steepness_in(entries) <= bound->upper())) return Outcome::fails;
+    } else if (bound && !is_refuted(less(Interval(1), distance_from_identity(entries)))) {
+      return Outcome::fails;
     }
     for (std::size_t axis = 0; axis < n_; ++axis) {
-      for (std::size_t k = 0; k < n_; ++k)
-        x_[axis] += chart_.at(axis, k) * Interval::between(-cell.half[k], cell.half[k]);
+      for (std::size_t k = 0; k < n_; ++k) x_[axis] += chart_.at(axis, k) * (cell.half(k) * Interval::between(-1, 1));
     }
-    if (!f_.second(x_.data(), value_.data(), derivative_.data(), second_.data())) {
-      longest = widest(cell);
-      return Outcome::open;
+    if (!f_.second(x_.data(), value_.data(), derivative_.data(), second_.data())) return Outcome::open;
+    second_order(weights);
+    return enclosed_in(cell, aim, entries, longest) ? Outcome::holds : Outcome::open;
+  }
+
+  /// bends_[(a·N + k)·N + l] = (Tᵀ(Σ_b w_ab D²f_b)T)_kl.
+  void second_order(const Dense<Interval>& weights) {
+    bends_.clear();
+    const Dense<Interval> hessians = product(weights, second_, q_, n_ * n_);
+    for (std::size_t row = 0; row < q_; ++row) {
+      const auto from = hessians.begin() + static_cast<std::ptrdiff_t>(row * n_ * n_);
+      const Dense<Interval> right = product({from, from + static_cast<std::ptrdiff_t>(n_ * n_)}, chart_.frame, n_, n_);
+      for (std::size_t k = 0; k < n_; ++k) {
+        for (std::size_t l = 0; l < n_; ++l) {
+          Interval sum(0);
+          for (std::size_t a = 0; a < n_; ++a) sum += chart_.at(a, k) * right[a * n_ + l];
+          bends_.push_back(sum);
+        }
+      }
     }
+  }
+  [[nodiscard]] const Interval& bend(std::size_t row, std::size_t k, std::size_t l) const {
+    return bends_[(row * n_ + k) * n_ + l];
+  }
+
+  /// ‖E-block‖/(1 − ‖1 − N-block‖); unbounded if there is no such bound.
+  [[nodiscard]] double steepness_in(const Dense<Interval>& entries) const {
+    Interval tangential(0);
+    for (std::size_t row = 0; row < q_; ++row) {
+      for (std::size_t l = 0; l < m_; ++l) tangential += square(entries[row * n_ + l]);
+    }
+    return over(square_root(tangential), distance_from_identity(entries));
+  }
+  static double over(const Interval& tangential, const Interval& theta) {
+    if (!is_proved(less(theta, Interval(1)))) return std::numeric_limits<double>::infinity();
+    return (tangential / (Interval(1) - theta)).upper();
+  }
+
+  /// By the mean-value form, entries + Σ_k bend_k (t_k − middle_k). For slopes also with the bends in the plane split
+  /// into numbers B and what is left: ‖e − By‖ + ‖B‖|y| + …, as |y| ≤ ϱ says more than the cell where it is cut by the
+  /// rim.
+  bool enclosed_in(const Cell& cell, Aim aim, Dense<Interval> entries, std::size_t& longest) const {
+    Dense<Interval> rest(q_ * m_);
+    Dense<double> flat(q_ * m_ * m_);
+    Interval apart(0);
+    Interval left(0);
     Coordinates share{};
-    for (std::size_t row = 0; row < q_; ++row) add_second_order(cell, row, entries, share);
-    longest = static_cast<std::size_t>(std::max_element(share.begin(), share.end()) - share.begin());
-    if (!(share[longest] < std::numeric_limits<double>::infinity())) longest = widest(cell);
-    const bool holds = aim == Aim::transversal ? is_proved(less(distance_from_identity(entries), Interval(1)))
-                                               : steepness(entries) <= slope_.lower();
-    return holds ? Outcome::holds : Outcome::open;
+    for (std::size_t row = 0; row < q_; ++row) {
+      for (std::size_t l = 0; l < m_; ++l) rest[row * m_ + l] = entries[row * n_ + l];
+      for (std::size_t l = 0; l < n_; ++l) {
+        Interval unsplit(0);
+        for (std::size_t k = 0; k < n_; ++k) {
+          const Interval half = cell.half(k);
+          const Interval all = absolute(bend(row, k, l)) * half;
+          Interval part = all;
+          if (k < m_ && l < m_) {
+            const double middle = middle_of(bend(row, k, l));
+            flat[(row * m_ + l) * m_ + k] = middle;
+            rest[row * m_ + l] -= Interval::exactly(middle) * Interval::exactly(cell.middle(k));
+            part = absolute(bend(row, k, l) - Interval::exactly(middle)) * half;
+          }
+          if (l < m_) unsplit += part;
+          share[k] += aim == Aim::flat ? (part + all / Interval(8)).upper() : all.upper();
+          entries[row * n_ + l] += Interval::between(-all.upper(), all.upper());
+        }
+        if (l < m_) left += square(unsplit);
+      }
+      for (std::size_t l = 0; l < m_; ++l) apart += square(rest[row * m_ + l]);
+    }
+    const auto most = static_cast<std::size_t>(std::max_element(share.begin(), share.end()) - share.begin());
+    if (share[most] < std::numeric_limits<double>::infinity()) longest = most;
+    if (aim == Aim::transversal) return is_proved(less(distance_from_identity(entries), Interval(1)));
+    const double allowed = (slope_ * profile(Interval::exactly(cell.from))).lower();
+    if (steepness_in(entries) <= allowed) return true;
+    const Interval split =
+        square_root(apart) + operator_norm(flat) * Interval::exactly(cell.to) * radius_ + square_root(left);
+    return over(split, distance_from_identity(entries)) <= allowed;
   }
 
-  [[nodiscard]] std::size_t widest(const Cell& cell) const {
-    return static_cast<std::size_t>(std::max_element(cell.half.begin(), cell.half.end()) - cell.half.begin());
-  }
-
-  /// Adds Σ_k K_kl·[−h_k, h_k] for K = Tᵀ(Σ_b Y_ab D²f_b)T, a the row.
-  void add_second_order(const Cell& cell, std::size_t row, Dense<Interval>& entries, Coordinates& share) {
-    Dense<Interval> hessian(n_ * n_, Interval(0));
-    for (std::size_t b = 0; b < q_; ++b) {
-      const Interval& factor = chart_.preconditioner[row * q_ + b];
-      for (std::size_t at = 0; at < n_ * n_; ++at) hessian[at] += factor * second_[b * n_ * n_ + at];
-    }
-    Dense<Interval> right(n_ * n_, Interval(0));
-    for (std::size_t a = 0; a < n_; ++a) {
-      for (std::size_t l = 0; l < n_; ++l) {
-        for (std::size_t b = 0; b < n_; ++b) right[a * n_ + l] += hessian[a * n_ + b] * chart_.at(b, l);
+  /// A bound of max |By| for |y| ≤ 1, B with m columns, by (tr (BᵀB)^64)^(1/128).
+  [[nodiscard]] Interval operator_norm(const Dense<double>& rows) const {
+    constexpr int squarings = 6;
+    Dense<Interval> gram(m_ * m_, Interval(0));
+    Interval trace(0);
+    for (std::size_t at = 0; at < rows.size(); at += m_) {
+      for (std::size_t k = 0; k < m_; ++k) {
+        for (std::size_t l = 0; l < m_; ++l)
+          gram[k * m_ + l] += Interval::exactly(rows[at + k]) * Interval::exactly(rows[at + l]);
       }
     }
-    for (std::size_t k = 0; k < n_; ++k) {
-      for (std::size_t l = 0; l < n_; ++l) {
-        Interval entry(0);
-        for (std::size_t a = 0; a < n_; ++a) entry += chart_.at(a, k) * right[a * n_ + l];
-        const double most = (absolute(entry) * Interval::exactly(cell.half[k])).upper();
-        entries[row * n_ + l] += Interval::between(-most, most);
-        share[k] += most;
-      }
-    }
+    for (std::size_t k = 0; k < m_; ++k) trace += gram[k * m_ + k];
+    if (!(trace.lower() > 0)) return square_root(trace);
+    for (Interval& entry : gram) entry = entry / trace;
+    for (int step = 0; step < squarings; ++step) gram = product(gram, gram, m_, m_);
+    Interval root(0);
+    for (std::size_t k = 0; k < m_; ++k) root += gram[k * m_ + k];
+    for (int step = 0; step < squarings; ++step) root = square_root(root);
+    return square_root(root * trace);
   }
 
   FormulaEvaluation<Interval>& f_;
+  std::size_t most_cells_;
   const EnclosedChart<Interval>& chart_;
   std::size_t n_;
   std::size_t m_;
@@ -269,14 +363,14 @@ class Cylinder {
   std::vector<Interval> value_;
   Dense<Interval> derivative_;
   Dense<Interval> second_;
+  Dense<Interval> bends_;
 };
 
 }  // namespace
 
 GraphCheck::GraphCheck(const ZeroSet& zero_set) : zero_set_(zero_set) {}
 
-std::optional<GraphFailure> GraphCheck::failure(const TangentChart& chart, const Rational& slope) {
-  const RoundingGuard guard;
+std::optional<GraphFailure> GraphCheck::outside_of_box(const TangentChart& chart) const {
   const std::size_t n = chart.ambient();
   const EnclosedChart<Interval>& enclosed = chart.enclosed();
   const Interval radius = scalar_from<Interval>(chart.data().radius);
@@ -293,20 +387,40 @@ std::optional<GraphFailure> GraphCheck::failure(const TangentChart& chart, const
       return GraphFailure{"its patch is not inside of the box, across " + zero_set_.description().variables[axis],
                           false};
   }
+  return std::nullopt;
+}
+
+std::optional<GraphFailure> GraphCheck::failure(const TangentChart& chart, const Rational& slope) {
+  constexpr std::size_t most_cells = 6000;
+  const RoundingGuard guard;
+  if (auto result = outside_of_box(chart)) return result;
   FormulaEvaluation<Interval> f(zero_set_.map());
-  return Cylinder(f, chart, slope).failure();
+  return Cylinder(f, chart, slope, most_cells).failure();
+}
+
+bool GraphCheck::may_be_as_high(const TangentChart& chart) {
+  constexpr std::size_t most_cells = 100;
+  const RoundingGuard guard;
+  if (outside_of_box(chart)) return false;
+  FormulaEvaluation<Interval> f(zero_set_.map());
+  return Cylinder(f, chart, Rational(0), most_cells).is_transversal();
 }
 
 namespace {
 
 constexpr std::array patch_factors{5, 4, 3};
-/// The slope is greater than needed by this: the more, the fewer cells.
-constexpr std::array slope_slacks{1.12, 1.04};
+/// The slope is greater than needed by this: the more, the fewer cells, here and for whoever checks it.
+constexpr std::array slope_slacks{1.6, 1.25};
+constexpr double last_slack = 1.1;
 constexpr long slope_exponent = -8;
+/// What is not so at all charts is mostly seen at some of them.
+constexpr std::size_t most_suspects = 64;
+constexpr std::size_t most_estimates = 1024;
 
-/// ζ > |z₀| + Lϱ by a little, with few digits.
-Rational height_for(const Rational& radius, const Rational& slope) {
-  const Rational needed = radius * slope * (Rational(1) + Rational::power_of_two(-6));
+/// ζ > |z₀| + 9Lϱ/16 by a little, with few digits.
+Rational least_height(const Rational& radius, const Rational& slope) {
+  const Rational needed =
+      radius * slope * Rational(Integer(9), Integer(16)) * (Rational(1) + Rational::power_of_two(-6));
   return rounded_up(needed, binary_exponent(needed) - 6);
 }
 
@@ -336,13 +450,16 @@ class SlopeEstimate {
         length += y[k] * y[k];
       }
       if (length == 0) continue;
-      for (std::size_t k = 0; k < m_; ++k) y[k] *= radius / std::sqrt(length);
-      for (std::size_t b = m_; b < n_; ++b) {
-        for (const double sign : {-1.0, 1.0}) {
-          y[b] = sign * slope * radius;
-          result = std::max(result, slope_at(enclosed, y));
+      for (const double s : {0.5, 1.0}) {
+        std::vector<double> at(n_, 0);
+        for (std::size_t k = 0; k < m_; ++k) at[k] = y[k] * s * radius / std::sqrt(length);
+        for (std::size_t b = m_; b < n_; ++b) {
+          for (const double sign : {-1.0, 1.0}) {
+            at[b] = sign * slope * radius * (2 * s + 7 * s * s) / 16;
+            result = std::max(result, slope_at(enclosed, at) * 8 / (1 + 7 * s));
+          }
+          at[b] = 0;
         }
-        y[b] = 0;
       }
     }
     return result;
@@ -402,6 +519,7 @@ class Fitting {
         [&](std::vector<TangentChart> found) {
           for (TangentChart& chart : found) charts_.push_back(std::move(chart));
         });
+    for (std::size_t at = 0; at < charts_.size(); ++at) all_.push_back(at);
   }
 
   FittedCharts fit() {
@@ -411,6 +529,8 @@ class Fitting {
         if (auto slope = fitting_slope(factor, slack, reason)) return {std::move(charts_), std::move(*slope), factor};
       }
     }
+    if (auto slope = fitting_slope(patch_factors.back(), last_slack, reason))
+      return {std::move(charts_), std::move(*slope), patch_factors.back()};
     throw Rejection(reason);
   }
 
@@ -419,11 +539,15 @@ class Fitting {
     const Rational radius = Rational(factor) * sampling_radius_;
     Rational slope;
     if (!estimate(approximate_double(radius), slack, slope, reason)) return std::nullopt;
+    std::vector<std::size_t> suspects = spread(most_suspects);
     while (slope <= Rational(1)) {
-      const auto failures = failing(radius, slope);
+      auto failures = failing(suspects, radius, slope);
+      if (failures.empty()) failures = failing(all_, radius, slope);
       if (failures.empty()) return slope;
       note(failures.front().first, failures.front().second.reason, reason);
+      suspects.clear();
       for (const auto& [label, failure] : failures) {
+        suspects.push_back(label);
         if (failure.is_slope) continue;
         note(label, failure.reason, reason);
         return std::nullopt;
@@ -433,27 +557,35 @@ class Fitting {
     return std::nullopt;
   }
 
+  /// About so many labels, at most.
+  [[nodiscard]] std::vector<std::size_t> spread(std::size_t most) const {
+    std::vector<std::size_t> result;
+    for (std::size_t at = 0; at < charts_.size(); at += charts_.size() / most + 1) result.push_back(at);
+    return result;
+  }
+
   /// A little more than the slope that all charts seem to need; false if it is above 1.
   bool estimate(double radius, double slack, Rational& slope, std::string& reason) {
     constexpr int rounds = 16;
+    const std::vector<std::size_t> looked_at = spread(most_estimates);
     double needed = 0;
     for (int round = 0; round < rounds; ++round) {
       const double last = needed;
       std::size_t where = 0;
       in_parts(
-          "estimate slopes", charts_.size(), progress_,
-          [&](std::size_t first, std::size_t last_label) {
+          "estimate slopes", looked_at.size(), progress_,
+          [&](std::size_t first, std::size_t end) {
             SlopeEstimate estimate(zero_set_);
-            std::pair<double, std::size_t> most{0, first};
-            for (std::size_t at = first; at < last_label; ++at) {
-              const double found = estimate.estimate(charts_[at], radius, last);
-              if (found > most.first) most = {found, at};
+            std::pair<double, std::size_t> most{0, looked_at[first]};
+            for (std::size_t at = first; at < end; ++at) {
+              const double found = slack * estimate.estimate(charts_[looked_at[at]], radius, last);
+              if (found > most.first) most = {found, looked_at[at]};
             }
             return most;
           },
           [&](const std::pair<double, std::size_t>& found) {
-            if (slack * found.first > needed) {
-              needed = slack * found.first;
+            if (found.first > needed) {
+              needed = found.first;
               where = found.second;
             }
           });
@@ -467,19 +599,33 @@ class Fitting {
     return true;
   }
 
-  std::vector<std::pair<std::size_t, GraphFailure>> failing(const Rational& radius, const Rational& slope) {
-    const Rational height = height_for(radius, slope);
+  std::vector<std::pair<std::size_t, GraphFailure>> failing(const std::vector<std::size_t>& labels,
+                                                            const Rational& radius, const Rational& slope) {
+    const Rational least = least_height(radius, slope);
+    const std::array high_lids{radius * Rational::power_of_two(-1),
+                               sampling_radius_ * Rational(Integer(13), Integer(8))};
     // Others may divide the cylinders otherwise.
     const Rational less = slope * (Rational(1) - Rational::power_of_two(-6));
-    for (TangentChart& chart : charts_) chart.set_size(radius, height);
     std::vector<std::pair<std::size_t, GraphFailure>> result;
     in_parts(
-        "look at patches", charts_.size(), progress_,
+        "look at patches", labels.size(), progress_,
         [&](std::size_t first, std::size_t last) {
           GraphCheck check(zero_set_);
           std::vector<std::pair<std::size_t, GraphFailure>> found;
           for (std::size_t at = first; at < last; ++at) {
-            if (auto failure = check.failure(charts_[at], less)) found.emplace_back(at, std::move(*failure));
+            TangentChart& chart = charts_[labels[at]];
+            chart.set_size(radius, least);
+            if (auto failure = check.failure(chart, less)) {
+              found.emplace_back(labels[at], std::move(*failure));
+              continue;
+            }
+            // The higher, the fewer parts the box is divided into.
+            for (const Rational& height : high_lids) {
+              if (height <= least) break;
+              chart.set_size(radius, height);
+              if (check.may_be_as_high(chart)) break;
+              chart.set_size(radius, least);
+            }
           }
           return found;
         },
@@ -535,6 +681,7 @@ class Fitting {
   const Rational& sampling_radius_;
   const Progress& progress_;
   std::vector<TangentChart> charts_;
+  std::vector<std::size_t> all_;
 };
 
 }  // namespace

@@ -104,7 +104,7 @@ auto SubmanifoldAtlas<m>::patch_of(Label i, double reach) const -> std::vector<S
   const std::size_t n = zero_set_.ambient();
   const TangentChart& chart = charts_.charts[i.value];
   const double radius = scalar_from<Interval>(chart.data().radius).upper();
-  // No point of M is at a height between |z₀| + Lϱ and ζ; heights in the middle tell for certain.
+  // No point of M is at a height between |z₀| + 9Lϱ/16 and ζ; heights in the middle tell for certain.
   const double between =
       (scalar_from<Interval>(chart.data().height) * (Interval(1) - Interval::exactly(0x1p-10))).lower();
   std::vector<Seen> result;

@@ -479,6 +479,34 @@ SubmanifoldModel flat_torus_model(int points) {
   return model;
 }
 
+SubmanifoldModel lifted(SubmanifoldModel flat_torus, std::size_t dimension) {
+  SubmanifoldModel model = std::move(flat_torus);
+  const auto heights = [dimension](const Row& x) {
+    Row result = {x[0] * x[2] / 2, x[1] * x[3] / 2};
+    result.resize(dimension - 4);
+    return result;
+  };
+  for (std::size_t k = 4; k < dimension; ++k) {
+    model.variables.push_back(k == 4 ? "e" : "f");
+    model.equations.push_back(k == 4 ? "e-a*c/2" : "f-b*d/2");
+    model.box.push_back({-1, 1});
+  }
+  for (Row& point : model.points) {
+    for (const double height : heights(point)) point.push_back(rounded(height, 40));
+  }
+  model.map = [heights](const Row& x) {
+    Row result = {x[0] * x[0] + x[1] * x[1] - 1, x[2] * x[2] + x[3] * x[3] - 1};
+    const Row expected = heights(x);
+    for (std::size_t k = 0; k < expected.size(); ++k) result.push_back(x[4 + k] - expected[k]);
+    return result;
+  };
+  model.patch_radius = rounded(0.85 * model.patch_radius, 20);
+  model.slope = 0.75;
+  model.height = rounded(0.62 * model.slope * model.patch_radius, 20);
+  model.displacement *= 2.5;
+  return model;
+}
+
 Json certificate(const SubmanifoldModel& model, const std::vector<std::string>& levels) {
   Json j;
   j["format"] = "delcert-certificate";

@@ -43,6 +43,9 @@ SubmanifoldModel nested_circles_model(int points, double gap);
 /// The product of two such circles in R^4.
 SubmanifoldModel flat_torus_model(int points);
 
+/// The graph over such a product of e = ac/2 and, in dimension 6, f = bd/2.
+SubmanifoldModel lifted(SubmanifoldModel flat_torus, std::size_t dimension);
+
 /// The document without its seal: the levels are those of the list that the certificate shall claim.
 Json certificate(const SubmanifoldModel& model, const std::vector<std::string>& levels);
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "kernel/manifold/flat_atlas.hpp"
+#include "kernel/manifold/gluing/formula_atlas.hpp"
 #include "kernel/manifold/gluing/metric_field_atlas.hpp"
 #include "kernel/manifold/quotient/space_form_atlas.hpp"
 #include "tests/kernel/manifold/exhaustive.hpp"
@@ -14,9 +15,10 @@ static_assert(Geometry<FlatAtlas<1>, 1> && Geometry<FlatAtlas<2>, 2> && Geometry
               Geometry<FlatAtlas<4>, 4>);
 static_assert(Geometry<SpaceFormAtlas<2>, 2> && Geometry<SpaceFormAtlas<3>, 3>);
 static_assert(Geometry<MetricFieldAtlas<2>, 2> && Geometry<MetricFieldAtlas<3>, 3>);
+static_assert(Geometry<FormulaAtlas<2>, 2> && Geometry<FormulaAtlas<3>, 3>);
 
 // The interface itself, another dimension, and what is no atlas.
-static_assert(!Geometry<Atlas<2>, 2>);
+static_assert(!Geometry<Atlas<2>, 2> && !Geometry<AffineAtlas<2>, 2>);
 static_assert(!Geometry<FlatAtlas<2>, 3>);
 static_assert(!Geometry<PointSet<2>, 2>);
 

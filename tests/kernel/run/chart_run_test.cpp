@@ -1,7 +1,10 @@
 #include "kernel/run/chart_run.hpp"
 
+#include "kernel/manifold/gluing/atlas_distortion.hpp"
+#include "kernel/manifold/gluing/gluing_check.hpp"
 #include "kernel/manifold/space_form_file.hpp"
 #include "kernel/parallel/threads.hpp"
+#include "kernel/sample/atlas_net.hpp"
 #include "kernel/sample/separation.hpp"
 #include "kernel/sample/space_form_net.hpp"
 #include "kernel/sample/submanifold_net.hpp"
@@ -9,6 +12,7 @@
 #include "kernel/theorems/piecewise_flat.hpp"
 #include "kernel/theorems/riemannian_simplices.hpp"
 #include "kernel/topology/homology.hpp"
+#include "tests/kernel/manifold/gluing/atlas_samples.hpp"
 #include "tests/kernel/manifold/submanifold/samples.hpp"
 #include "tests/kernel/perturb/scene.hpp"
 #include "tests/kernel/stars/curved_patch.hpp"
@@ -308,10 +312,66 @@ void check_zero_set(const ZeroSet& m, const Rational& radius, long characteristi
 }
 
 TEST(RunInCharts, certifies_zero_sets) {
-  check_zero_set(torus_of_revolution(), ratio(1, 10), 0, false);
+  check_zero_set(torus_of_revolution(), ratio(1, 16), 0, true);
   check_zero_set(
       zero_set("ellipsoid", {"x", "y", "z"}, {"x^2/4 + 4*y^2/9 + z^2 - 1"}, {ratio(5, 2), Rational(2), ratio(3, 2)}),
       ratio(1, 24), 2, true);
+}
+
+/// A net of an atlas by formulas, verified, sampled and certified: levels 1, 2, and 2s if it is to be stable.
+template <int m>
+void check_formula_atlas(const std::string& name, const Rational& radius, bool is_stable) {
+  const auto gluing = std::make_shared<const ChartGluing>(atlas_named(name));
+  (void)check_gluing(*gluing);
+  FormulaAtlas<m> atlas(gluing, atlas_net<m>(*gluing, radius, 1, no_progress()).places, radius);
+  const ModelGeometry geometry = geometry_of<m>(atlas, fit_patches<m>(atlas, no_progress()));
+  RunRequest request;
+  request.certify_model = false;
+  const auto run = run_in_charts<m>(atlas, geometry, measured_parameters(Dimension(m), 1), request, no_progress());
+  ASSERT_TRUE(run.is_certified()) << name << ": " << run.star_failures.size() << " stars, " << run.agreement.missing;
+  std::vector<std::string> groups;
+  for (const auto& group : homology(run.complex.label_complex())) groups.push_back(group_text(group));
+  EXPECT_EQ(groups, gluing->description().homology) << name;
+  if (!is_stable) return;
+  const auto stability = check_stability<m>(atlas, run.points, geometry, run.complex, no_progress());
+  EXPECT_EQ(stability.differing, 0U) << name << ", of " << stability.pairs;
+}
+
+TEST(RunInCharts, certifies_atlases_by_formulas) {
+  check_formula_atlas<2>("projective-plane-by-charts", ratio(1, 20), false);
+  check_formula_atlas<2>("sphere-2-stereographic", ratio(1, 48), true);
+  check_formula_atlas<2>("klein-bottle-rectangles", ratio(1, 40), true);
+  check_formula_atlas<2>("torus-2-bent", ratio(1, 56), true);
+}
+
+TEST(RunInCharts, has_the_stars_of_the_flat_torus_on_an_atlas_of_it) {
+  const Rational radius(Integer(1), Integer(24));
+  const auto gluing = std::make_shared<const ChartGluing>(atlas_named("torus-2-by-charts"));
+  const FormulaAtlas<2> atlas(gluing, atlas_net<2>(*gluing, radius, 1, no_progress()).places, radius);
+  const ModelGeometry geometry = geometry_of<2>(atlas, *measure_transitions<2>(atlas, ratio(1, 4), no_progress()));
+  RunRequest request;
+  request.certify_model = false;
+  const auto parameters = measured_parameters(Dimension(2), 1);
+  const auto run = run_in_charts<2>(atlas, geometry, parameters, request, no_progress());
+  ASSERT_TRUE(run.is_certified());
+  ExactPoints<2> points;
+  for (std::uint32_t index = 0; index < atlas.size(); ++index) {
+    auto x = atlas.position(Label(index), run.points.exact(Label(index)));
+    for (Rational& coordinate : x) coordinate -= Rational(floor_of(coordinate));
+    points.push_back(x);
+  }
+  request.perturb = false;
+  const auto flat_run = [&] {
+    const FlatAtlas<2> flat(cubic_torus<2>(), PointSet<2>(points), radius);
+    return run_in_charts<2>(flat, unit_torus, parameters, request, no_progress());
+  };
+  const auto same = flat_run();
+  ASSERT_TRUE(same.is_certified());
+  EXPECT_EQ(run.complex.simplices(), same.complex.simplices());
+  EXPECT_NEAR(run.margins.protection, same.margins.protection, 1e-12);
+  // Of other points it has others.
+  std::swap(points[0], points[1]);
+  EXPECT_NE(run.complex.simplices(), flat_run().complex.simplices());
 }
 
 TEST(GeometryOf, is_what_was_certified_of_the_group) {

@@ -50,9 +50,7 @@ SubmanifoldSample<m> certified_run(const SubmanifoldDescription& description, co
   request.certify_model = false;
   const auto geometry = geometry_of<m>(atlas);
   auto run = run_in_charts<m>(atlas, geometry, parameters.algorithm, request, no_progress());
-  SubmanifoldMeasures<m> measures{
-      check_stability<m>(atlas, run.points, geometry, run.complex, no_progress()),
-      check_graph_triangulation<m>(graph_vertices<m>(atlas, run.points), run.complex.simplices(), no_progress())};
+  auto measures = measure_submanifold<m>(atlas, run, geometry, all_levels(), no_progress());
   return {std::move(atlas), parameters, std::move(run), std::move(measures)};
 }
 

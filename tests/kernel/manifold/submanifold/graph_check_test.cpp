@@ -14,16 +14,17 @@ TEST(GraphCheck, accepts_a_cap_of_a_sphere_and_knows_how_steep_it_is) {
   const ZeroSet m = unit_sphere_in_space();
   const Rational radius = ratio(3, 10);
   EXPECT_EQ(failure_of(m, polar_chart(radius, ratio(1, 8)), ratio(2, 5)), "");
-  // Level sets in the cone are as steep as 0.3/(1 − 0.3L): the least slope that holds is 1/3.
-  EXPECT_EQ(failure_of(m, polar_chart(radius, ratio(1, 8)), ratio(34, 100)), "");
-  EXPECT_EQ(failure_of(m, polar_chart(radius, ratio(1, 8)), ratio(33, 100)), "its patch is steeper than the slope");
-  EXPECT_TRUE(GraphCheck(m).failure(polar_chart(radius, ratio(1, 8)), ratio(33, 100))->is_slope);
+  // Its rim has the slope 0.3145…, and level sets in the bent cone more.
+  const auto failure = GraphCheck(m).failure(polar_chart(radius, ratio(1, 8)), ratio(30, 100));
+  ASSERT_TRUE(failure);
+  EXPECT_TRUE(failure->is_slope);
 }
 
 TEST(GraphCheck, refuses_a_lid_that_is_too_low) {
   const ZeroSet m = unit_sphere_in_space();
-  EXPECT_EQ(failure_of(m, polar_chart(ratio(3, 10), ratio(12, 100)), ratio(2, 5)), "the lid of its patch is too low");
-  EXPECT_EQ(failure_of(m, polar_chart(ratio(3, 10), ratio(1201, 10000)), ratio(2, 5)), "");
+  EXPECT_EQ(failure_of(m, polar_chart(ratio(3, 10), ratio(675, 10000)), ratio(2, 5)),
+            "the lid of its patch is too low");
+  EXPECT_EQ(failure_of(m, polar_chart(ratio(3, 10), ratio(676, 10000)), ratio(2, 5)), "");
 }
 
 TEST(GraphCheck, refuses_a_patch_that_touches_the_box) {
@@ -69,16 +70,21 @@ TEST(FitCharts, takes_the_greatest_patches_that_are_graphs) {
   const auto factor = [&](const Rational& radius) {
     return fit_charts(m, centres, radius, no_progress()).patch_factor;
   };
-  // L = ϱ/(1 − Lϱ) has a solution up to ϱ = 1/2.
-  EXPECT_EQ(factor(ratio(9, 100)), 5);
-  EXPECT_EQ(factor(ratio(11, 100)), 4);
-  EXPECT_EQ(factor(ratio(14, 100)), 3);
-  const std::string refusal = message_of<Rejection>([&] { (void)factor(ratio(1, 5)); });
+  // L = 1.25·ϱ/(1 − 9Lϱ/16) ≤ 1 has a solution up to ϱ = 0.55, with 1.1 up to 0.6.
+  EXPECT_EQ(factor(ratio(1, 10)), 5);
+  EXPECT_EQ(factor(ratio(12, 100)), 4);
+  EXPECT_EQ(factor(ratio(19, 100)), 3);
+  const std::string refusal = message_of<Rejection>([&] { (void)factor(ratio(1, 4)); });
   EXPECT_TRUE(mentions(refusal, "): its patch is steeper than 1: there")) << refusal;
   EXPECT_TRUE(mentions(refusal, "a sampling radius of some 0.12 would do")) << refusal;
   const auto fitted = fit_charts(m, centres, ratio(9, 100), no_progress());
   for (const TangentChart& chart : fitted.charts) {
     EXPECT_EQ(chart.data().radius, ratio(45, 100));
+    EXPECT_GT(chart.data().height, ratio(9, 16) * fitted.slope * chart.data().radius);
+    EXPECT_TRUE(GraphCheck(m).may_be_as_high(chart));
+    TangentChart higher = chart;
+    higher.set_size(chart.data().radius, Rational(1));
+    EXPECT_FALSE(GraphCheck(m).may_be_as_high(higher));
     EXPECT_EQ(failure_of(m, chart, fitted.slope), "");
   }
 }

@@ -1,4 +1,4 @@
-#include "proofs/prover/polynomial.hpp"
+#include "kernel/formula/polynomial.hpp"
 
 #include <flint/fmpq_mpoly_factor.h>
 
@@ -13,7 +13,7 @@ class FlintRational {
  public:
   FlintRational() { fmpq_init(value_); }
   explicit FlintRational(const Rational& x) : FlintRational() { fmpq_set_mpq(value_, x.gmp()); }
-  FlintRational(const FlintRational&) = delete;
+  FlintRational(const FlintRational& other) : FlintRational() { fmpq_set(value_, other.value_); }
   FlintRational& operator=(const FlintRational&) = delete;
   ~FlintRational() { fmpq_clear(value_); }
   fmpq* raw() { return value_; }
@@ -96,6 +96,17 @@ std::vector<unsigned long> Polynomial::degrees() const {
   std::vector<unsigned long> result;
   for (const slong degree : found) result.push_back(degree < 0 ? 0UL : static_cast<unsigned long>(degree));
   return result;
+}
+
+Rational Polynomial::at(const std::vector<Rational>& x) const {
+  std::vector<FlintRational> values;
+  values.reserve(x.size());
+  std::vector<fmpq*> places;
+  for (const Rational& coordinate : x) places.push_back(values.emplace_back(coordinate).raw());
+  FlintRational result;
+  if (fmpq_mpoly_evaluate_all_fmpq(result.raw(), value_, places.data(), ring_->raw()) == 0)
+    throw std::length_error("a power does not fit into memory");
+  return result.rational();
 }
 
 std::string Polynomial::text() const {

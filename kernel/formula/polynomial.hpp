@@ -65,6 +65,8 @@ class Polynomial {
   [[nodiscard]] std::vector<Term> terms() const;
   /// The degree in each variable; 0 for the zero polynomial.
   [[nodiscard]] std::vector<unsigned long> degrees() const;
+  /// The exact value. Precondition: as many numbers as there are variables.
+  [[nodiscard]] Rational at(const std::vector<Rational>& x) const;
   /// Such as "-1/2*x^2*y + 3".
   [[nodiscard]] std::string text() const;
 

@@ -1,10 +1,10 @@
-#include "proofs/prover/polynomial.hpp"
+#include "kernel/formula/polynomial.hpp"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-#include "tests/proofs/prover/prove_text.hpp"
+#include "tests/support/ratio.hpp"
 
 namespace delcert {
 namespace DELCERT_THIS_FILE {
@@ -32,6 +32,12 @@ TEST_F(Polynomials, are_sums_of_terms) {
   EXPECT_FALSE(p.constant());
   EXPECT_EQ(*number(ratio(2, 3)).constant(), ratio(2, 3));
   EXPECT_TRUE((p - p).is_zero());
+}
+
+TEST_F(Polynomials, have_exact_values) {
+  const Polynomial p = number(ratio(-1, 2)) * x_.power(2) * y_ + number(3);
+  EXPECT_EQ(p.at({ratio(2, 3), ratio(-5, 7)}), Rational(3) + ratio(1, 2) * ratio(4, 9) * ratio(5, 7));
+  EXPECT_EQ((p - p).at({ratio(2, 3), ratio(-5, 7)}), Rational(0));
 }
 
 TEST_F(Polynomials, are_copied_and_moved) {

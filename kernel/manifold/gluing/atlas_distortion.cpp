@@ -1,0 +1,81 @@
+#include "kernel/manifold/gluing/atlas_distortion.hpp"
+
+#include "kernel/manifold/gluing/growing_bound.hpp"
+
+namespace delcert {
+
+namespace {
+
+template <std::size_t m>
+std::array<std::array<Interval, m>, m> product(const std::array<std::array<Interval, m>, m>& a,
+                                               const std::array<std::array<Interval, m>, m>& b) {
+  std::array<std::array<Interval, m>, m> result;
+  for (std::size_t row = 0; row < m; ++row) {
+    for (std::size_t column = 0; column < m; ++column) {
+      result[row][column] = a[row][0] * b[0][column];
+      for (std::size_t k = 1; k < m; ++k) result[row][column] += a[row][k] * b[k][column];
+    }
+  }
+  return result;
+}
+
+template <std::size_t m>
+std::array<std::array<Interval, m>, m> gram_of(const std::array<std::array<Interval, m>, m>& a) {
+  std::array<std::array<Interval, m>, m> result;
+  for (std::size_t row = 0; row < m; ++row) {
+    for (std::size_t column = 0; column < m; ++column) {
+      result[row][column] = row == column ? square(a[0][row]) : a[0][row] * a[0][column];
+      for (std::size_t k = 1; k < m; ++k)
+        result[row][column] += row == column ? square(a[k][row]) : a[k][row] * a[k][column];
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+template <int m>
+std::optional<Rational> measure_transitions(const FormulaAtlas<m>& atlas, const Rational& limit,
+                                            const Progress& progress) {
+  GrowingBound bound(approximate_double(limit));
+  Matrix<Interval, m> identity{};
+  for (std::size_t axis = 0; axis < m; ++axis) identity[axis][axis] = Interval(1);
+  for (std::uint32_t index = 0; index < atlas.size(); ++index) {
+    if (index % 256 == 0) progress("measure the distortion", index, atlas.size());
+    const Label i(index);
+    const RoundingGuard guard;
+    const Matrix<Interval, m>& here = atlas.enclosed(i).matrix;
+    atlas.visit_derivatives(i, [&](Label j, const Matrix<Interval, m>& derivative) {
+      if (j == i) return;
+      const auto whole = product(product(here, derivative), atlas.enclosed(j).inverse);
+      const auto gram = gram_of(whole);
+      bound.grow_until([&](const Interval& xi) { return is_below(gram, square(Interval(1) + xi), identity); });
+    });
+    if (!bound.is_below_limit()) return std::nullopt;
+  }
+  return bound.rounded();
+}
+
+template <int m>
+Rational fit_patches(FormulaAtlas<m>& atlas, const Progress& progress) {
+  return fitted_patches<m>(atlas, atlas.gluing().description().name, Rational(4),
+                           [&](const Rational& limit) { return measure_transitions<m>(atlas, limit, progress); });
+}
+
+template <int m>
+ModelGeometry geometry_of(const FormulaAtlas<m>& atlas, const Rational& distortion) {
+  ModelGeometry result;
+  result.patch_factor = atlas.patch_factor();
+  result.distortion = distortion;
+  return result;
+}
+
+#define DELCERT_INSTANTIATE(m)                                                                                       \
+  template std::optional<Rational> measure_transitions<m>(const FormulaAtlas<m>&, const Rational&, const Progress&); \
+  template Rational fit_patches<m>(FormulaAtlas<m>&, const Progress&);                                               \
+  template ModelGeometry geometry_of<m>(const FormulaAtlas<m>&, const Rational&);
+DELCERT_INSTANTIATE(2)
+DELCERT_INSTANTIATE(3)
+#undef DELCERT_INSTANTIATE
+
+}  // namespace delcert

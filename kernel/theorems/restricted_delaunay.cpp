@@ -1,0 +1,433 @@
+#include "kernel/theorems/restricted_delaunay.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "kernel/chart/ambient_grid.hpp"
+#include "kernel/manifold/submanifold/fibre_zero.hpp"
+#include "kernel/number/rounding_guard.hpp"
+#include "kernel/parallel/parts.hpp"
+
+namespace delcert {
+
+namespace {
+
+constexpr std::size_t labels_at_a_time = 64;
+constexpr long digits_of_density = 12;
+/// Boxes are halved so often.
+constexpr int most_halvings = 12;
+
+/// √(1 + L²): how much longer than in a chart a curve in M is.
+Interval stretch_of(const Rational& slope) { return square_root(Interval(1) + square(scalar_from<Interval>(slope))); }
+
+/// The sum over the simplex's circumradius in the chart of its vertex number `at`, and what is moved sideways.
+template <int m>
+Interval reach_of_simplex(const GraphSimplexCheck<m>& check, const LabelSimplex<m>& simplex, std::size_t at,
+                          double shift) {
+  const std::uint32_t j = simplex[at];
+  const auto gradients = check.gradients(j, simplex);
+  if (!gradients) return Interval::exactly(std::numeric_limits<double>::infinity());
+  Vector<Interval, m> centre{};
+  for (std::size_t k = 1; k <= m; ++k) {
+    Interval squared(0);
+    for (std::size_t row = 0; row < m; ++row)
+      squared += square(check.coordinate(j, simplex[k], row) - check.coordinate(j, simplex[0], row));
+    for (std::size_t row = 0; row < m; ++row) centre[row] += squared / Interval(2) * (*gradients)[k][row];
+  }
+  double side = 0;
+  for (const std::uint32_t v : simplex) side = std::max(side, check.lateral(j, v));
+  return square_root(pairing(centre, centre)) + Interval::exactly(side) * Interval::exactly(shift);
+}
+
+/// What there is around a label.
+struct Around {
+  std::uint32_t label;
+  bool is_shown;                 ///< certainly, by the chart
+  std::vector<Interval> offset;  ///< u_k − u_i in the frame of the chart, N coordinates
+  Interval power;                ///< |u_k|² − |u_i|²
+};
+
+/// The discs of labels, one after the other.
+template <int m>
+class DiscCover {
+ public:
+  DiscCover(const GraphVertices& vertices, const std::vector<std::vector<LabelSimplex<m>>>& stars,
+            const AmbientGrid& grid, const Rational& slope, const Rational& density, GraphMetric metric)
+      : vertices_(vertices),
+        stars_(stars),
+        grid_(grid),
+        n_(vertices.zero_set.ambient()),
+        q_(vertices.zero_set.codimension()),
+        slope_(scalar_from<Interval>(slope)),
+        radius_(scalar_from<Interval>(density)),
+        stretch_(stretch_of(slope)),
+        metric_(metric),
+        evaluation_(vertices.zero_set.map()),
+        check_(vertices) {}
+
+  /// Whether the disc is certainly covered.
+  bool covers(std::uint32_t i) {
+    label_ = i;
+    chart_ = &vertices_.charts[i].enclosed();
+    patch_ = scalar_from<Interval>(vertices_.charts[i].data().radius);
+    for (std::size_t column = 0; column < n_; ++column) own_[column] = check_.coordinate(i, i, column);
+    if (!is_in_patch()) return false;
+    bend_ = Interval(0);
+    if (metric_ == GraphMetric::intrinsic && !find_bend()) return false;
+    gather();
+    std::vector<std::size_t> all(around_.size());
+    for (std::size_t k = 0; k < all.size(); ++k) all[k] = k;
+    Vector<double, m> centre{};
+    for (std::size_t row = 0; row < m; ++row) centre[row] = own_[row].lower();
+    return covers_box(centre, (radius_ * Interval::exactly(1 + 0x1p-40)).upper(), all, 0);
+  }
+  [[nodiscard]] std::size_t boxes() const { return boxes_; }
+
+ private:
+  /// 4.patch.
+  [[nodiscard]] bool is_in_patch() const {
+    Interval squared(0);
+    for (std::size_t row = 0; row < m; ++row) squared += square(own_[row]);
+    if (!is_proved(less(square_root(squared) + radius_, patch_))) return false;
+    const Interval height = scalar_from<Interval>(vertices_.charts[label_].data().height);
+    for (std::size_t column = m; metric_ == GraphMetric::extrinsic && column < n_; ++column) {
+      if (!is_proved(less(absolute(own_[column]) + radius_, height))) return false;
+    }
+    return true;
+  }
+
+  /// B ≥ |D²z| where segments run that `excess` is asked of: in the square of half a side 2r̂ about the own place,
+  /// divided into cells. D²z[e, e] = −(J·N)⁻¹·D²f[(E + N·Dz)e, (E + N·Dz)e].
+  bool find_bend() {
+    constexpr unsigned parts = 4;
+    const double side = (Interval(4) * radius_ / Interval(static_cast<int>(parts))).upper();
+    Vector<unsigned, m> at{};
+    while (true) {
+      Vector<double, m> centre{};
+      Interval from_zero(0);
+      Interval margin = square_root(Interval(m)) * Interval::exactly(side);
+      for (std::size_t row = 0; row < m; ++row) {
+        centre[row] = own_[row].lower() + side * (at[row] - 0.5 * (parts - 1));
+        from_zero += square(Interval::exactly(centre[row]));
+      }
+      // Cells beyond the disc do not count, those at its rim are not looked for.
+      if (!is_proved(less(patch_ + margin, square_root(from_zero)))) {
+        if (!is_proved(less(from_zero, square(patch_)))) return false;
+        const auto bend = bend_in(centre, side / 2 * (1 + 0x1p-30));
+        if (!bend) return false;
+        bend_ = maximum(bend_, *bend);
+      }
+      std::size_t row = 0;
+      while (row < m && ++at[row] == parts) at[row++] = 0;
+      if (row == m) return true;
+    }
+  }
+
+  std::optional<Interval> bend_in(const Vector<double, m>& centre, double half) {
+    std::array<Interval, most_ambient_dimensions> place;
+    for (std::size_t row = 0; row < m; ++row)
+      place[row] = Interval::exactly(centre[row]) + Interval::between(-half, half);
+    if (!heights(centre, half, place)) return std::nullopt;
+    std::vector<Interval> box(n_);
+    std::vector<Interval> middle(n_);
+    chart_->position(place.data(), box.data());
+    for (std::size_t axis = 0; axis < n_; ++axis)
+      middle[axis] = Interval::exactly(box[axis].lower() + (box[axis].upper() - box[axis].lower()) / 2);
+    std::vector<Interval> f(q_);
+    std::vector<Interval> first(q_ * n_);
+    std::vector<Interval> at_middle(q_ * n_);
+    std::vector<Interval> second(q_ * n_ * n_);
+    if (!evaluation_.first(middle.data(), f.data(), at_middle.data())) return std::nullopt;
+    if (!evaluation_.second(box.data(), f.data(), first.data(), second.data())) return std::nullopt;
+    std::array<Interval, 3> squares{};  // of both arguments in the plane, one of them, none
+    Interval defect(0);
+    for (std::size_t row = 0; row < q_; ++row) {
+      std::vector<Interval> bent(n_ * n_);  // Y·D²f
+      std::vector<Interval> sloped(n_);     // Y·J
+      for (std::size_t b = 0; b < q_; ++b) {
+        const Interval& weight = chart_->preconditioner[row * q_ + b];
+        for (std::size_t entry = 0; entry < n_ * n_; ++entry) bent[entry] += weight * second[b * n_ * n_ + entry];
+        for (std::size_t axis = 0; axis < n_; ++axis) {
+          Interval j = at_middle[b * n_ + axis];
+          for (std::size_t k = 0; k < n_; ++k) j += second[(b * n_ + axis) * n_ + k] * (box[k] - middle[k]);
+          sloped[axis] += weight * j;
+        }
+      }
+      for (std::size_t one = 0; one < n_; ++one) {
+        std::vector<Interval> turned(n_);
+        for (std::size_t axis = 0; axis < n_; ++axis) {
+          for (std::size_t k = 0; k < n_; ++k) turned[axis] += bent[axis * n_ + k] * chart_->at(k, one);
+        }
+        for (std::size_t other = 0; other < n_; ++other) {
+          Interval entry(0);
+          for (std::size_t axis = 0; axis < n_; ++axis) entry += turned[axis] * chart_->at(axis, other);
+          squares.at((one < m ? 0U : 1U) + (other < m ? 0U : 1U)) += square(entry);
+        }
+        if (one < m) continue;
+        Interval entry(one - m == row ? -1 : 0);
+        for (std::size_t axis = 0; axis < n_; ++axis) entry += sloped[axis] * chart_->at(axis, one);
+        defect += square(entry);
+      }
+    }
+    const Interval rest = Interval(1) - square_root(defect);
+    if (!is_proved(less(Interval(0), rest))) return std::nullopt;
+    // Mixed blocks are in `squares` twice.
+    return (square_root(squares[0]) + Interval(2) * slope_ * square_root(squares[1] / Interval(2)) +
+            square(slope_) * square_root(squares[2])) /
+           rest;
+  }
+
+  /// The labels that may be as near to a point over the disc as its own.
+  void gather() {
+    around_.clear();
+    const Interval far = stretch_ * radius_;
+    const double reach = (Interval(2) * far + excess(radius_)).upper() * (1 + 0x1p-20);
+    std::array<double, most_ambient_dimensions> place{};
+    for (std::size_t axis = 0; axis < n_; ++axis) place[axis] = vertices_.position(label_)[axis].lower();
+    std::vector<std::uint32_t> labels;
+    grid_.visit(place.data(), reach, [&](std::uint32_t k, double) {
+      if (k != label_) labels.push_back(k);
+      return false;
+    });
+    std::sort(labels.begin(), labels.end());
+    const Interval height = scalar_from<Interval>(vertices_.charts[label_].data().height);
+    for (const std::uint32_t k : labels) {
+      Around one{k, true, {}, Interval(0)};
+      Interval squared(0);
+      for (std::size_t column = 0; column < n_; ++column) {
+        const Interval u = check_.coordinate(label_, k, column);
+        one.offset.push_back(u - own_[column]);
+        one.power += (u - own_[column]) * (u + own_[column]);
+        if (column < m) {
+          squared += square(u);
+        } else if (!is_proved(less(absolute(u), height))) {
+          one.is_shown = false;
+        }
+      }
+      if (!is_proved(less(squared, square(patch_)))) one.is_shown = false;
+      for (std::size_t row = 0; row < m; ++row) {
+        if (!is_proved(less(absolute(one.offset[row]), Interval(2) * radius_))) one.is_shown = false;
+      }
+      around_.push_back(std::move(one));
+    }
+  }
+
+  /// B²d³/24: by how much a curve in M over a segment of length d may be longer than its chord.
+  [[nodiscard]] Interval excess(const Interval& d) const { return square(bend_) * d * square(d) / Interval(24); }
+
+  bool covers_box(const Vector<double, m>& centre, double half, const std::vector<std::size_t>& labels, int halvings) {
+    ++boxes_;
+    std::array<Interval, most_ambient_dimensions> x;
+    Interval from_own(0);
+    Interval from_zero(0);
+    for (std::size_t row = 0; row < m; ++row) {
+      x[row] = Interval::exactly(centre[row]) + Interval::between(-half, half);
+      from_own += square(x[row] - own_[row]);
+      from_zero += square(Interval::exactly(centre[row]));
+    }
+    if (is_proved(less(square(radius_), from_own))) return true;
+    std::vector<std::size_t> near;
+    if (is_proved(less(from_zero, square(patch_))) && heights(centre, half, x) && settles(x, labels, near)) return true;
+    if (halvings == most_halvings) return false;
+    const std::vector<std::size_t>& left = near.empty() ? labels : near;
+    for (unsigned corner = 0; corner < 1U << m; ++corner) {
+      Vector<double, m> part = centre;
+      for (std::size_t row = 0; row < m; ++row) part[row] += (corner >> row & 1U) != 0 ? half / 2 : -half / 2;
+      // What rounding may leave between two parts.
+      if (!covers_box(part, half / 2 * (1 + 0x1p-30), left, halvings + 1)) return false;
+    }
+    return true;
+  }
+
+  /// z over the box: that over its centre, and as much as the slope allows.
+  bool heights(const Vector<double, m>& centre, double half, std::array<Interval, most_ambient_dimensions>& x) {
+    std::array<Interval, most_ambient_dimensions> y;
+    for (std::size_t row = 0; row < m; ++row) y[row] = Interval::exactly(centre[row]);
+    const auto z = zero_on_fibre(evaluation_, *chart_, y.data());
+    if (!z) return false;
+    const double away = (slope_ * square_root(Interval(m)) * Interval::exactly(half)).upper();
+    const Interval height = scalar_from<Interval>(vertices_.charts[label_].data().height);
+    for (std::size_t k = 0; k < q_; ++k) {
+      if (!is_proved(less(absolute((*z)[k]), height))) return false;
+      x[m + k] = (*z)[k] + Interval::between(-away, away);
+    }
+    return true;
+  }
+
+  /// Whether a label is certainly nearer than the own one to all points over the box, or only vertices of one simplex
+  /// of the star may be as near. `near`: the labels that are not certainly farther.
+  bool settles(const std::array<Interval, most_ambient_dimensions>& x, const std::vector<std::size_t>& labels,
+               std::vector<std::size_t>& near) {
+    Interval own_squared(0);
+    Interval own_in_chart(0);
+    for (std::size_t column = 0; column < n_; ++column) {
+      own_squared += square(x[column] - own_[column]);
+      if (column < m) own_in_chart = own_squared;
+    }
+    const Interval own = square_root(own_squared);
+    const Interval own_excess = excess(square_root(own_in_chart));
+    const Interval farther = Interval(2) * own_excess * own + square(own_excess);
+    for (const std::size_t k : labels) {
+      const Around& other = around_[k];
+      // |x − p_k|² − |x − p_i|².
+      Interval power = other.power;
+      for (std::size_t column = 0; column < n_; ++column) power -= Interval(2) * x[column] * other.offset[column];
+      if (is_proved(less(farther, power))) continue;
+      near.push_back(k);
+      if (!is_proved(less(power, Interval(0)))) continue;
+      if (metric_ == GraphMetric::extrinsic) return true;
+      if (!other.is_shown) continue;
+      Interval in_chart(0);
+      Interval squared(0);
+      for (std::size_t column = 0; column < n_; ++column) {
+        squared += square(x[column] - own_[column] - other.offset[column]);
+        if (column + 1 == m) in_chart = squared;
+      }
+      const Interval more = excess(square_root(in_chart));
+      if (is_proved(less(Interval(2) * more * square_root(squared) + square(more), -power))) return true;
+    }
+    if (near.size() > m) return false;
+    return std::any_of(stars_[label_].begin(), stars_[label_].end(), [&](const LabelSimplex<m>& simplex) {
+      return std::all_of(near.begin(), near.end(), [&](std::size_t k) {
+        return std::find(simplex.begin(), simplex.end(), around_[k].label) != simplex.end();
+      });
+    });
+  }
+
+  const GraphVertices& vertices_;
+  const std::vector<std::vector<LabelSimplex<m>>>& stars_;
+  const AmbientGrid& grid_;
+  std::size_t n_;
+  std::size_t q_;
+  Interval slope_, radius_, stretch_;
+  GraphMetric metric_;
+  FormulaEvaluation<Interval> evaluation_;
+  GraphSimplexCheck<m> check_;
+  // Of the label at hand.
+  std::uint32_t label_ = 0;
+  const EnclosedChart<Interval>* chart_ = nullptr;
+  Interval patch_, bend_;
+  std::array<Interval, most_ambient_dimensions> own_;
+  std::vector<Around> around_;
+  std::size_t boxes_ = 0;
+};
+
+/// 4.clear: whether the point of k is certainly outside of all simplices of its component near by that do not have it,
+/// in its chart.
+template <int m>
+bool is_alone(const GraphVertices& vertices, const GraphSimplexCheck<m>& check,
+              const std::vector<LabelSimplex<m>>& simplices, const std::vector<std::uint32_t>& component,
+              std::uint32_t k, const Interval& reach) {
+  const auto is_near = [&](std::uint32_t v) {
+    Interval squared(0);
+    for (std::size_t axis = 0; axis < vertices.zero_set.ambient(); ++axis)
+      squared += square(vertices.position(v)[axis] - vertices.position(k)[axis]);
+    return !is_proved(less(square(reach), squared));
+  };
+  for (const LabelSimplex<m>& simplex : simplices) {
+    if (component[simplex[0]] != component[k]) continue;
+    if (std::find(simplex.begin(), simplex.end(), k) != simplex.end()) continue;
+    if (std::none_of(simplex.begin(), simplex.end(), is_near)) continue;
+    const auto gradients = check.gradients(k, simplex);
+    if (!gradients) return false;
+    bool is_outside = false;
+    for (std::size_t v = 0; v <= m && !is_outside; ++v) {
+      Interval weight(v == 0 ? 1 : 0);
+      for (std::size_t row = 0; row < m; ++row)
+        weight += (*gradients)[v][row] * (check.coordinate(k, k, row) - check.coordinate(k, simplex[0], row));
+      is_outside = is_proved(less(weight, Interval(0)));
+    }
+    if (!is_outside) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+template <int m>
+Rational graph_density(const GraphVertices& vertices, const std::vector<LabelSimplex<m>>& simplices,
+                       const GraphTriangulation<m>& triangulation, const Rational& slope) {
+  double farthest = 0;
+  {
+    const RoundingGuard guard;
+    const GraphSimplexCheck<m> check(vertices);
+    const Interval stretch = stretch_of(slope);
+    for (std::size_t s = 0; s < simplices.size(); ++s) {
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t at = 0; at <= m; ++at) {
+        const Interval reach = reach_of_simplex<m>(check, simplices[s], at, triangulation.simplices[s].shift);
+        least = std::min(least, (stretch * reach).upper());
+      }
+      farthest = std::max(farthest, least);
+    }
+  }
+  const Rational wider = Rational::exactly(farthest) * (Rational(65) / Rational(64));
+  return rounded_up(wider, binary_exponent(wider) - digits_of_density + 1);
+}
+
+template <int m>
+RestrictedDelaunay check_restricted_delaunay(const GraphVertices& vertices,
+                                             const std::vector<LabelSimplex<m>>& simplices,
+                                             const GraphTriangulation<m>& triangulation, const Rational& slope,
+                                             const Rational& density, GraphMetric metric, const Progress& progress) {
+  const std::size_t n = vertices.charts.size();
+  std::vector<std::vector<LabelSimplex<m>>> stars(n);
+  for (const LabelSimplex<m>& simplex : simplices) {
+    for (const std::uint32_t v : simplex) stars[v].push_back(simplex);
+  }
+  AmbientGrid grid(vertices.zero_set.ambient(), 2 * approximate_double(density));
+  for (std::uint32_t label = 0; label < n; ++label) {
+    std::array<double, most_ambient_dimensions> place{};
+    for (std::size_t axis = 0; axis < vertices.zero_set.ambient(); ++axis)
+      place[axis] = vertices.position(label)[axis].lower();
+    grid.insert(place.data());
+  }
+  struct Part {
+    std::vector<Label> failures;
+    std::size_t boxes;
+  };
+  RestrictedDelaunay result;
+  in_parts<labels_at_a_time>(
+      metric == GraphMetric::extrinsic ? "cover discs" : "cover discs by curves", n, progress,
+      [&](std::size_t first, std::size_t last) {
+        const RoundingGuard guard;
+        DiscCover<m> cover(vertices, stars, grid, slope, density, metric);
+        Part part{{}, 0};
+        for (std::size_t i = first; i < last; ++i) {
+          const Label label(static_cast<std::uint32_t>(i));
+          if (!cover.covers(label.value)) part.failures.push_back(label);
+        }
+        part.boxes = cover.boxes();
+        return part;
+      },
+      [&](const Part& part) {
+        result.failures.insert(result.failures.end(), part.failures.begin(), part.failures.end());
+        result.boxes += part.boxes;
+      });
+  const RoundingGuard guard;
+  const GraphSimplexCheck<m> check(vertices);
+  const Interval reach = (Interval(1) + stretch_of(slope)) * scalar_from<Interval>(density);
+  std::vector<bool> is_settled(n);
+  for (std::uint32_t k = 0; k < n; ++k) {
+    const std::uint32_t component = triangulation.component[k];
+    if (!is_settled[component] && is_alone<m>(vertices, check, simplices, triangulation.component, k, reach))
+      is_settled[component] = true;
+  }
+  for (std::uint32_t k = 0; k < n; ++k) {
+    if (triangulation.component[k] == k && !is_settled[k]) result.unclear.emplace_back(k);
+  }
+  return result;
+}
+
+#define DELCERT_INSTANTIATE(m)                                                                                        \
+  template Rational graph_density<m>(const GraphVertices&, const std::vector<LabelSimplex<m>>&,                       \
+                                     const GraphTriangulation<m>&, const Rational&);                                  \
+  template RestrictedDelaunay check_restricted_delaunay<m>(const GraphVertices&, const std::vector<LabelSimplex<m>>&, \
+                                                           const GraphTriangulation<m>&, const Rational&,             \
+                                                           const Rational&, GraphMetric, const Progress&);
+DELCERT_INSTANTIATE(2)
+DELCERT_INSTANTIATE(3)
+#undef DELCERT_INSTANTIATE
+
+}  // namespace delcert

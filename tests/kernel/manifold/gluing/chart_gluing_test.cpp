@@ -1,0 +1,75 @@
+#include "kernel/manifold/gluing/chart_gluing.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/kernel/manifold/gluing/atlas_samples.hpp"
+
+namespace delcert::test {
+namespace DELCERT_THIS_FILE {
+
+FormulaAtlasDescription sphere() { return two_charts(Rational(2), ratio(3, 2), inversion()); }
+
+TEST(ChartGluing, has_transitions_in_both_directions) {
+  const ChartGluing gluing(sphere());
+  ASSERT_EQ(gluing.transitions().size(), 2U);
+  EXPECT_EQ(gluing.transitions()[0].to, 1U);
+  EXPECT_EQ(gluing.transitions()[1].to, 0U);
+  EXPECT_EQ(gluing.transitions()[1].name, "the inverse of transition 1, from n to s");
+  EXPECT_EQ(ChartGluing::opposite(0), 1U);
+  EXPECT_EQ(ChartGluing::opposite(1), 0U);
+  // The only thing that may not vanish is the denominator.
+  ASSERT_EQ(gluing.transitions()[0].cells.nonzero().size(), 1U);
+  EXPECT_EQ(gluing.transitions()[0].cells.nonzero()[0].text(), "x0^2 + x1^2");
+}
+
+TEST(ChartGluing, sees_conditions_from_the_other_side) {
+  auto description = sphere();
+  description.transitions[0].where = {"x - 1/4"};
+  const ChartGluing gluing(description);
+  EXPECT_EQ(gluing.transitions()[0].cells.positive()[0].text(), "x0 - 1/4");
+  // u/(u² + v²) − 1/4, times the square of the denominator.
+  const Polynomial& seen = gluing.transitions()[1].cells.positive().at(0);
+  EXPECT_GT(seen.at({Rational(1), Rational(1)}), Rational(0));
+  EXPECT_LT(seen.at({Rational(-1), Rational(1)}), Rational(0));
+  EXPECT_EQ(seen.at({Rational(4), Rational(0)}), Rational(0));
+}
+
+TEST(ChartGluing, knows_where_a_map_is_not_injective) {
+  // (x, xy) takes the line x = 0 to a point.
+  const ChartGluing gluing(two_charts(Rational(2), Rational(1), {0, 1, {"x", "x*y"}, {"u", "v/u"}, {}}));
+  ASSERT_EQ(gluing.transitions()[0].cells.nonzero().size(), 1U);
+  EXPECT_EQ(gluing.transitions()[0].cells.nonzero()[0].text(), "x0");
+}
+
+TEST(ChartGluing, refuses_an_inverse_that_is_wrong_in_the_last_digit) {
+  auto description =
+      two_charts(Rational(2), Rational(1), {0, 1, {"x/3 + 333333/1000000", "y"}, {"3*u - 999999/1000000", "v"}, {}});
+  EXPECT_NO_THROW((void)ChartGluing(description));
+  description.transitions[0].inverse[0] = "3*u - 999998/1000000";
+  const auto refusal = message_of<Rejection>([&] { (void)ChartGluing(description); });
+  EXPECT_EQ(refusal,
+            "two: transition 1, from n to s: atlas.inverse: the inverse of map is not the identity: coordinate 1 is "
+            "not x");
+}
+
+TEST(ChartGluing, refuses_a_map_that_has_no_inverse) {
+  const auto refusal = message_of<Rejection>([&] {
+    (void)ChartGluing(two_charts(Rational(2), Rational(1), {0, 1, {"x", "x"}, {"u", "1/(u - v)"}, {}}));
+  });
+  EXPECT_TRUE(mentions(refusal, "atlas.inverse"));
+}
+
+TEST(ChartGluing, refuses_what_is_no_rational_function) {
+  const auto refusal = [](const std::string& map, const std::string& where) {
+    auto description = two_charts(Rational(2), Rational(1), {0, 1, {map, "y"}, {"u", "v"}, {where}});
+    return message_of<InputError>([&] { (void)ChartGluing(description); });
+  };
+  EXPECT_EQ(refusal("x", "x"), "accepted");
+  EXPECT_TRUE(mentions(refusal("sin(x)", "x"), "two: transition 1, from n to s: map, formula 1: not a rational"));
+  EXPECT_TRUE(mentions(refusal("((x + y)^100)^100", "x"), "too large"));
+  EXPECT_TRUE(mentions(refusal("1/(x - x)", "x"), "map, formula 1"));
+  EXPECT_TRUE(mentions(refusal("x", "1/x"), "where: not a polynomial"));
+}
+
+}  // namespace DELCERT_THIS_FILE
+}  // namespace delcert::test
