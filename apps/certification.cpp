@@ -15,7 +15,9 @@ ExitStatus certify(const CertifyOptions& options) {
   ProgressLine line;
   StageClock clock;
   const Progress progress = clock.callback(line.callback());
-  const std::unique_ptr<Family> family = family_of(find_any_manifold(options.source.manifold), clock);
+  const AnyManifold manifold = find_any_manifold(options.source.manifold);
+  const std::unique_ptr<Family> family =
+      options.complex.empty() ? family_of(manifold, clock) : family_of_mesh(manifold, options.complex);
   RunReport& report = family->report;
   clock.begin("read or sample the net");
   family->make_net(options.source, progress);

@@ -30,18 +30,21 @@ void add_complex_option(CLI::App& command, const std::shared_ptr<CertifyOptions>
   command.get_option("--manifold")->required(false);
   command
       .add_option("--complex", options->complex,
-                  "A triangulation with group elements, in place of a manifold and a net (docs/complex-file.md)")
+                  "A triangulation with group elements, in place of a manifold and a net (docs/complex-file.md); "
+                  "with --manifold a mesh, OFF or OBJ, of that surface in space")
       ->type_name("FILE");
 }
 
 void require_manifold_or_complex(const CLI::App& command) {
+  const bool has_manifold = command.get_option("--manifold")->count() > 0;
   if (command.get_option("--complex")->count() == 0) {
-    if (command.get_option("--manifold")->count() == 0) throw CLI::RequiredError("--manifold");
+    if (!has_manifold) throw CLI::RequiredError("--manifold");
     return;
   }
   for (const CLI::Option* option : command.get_options()) {
     const std::string name = option->get_name();
-    const bool fits = name == "--complex" || name == "--levels" || name == "--output" || name == "--json";
+    const bool fits = name == "--complex" || name == "--levels" || name == "--output" || name == "--json" ||
+                      (has_manifold && (name == "--manifold" || name == "--radius" || name == "--threads"));
     if (option->count() > 0 && !fits) throw CLI::ExcludesError("--complex", name);
   }
 }
@@ -99,13 +102,14 @@ void add_certify(CLI::App& program, Action& chosen) {
       "  delcert certify --manifold bolza-surface --radius 1/10 --output bolza.json.zst\n"
       "  delcert certify --manifold sphere-2 --icosphere 24\n"
       "  delcert certify --complex examples/complexes/genus-2.toml\n"
+      "  delcert certify --manifold torus-of-revolution --complex mesh.off\n"
       "  delcert certify --manifold torus-2-hills --radius 1/40 --seed 1\n"
       "  delcert certify --manifold torus-of-revolution --radius 1/10 --seed 1\n"
       "  delcert certify --manifold torus-2 --lattice 30 --no-perturbation      (exits 1, naming stars)");
   command->callback([options, command, mode, &chosen] {
     require_manifold_or_complex(*command);
     options->mode_is_given = mode->count() > 0;
-    if (!options->complex.empty()) {
+    if (!options->complex.empty() && options->source.manifold.empty()) {
       chosen = [options] { return certify_complex(*options); };
       return;
     }

@@ -55,5 +55,8 @@ class Family {
 [[nodiscard]] std::unique_ptr<Family> family_of(const SpaceFormDescription& manifold);
 [[nodiscard]] std::unique_ptr<Family> family_of(const MetricFieldDescription& manifold);
 [[nodiscard]] std::unique_ptr<Family> family_of(const SubmanifoldDescription& manifold);
+/// A mesh in a file (kernel/manifold/mesh_file.hpp), as a triangulation of a surface in space. Throws InputError for
+/// another manifold.
+[[nodiscard]] std::unique_ptr<Family> family_of_mesh(const AnyManifold& manifold, const std::string& file);
 
 }  // namespace delcert

@@ -300,6 +300,26 @@ GraphVertices graph_vertices(const SubmanifoldAtlas<m>& atlas, const PointSet<m>
 template GraphVertices graph_vertices<2>(const SubmanifoldAtlas<2>&, const PointSet<2>&);
 template GraphVertices graph_vertices<3>(const SubmanifoldAtlas<3>&, const PointSet<3>&);
 
+GraphVertices given_vertices(const ZeroSet& zero_set, const std::vector<TangentChart>& charts) {
+  GraphVertices result{zero_set, charts, {}, {}};
+  FormulaEvaluation<BigInterval> evaluation(zero_set.map());
+  std::vector<BigInterval> place(zero_set.ambient());
+  std::vector<BigInterval> f(zero_set.codimension());
+  for (const TangentChart& chart : charts) {
+    for (std::size_t axis = 0; axis < place.size(); ++axis) {
+      place[axis] = BigInterval(chart.data().centre[axis]);
+      result.positions.push_back(in_doubles(place[axis]));
+    }
+    if (!evaluation.value(place.data(), f.data())) {
+      throw Undecided("the equations are not certainly defined at label " + std::to_string(result.residuals.size()));
+    }
+    BigInterval squared(0);
+    for (const BigInterval& value : f) squared += square(value);
+    result.residuals.push_back(in_doubles(square_root(squared)).upper());
+  }
+  return result;
+}
+
 template <int m>
 GraphTriangulation<m> check_graph_triangulation(const GraphVertices& vertices,
                                                 const std::vector<LabelSimplex<m>>& simplices,

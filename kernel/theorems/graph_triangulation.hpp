@@ -38,6 +38,10 @@ struct GraphTriangulation {
 template <int m>
 [[nodiscard]] GraphVertices graph_vertices(const SubmanifoldAtlas<m>& atlas, const PointSet<m>& points);
 
+/// The centres of the charts, exactly, as points that are on M or near it. Throws Undecided, with the label, where the
+/// equations are not certainly defined. Precondition: rounding to nearest.
+[[nodiscard]] GraphVertices given_vertices(const ZeroSet& zero_set, const std::vector<TangentChart>& charts);
+
 /// In parallel. `simplices`: all m-simplices, each once, of a complex of which level 2 holds. Precondition: rounding to
 /// nearest.
 template <int m>

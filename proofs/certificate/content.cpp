@@ -194,6 +194,27 @@ CertificateContent<m> content_of(const SubmanifoldAtlas<m>& atlas, const RunPara
           [&atlas](Label at) { return numbers(atlas.chart(at).data()); }};
 }
 
+template <int m>
+CertificateContent<m> content_of(const ZeroSet& zero_set, const FittedCharts& charts, const Rational& sampling_radius,
+                                 const std::vector<LabelSimplex<m>>& simplices, const RunParameters& parameters,
+                                 const Claims& claims) {
+  PlacedComplex<m> complex;
+  for (const LabelSimplex<m>& simplex : simplices) {
+    std::copy(simplex.begin(), simplex.end(), complex.simplices.emplace_back(PlacedSimplex<m>{}).begin());
+  }
+  return {manifold_object(zero_set, charts.slope, VerticesKind::given),
+          parameters,
+          sampling_radius,
+          claims,
+          charts.charts.size(),
+          [&charts](Label at) { return charts.charts[at.value].data().centre; },
+          [](Label) { return std::vector<Rational>(static_cast<std::size_t>(m)); },
+          std::move(complex),
+          {},
+          distortion_of_slope(charts.slope),
+          [&charts](Label at) { return numbers(charts.charts[at.value].data()); }};
+}
+
 #define DELCERT_INSTANTIATE(m)                                                                          \
   template CertificateContent<m> content_of<m>(const ManifoldDescription&, const FlatAtlas<m>&,         \
                                                std::span<const LiftedSimplex<m>>, const RunParameters&, \
@@ -205,6 +226,9 @@ DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
                                                const Claims&);                                                       \
   template CertificateContent<m> content_of<m>(const MetricFieldAtlas<m>&, const ChartDistortion&,                   \
                                                const RunParameters&, const ChartRun<m>&, const Claims&);             \
+  template CertificateContent<m> content_of<m>(const ZeroSet&, const FittedCharts&, const Rational&,                 \
+                                               const std::vector<LabelSimplex<m>>&, const RunParameters&,            \
+                                               const Claims&);                                                       \
   template CertificateContent<m> content_of<m>(const SubmanifoldAtlas<m>&, const RunParameters&, const ChartRun<m>&, \
                                                const Claims&);
 DELCERT_INSTANTIATE(2)

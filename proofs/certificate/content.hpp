@@ -39,6 +39,12 @@ template <int m>
 [[nodiscard]] CertificateContent<m> content_of(const MetricFieldAtlas<m>& atlas, const ChartDistortion& distortion,
                                                const RunParameters& parameters, const ChartRun<m>& run,
                                                const Claims& claims);
+/// Of a complex that is given: its vertices are the centres of the charts.
+template <int m>
+[[nodiscard]] CertificateContent<m> content_of(const ZeroSet& zero_set, const FittedCharts& charts,
+                                               const Rational& sampling_radius,
+                                               const std::vector<LabelSimplex<m>>& simplices,
+                                               const RunParameters& parameters, const Claims& claims);
 template <int m>
 [[nodiscard]] CertificateContent<m> content_of(const SubmanifoldAtlas<m>& atlas, const RunParameters& parameters,
                                                const ChartRun<m>& run, const Claims& claims);

@@ -97,3 +97,8 @@ delcert_cli_test(certify-no-complex STATUS 3 OUTPUT "^$" ERROR "no-such-file.tom
 find_package(Python3 3.11 REQUIRED COMPONENTS Interpreter)
 delcert_cli_test(complexes-are-made STATUS 0 OUTPUT "^$" ERROR "^$"
   COMMAND sh -c "rm -rf made && mkdir made && '${Python3_EXECUTABLE}' -B ${complexes}/make.py made && diff -r --exclude=make.py ${complexes} made")
+
+# Meshes of a surface in space, against its equation.
+add_test(NAME cli.mesh COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/mesh.py
+  $<TARGET_FILE:delcert> $<TARGET_FILE:delcert-check>)
+set_tests_properties(cli.mesh PROPERTIES TIMEOUT 600)

@@ -31,6 +31,21 @@ TEST(GraphTriangulation, of_a_polygon_is_of_the_circle) {
   EXPECT_LE(report.contraction, Rational(1) / Rational(10));
 }
 
+TEST(GraphTriangulation, of_a_mesh_that_is_given_is_of_the_torus) {
+  // Its vertices are the centres of the charts, near the torus and not on it.
+  const Mesh<2> mesh = torus_mesh(36, 14);
+  const GraphVertices vertices = given_vertices(mesh.zero_set, mesh.charts);
+  ASSERT_EQ(vertices.residuals.size(), mesh.points.size());
+  const auto report = check_graph_triangulation<2>(vertices, mesh.simplices, no_progress());
+  EXPECT_TRUE(report.is_isotopic());
+  EXPECT_LE(*std::max_element(vertices.residuals.begin(), vertices.residuals.end()), 0x1p-22);
+  EXPECT_GT(*std::max_element(vertices.residuals.begin(), vertices.residuals.end()), 0);
+  // Farther away it is so no more.
+  GraphVertices away = given_vertices(mesh.zero_set, mesh.charts);
+  away.residuals.assign(away.residuals.size(), 8);
+  EXPECT_FALSE(check_graph_triangulation<2>(away, mesh.simplices, no_progress()).triangulates());
+}
+
 TEST(GraphTriangulation, is_not_what_winds_around_twice) {
   // All that is asked of simplices holds; every place has two labels.
   const auto twice = report_of<1>(circle_mesh(10, 2));

@@ -143,5 +143,23 @@ TEST(Content, OfASubmanifoldHasItsEquationsAndCharts) {
   EXPECT_EQ(json["simplices"][5][4], 0);
 }
 
+TEST(Content, OfAMeshHasItsVerticesAsCentres) {
+  const auto& sample = test::sphere_run();
+  const FittedCharts charts{sample.atlas.charts(), sample.atlas.slope(), sample.atlas.patch_factor()};
+  const test::TemporaryFolder folder;
+  const Rational radius = test::ratio(1, 8);
+  const std::vector<LabelSimplex<2>> simplices{{0, 1, 2}, {0, 2, 3}};
+  Claims claims;
+  claims.full_stars.emplace();
+  write_certificate<2>(folder / "m.json",
+                       content_of<2>(sample.atlas.zero_set(), charts, radius, simplices, sample.parameters, claims));
+  const Json json = Json::parse(bytes_of(folder / "m.json"));
+  EXPECT_EQ(json["manifold"]["vertices"], "given");
+  EXPECT_EQ(json["levels"], Json::parse(R"({"1f":{}})"));
+  EXPECT_EQ(json["points"][3], Json::parse(R"(["0","0"])"));
+  EXPECT_EQ(exact(json["net"][3][2]), charts.charts[3].data().centre[2]);
+  EXPECT_EQ(json["simplices"], Json::parse("[[0,1,2,0,0],[0,2,3,0,0]]"));
+}
+
 }  // namespace DELCERT_THIS_FILE
 }  // namespace delcert
