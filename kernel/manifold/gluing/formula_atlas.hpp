@@ -47,13 +47,14 @@ class FormulaAtlas final : public AffineAtlas<m> {
   template <class Visit>
   void visit_derivatives(Label i, const Visit& visit) const {
     const Shown& shown = shown_[home_[i.value]];
+    const double reach = patch_reach();
+    const double most = reach * reach;  // rounded upwards
     Vector<double, m> half_widths;
     for (std::size_t axis = 0; axis < m; ++axis)
-      half_widths[axis] = patch_reach() * this->enclosed(i).stretch[axis] + shown.spread[axis];
+      half_widths[axis] = reach * this->enclosed(i).stretch[axis] + shown.spread[axis];
     const Vector<Interval, m> here = enclosed_centre(i);
     visit_cells(shown, *shown.by_image, here, half_widths, [&](const Appearance& seen) {
-      if (this->may_be_within(i, difference(seen.image, here), patch_reach() * patch_reach()))
-        visit(Label(seen.label), seen.derivative);
+      if (this->may_be_within(i, difference(seen.image, here), most)) visit(Label(seen.label), seen.derivative);
     });
   }
 

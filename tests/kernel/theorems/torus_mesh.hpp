@@ -26,7 +26,7 @@ inline std::vector<std::array<Rational, 2>> circle_points(int quarter) {
   return result;
 }
 
-inline SubmanifoldDescription torus_of_revolution() {
+inline SubmanifoldDescription description_of_torus() {
   SubmanifoldDescription result;
   result.name = "torus";
   result.dimension = Dimension(2);
@@ -77,7 +77,7 @@ struct Mesh {
 
 /// The torus of revolution by a grid, `sheets` times around its axis.
 inline Mesh<2> torus_mesh(int along, int around, int sheets = 1) {
-  Mesh<2> result(torus_of_revolution());
+  Mesh<2> result(description_of_torus());
   const auto large = circle_points(along);
   const auto small = circle_points(around);
   const std::size_t rows = large.size() * static_cast<std::size_t>(sheets);
