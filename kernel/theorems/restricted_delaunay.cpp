@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::size_t labels_at_a_time = 64;
 constexpr long digits_of_density = 12;
+/// Readers bound the second derivative otherwise, and less well.
+const Interval room_for_readers = Interval::exactly(1.5);
 /// Boxes are halved so often.
 constexpr int most_halvings = 12;
 
@@ -116,7 +118,7 @@ class DiscCover {
         if (!is_proved(less(from_zero, square(patch_)))) return false;
         const auto bend = bend_in(centre, side / 2 * (1 + 0x1p-30));
         if (!bend) return false;
-        bend_ = maximum(bend_, *bend);
+        bend_ = maximum(bend_, room_for_readers * *bend);
       }
       std::size_t row = 0;
       while (row < m && ++at[row] == parts) at[row++] = 0;
