@@ -53,7 +53,7 @@ class CoveredDisc {
         slope_(charts.manifold().slope.filter.upper()),
         stretch_(upper_root(Interval(1) + square(charts.manifold().slope.filter))),
         height_(transposed_times(charts.chart(i).normal, charts.point(i) - charts.chart(i).centre)),
-        wide_(1.5 * radius_.upper()) {
+        wide_(2 * radius_.upper()) {
     find_rivals();
     if (c_.intrinsic) bound_bend();
   }
