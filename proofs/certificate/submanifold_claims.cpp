@@ -162,7 +162,7 @@ Claims derive_claims(const SubmanifoldAtlas<m>& atlas, const RunParameters& para
   Claims& claims = derivation.claims;
   claim_graph<m>(measures.triangulation, atlas.sampling_radius(), selection, claims, reasons);
   if (claims.triangulation) {
-    claim_delaunay<m>(measures, claims, reasons);
+    if (selects(selection, "4")) claim_delaunay<m>(measures, claims, reasons);
     if (selects(selection, "6")) claim_metric<m>(measures, claims, reasons);
   }
   return claims;

@@ -91,7 +91,7 @@ def main():
             assert checked.returncode == 0, checked.stdout + checked.stderr
             assert "verified: levels charts 1f 2 5 5i" in checked.stdout, checked.stdout
 
-        for change, expected in ((pushed, "star of 777: two simplices on one side"), (lifted, "900"),
+        for change, expected in ((pushed, "label 777"), (lifted, "900"),
                                  (doubled, "level 5: in 2 components no label is certainly alone"),
                                  (lambda points, triangles: (points, triangles[1:]), "a face in other than two simplices"),
                                  (lambda points, triangles: (points, triangles + triangles[:1]), "is there twice")):

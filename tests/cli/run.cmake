@@ -91,7 +91,7 @@ delcert_cli_test(certify-metric-field-in-theory STATUS 1 OUTPUT "^$" ERROR "use 
 delcert_cli_test(certify-metric-field-lattice STATUS 3 OUTPUT "^$" ERROR "are not for metric fields"
   COMMAND ${delcert} certify --manifold torus-2-hills --lattice 24 --output never.json)
 delcert_cli_test(certify-submanifold-in-theory STATUS 1 OUTPUT "^$" ERROR "use --mode measured"
-  COMMAND ${delcert} certify --manifold ellipsoid --radius 1/4 --mode theory --output never.json)
+  COMMAND ${delcert} certify --manifold ellipsoid --radius 1/12 --mode theory --output never.json)
 delcert_cli_test(certify-submanifold-lattice STATUS 3 OUTPUT "^$" ERROR "are not for submanifolds"
   COMMAND ${delcert} certify --manifold torus-of-revolution --lattice 24 --output never.json)
 delcert_cli_test(certify-submanifold STATUS 0

@@ -19,7 +19,10 @@ TEST(SubmanifoldClaims, of_a_sphere_are_what_the_measures_say) {
                                                 : (Names{"1", "2", "4", "5", "5i", "6"}));
   // Level 2s is reached or not, as stars are the same in charts, and then it is the one that is not.
   EXPECT_EQ(claims.stable_stars.has_value(), sample.measures.stability.differing == 0);
-  EXPECT_EQ(reasons.size(), claims.stable_stars ? 0U : 1U);
+  // So is level 4 for the length of curves.
+  EXPECT_TRUE(claims.delaunay->restricted->extrinsic);
+  EXPECT_EQ(claims.delaunay->restricted->intrinsic, sample.measures.delaunay->intrinsic.holds());
+  EXPECT_EQ(reasons.size(), (claims.stable_stars ? 0U : 1U) + (claims.delaunay->restricted->intrinsic ? 0U : 1U));
   EXPECT_EQ(claims.manifold->euler_characteristic, 2);
   EXPECT_EQ(claims.triangulation->route, "graph");
   EXPECT_EQ(claims.triangulation->graph->contraction, sample.measures.triangulation.contraction);
