@@ -19,7 +19,7 @@ changed() {
   rm -rf "$work/copy"
   mkdir -p "$work/copy/bench" "$work/copy/docs"
   cp "$project/README.md" "$work/copy/"
-  cp "$project/docs/performance.md" "$project/docs/space-forms.md" "$work/copy/docs/"
+  cp "$project"/docs/{performance,space-forms,submanifolds}.md "$work/copy/docs/"
   cp "$project/bench/costs.json" "$work/copy/bench/"
   sed -i "$3" "$work/copy/$2"
   ! cmp -s "$work/copy/$2" "$project/$2" || fail "$1: nothing was changed"
