@@ -12,7 +12,7 @@
 #include "apps/commands.hpp"
 #include "apps/interruption.hpp"
 #include "apps/progress_line.hpp"
-#include "properties/attack/attempt.hpp"
+#include "properties/attack/replay.hpp"
 #include "properties/attack/twins.hpp"
 #include "support/atomic_file.hpp"
 #include "support/error.hpp"
@@ -34,6 +34,7 @@ struct AttackOptions {
   bool stored = false;
   bool is_short = false;
   bool json = false;
+  bool latex = false;
 };
 
 constexpr std::uint64_t most_samples = 10000000000;
@@ -80,31 +81,26 @@ std::vector<Refutation> refutations_of(const std::vector<Target>& targets, const
   return result;
 }
 
-ExitStatus replay(const AttackOptions& options) {
+ExitStatus replay_witness(const AttackOptions& options) {
   const InterruptionDeadline deadline;
   if (options.claims.all || options.claims.names.size() > 1 || options.twins) {
     throw InputError("--replay is about one witness, and at most one claim to take instead of the one it names");
   }
   const Witness witness = read_witness(options.replay);
-  Claim claim;
+  std::optional<Replay> replay;
   try {
-    claim = claim_of(witness, options.claims.names.empty() ? "" : options.claims.names.front());
+    replay = replayed(witness, options.claims.names.empty() ? "" : options.claims.names.front());
   } catch (const InputError& error) {
     throw InputError(options.replay + ": " + error.what());
   }
-  const Attempt result = attempt(claim, witness.bindings);
-  std::cout << claim.name << ": the hypotheses are " << name_of(result.hypotheses) << "\n";
-  for (std::size_t at = 0; at < result.conclusions.size(); ++at) {
-    if (claim.conclusions[at].name != witness.conclusion) continue;
-    ConclusionOutcome outcome = result.conclusions[at];
-    Scene scene(witness.bindings);
-    if (!outcome.ratio) outcome.ratio = ratio_bounds(*claim.conclusions[at].formula, scene, true);
-    std::cout << claim.conclusions[at].text << ": " << name_of(outcome.verdict) << ", ratio "
-              << ratio_text(outcome.ratio) << "\n";
-    if (is_refuted(outcome.verdict)) return ExitStatus::rejected;
-    return is_proved(outcome.verdict) ? ExitStatus::verified : ExitStatus::undecided;
+  std::cout << replay->claim.name << ": the hypotheses are " << name_of(replay->hypotheses) << "\n";
+  if (const auto& conclusion = replay->conclusion) {
+    std::cout << conclusion->text << ": " << name_of(conclusion->verdict) << ", ratio " << ratio_text(conclusion->ratio)
+              << "\n";
+    if (is_refuted(conclusion->verdict)) return ExitStatus::rejected;
+    return is_proved(conclusion->verdict) ? ExitStatus::verified : ExitStatus::undecided;
   }
-  return is_refuted(result.hypotheses) ? ExitStatus::verified : ExitStatus::undecided;
+  return is_refuted(replay->hypotheses) ? ExitStatus::verified : ExitStatus::undecided;
 }
 
 /// What became of a twin, and of a conclusion that has none.
@@ -210,6 +206,8 @@ ExitStatus report(const std::vector<Target>& targets, const std::vector<Tally>& 
   const auto refutations = refutations_of(targets, tallies, options, progress);
   if (options.json) {
     print_json(targets, tallies, refutations, options);
+  } else if (options.latex) {
+    std::cout << attack_latex(targets, tallies, options.least, options.is_short);
   } else {
     print_text(targets, tallies, refutations, options);
   }
@@ -224,8 +222,10 @@ ExitStatus report(const std::vector<Target>& targets, const std::vector<Tally>& 
 }
 
 ExitStatus run_attack(const AttackOptions& options) {
-  if (!options.replay.empty()) return replay(options);
+  if (options.latex && !options.replay.empty()) throw InputError("--latex is about campaigns, not about --replay");
+  if (!options.replay.empty()) return replay_witness(options);
   if (options.samples == 0 || options.samples > most_samples) throw InputError("--samples takes 1 to 10^10");
+  if (options.latex && options.twins) throw InputError("--latex is about campaigns, not about --twins");
   if (options.twins) return attack_twins(options);
   if (options.stored) throw InputError("--stored is about --twins");
   CampaignPlan plan;
@@ -270,7 +270,9 @@ void add_attack(CLI::App& program, Action& chosen) {
   command->add_flag("--stored", options->stored,
                     "With --twins: only by the witnesses in the folder, nothing is searched");
   command->add_flag("--short", options->is_short, "A row of the table for all shapes of the same k");
-  command->add_flag("--json", options->json, "Print JSON");
+  CLI::Option* json = command->add_flag("--json", options->json, "Print JSON");
+  command->add_flag("--latex", options->latex, "Print the table in LaTeX (longtable, booktabs), and nothing else")
+      ->excludes(json);
   command->footer(
       "Exit status: 0 nothing is refuted, by at least 100 instances for each conclusion (or --least), 1 something is\n"
       "refuted, 2 something is undecided or hardly attacked.\n"

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/claim_options.hpp"
+#include "proofs/publication/latex_table.hpp"
+#include "support/latex_text.hpp"
 
 namespace delcert {
 
@@ -50,6 +52,32 @@ std::size_t last_of_same_k(const std::vector<Target>& targets, std::size_t first
   return last;
 }
 
+/// A conclusion of a claim in one shape, or in all of the same k.
+struct AttackRow {
+  std::string name;  ///< claim / conclusion
+  std::string shape;
+  Tally tally;
+  std::size_t number;  ///< of the conclusion
+  [[nodiscard]] const ConclusionTally& conclusion() const { return tally.conclusions[number]; }
+};
+
+std::vector<AttackRow> attack_rows(const std::vector<Target>& targets, const std::vector<Tally>& tallies,
+                                   bool is_short) {
+  std::vector<AttackRow> result;
+  for (std::size_t first = 0, last = 0; first < targets.size(); first = last + 1) {
+    last = is_short ? last_of_same_k(targets, first) : first;
+    Tally tally = tallies[first];
+    for (std::size_t at = first + 1; at <= last; ++at) tally.add(tallies[at]);
+    const std::string shape =
+        text_of(targets[first].shape) + (first < last ? fmt::format("…{}", targets[last].shape.m) : std::string());
+    for (std::size_t one = 0; one < tally.conclusions.size(); ++one) {
+      const Claim& claim = targets[first].claim;
+      result.push_back({claim.name + " / " + claim.conclusions[one].name, shape, tally, one});
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::string ratio_text(const std::optional<DoubleBounds>& ratio) {
@@ -68,24 +96,36 @@ std::string attack_table(const std::vector<Target>& targets, const std::vector<T
       "| claim / conclusion | shape | samples | discarded | boundary | thin | cospherical | worst ratio | "
       "interval / big / rational / algebraic | undecided | verdict |\n"
       "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|---|\n";
-  for (std::size_t first = 0, last = 0; first < targets.size(); first = last + 1) {
-    last = is_short ? last_of_same_k(targets, first) : first;
-    Tally tally = tallies[first];
-    for (std::size_t at = first + 1; at <= last; ++at) tally.add(tallies[at]);
-    const std::string shape =
-        text_of(targets[first].shape) + (first < last ? fmt::format("…{}", targets[last].shape.m) : std::string());
-    for (std::size_t one = 0; one < tally.conclusions.size(); ++one) {
-      const ConclusionTally& conclusion = tally.conclusions[one];
-      result += fmt::format("| {} / {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
-                            targets[first].claim.name, targets[first].claim.conclusions[one].name, shape, tally.samples,
-                            share(tally.samples - tally.met(), tally.samples), share(tally.traits[0], tally.met()),
-                            share(tally.traits[1], tally.met()), share(tally.traits[2], tally.met()),
-                            ratio_text(conclusion.worst), rungs_text(tally.rungs),
-                            conclusion.undecided + tally.hypotheses_undecided,
-                            verdict_of_attack(conclusion, least_instances));
-    }
+  for (const AttackRow& row : attack_rows(targets, tallies, is_short)) {
+    const Tally& tally = row.tally;
+    const ConclusionTally& conclusion = row.conclusion();
+    result +=
+        fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", row.name, row.shape, tally.samples,
+                    share(tally.samples - tally.met(), tally.samples), share(tally.traits[0], tally.met()),
+                    share(tally.traits[1], tally.met()), share(tally.traits[2], tally.met()),
+                    ratio_text(conclusion.worst), rungs_text(tally.rungs),
+                    conclusion.undecided + tally.hypotheses_undecided, verdict_of_attack(conclusion, least_instances));
   }
   return result;
+}
+
+std::string attack_latex(const std::vector<Target>& targets, const std::vector<Tally>& tallies,
+                         std::uint64_t least_instances, bool is_short) {
+  std::vector<std::vector<std::string>> rows;
+  for (const AttackRow& row : attack_rows(targets, tallies, is_short)) {
+    const ConclusionTally& conclusion = row.conclusion();
+    rows.push_back({latex_label(row.name), latex_text(row.shape), std::to_string(row.tally.samples),
+                    latex_text(share(row.tally.samples - row.tally.met(), row.tally.samples)),
+                    latex_text(ratio_text(conclusion.worst)),
+                    latex_text(verdict_of_attack(conclusion, least_instances))});
+  }
+  return latex_table({{"claim / conclusion", 90},
+                      {"shape", 40},
+                      {"samples", 42},
+                      {"discarded", 36},
+                      {"worst ratio", 60},
+                      {"verdict", 47}},
+                     rows);
 }
 
 Json attack_json(const std::vector<Target>& targets, const std::vector<Tally>& tallies, std::uint64_t least_instances) {

@@ -27,6 +27,10 @@ inline constexpr std::uint64_t usual_least_instances = 100;
 [[nodiscard]] std::string attack_table(const std::vector<Target>& targets, const std::vector<Tally>& tallies,
                                        std::uint64_t least_instances, bool is_short = false);
 
+/// The main columns of it as a longtable of LaTeX, at most 345 pt wide.
+[[nodiscard]] std::string attack_latex(const std::vector<Target>& targets, const std::vector<Tally>& tallies,
+                                       std::uint64_t least_instances, bool is_short = false);
+
 /// The same as JSON, one object for each target.
 [[nodiscard]] nlohmann::ordered_json attack_json(const std::vector<Target>& targets, const std::vector<Tally>& tallies,
                                                  std::uint64_t least_instances);

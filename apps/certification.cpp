@@ -19,19 +19,34 @@ ExitStatus certify(const CertifyOptions& options) {
   const std::unique_ptr<Family> family =
       options.complex.empty() ? family_of(manifold, clock) : family_of_mesh(manifold, options.complex);
   RunReport& report = family->report;
-  clock.begin("read or sample the net");
-  family->make_net(options.source, progress);
-  family->choose_parameters(options, progress);
+  const auto attempt = [&] {
+    clock.begin("read or sample the net");
+    family->make_net(options.source, progress);
+    family->choose_parameters(options, progress);
+    report.parameters.origin = options.origin;
 
-  RunRequest request;
-  request.perturb = !options.no_perturbation;
-  request.most_repair_rounds = options.repair_rounds;
-  if (options.required_protection) request.required_protection = *options.required_protection * report.sampling_radius;
-  family->run(request, progress);
-  line.clear();
+    RunRequest request;
+    request.perturb = !options.no_perturbation;
+    request.most_repair_rounds = options.repair_rounds;
+    if (options.required_protection)
+      request.required_protection = *options.required_protection * report.sampling_radius;
+    family->run(request, progress);
+    line.clear();
 
-  clock.begin("derive levels");
-  family->derive(options.levels, progress);
+    clock.begin("derive levels");
+    report.reasons.clear();
+    family->derive(options.levels, progress);
+  };
+  for (int round = 0;; ++round) {
+    const bool is_last = round == options.refinement_rounds;
+    try {
+      attempt();
+      if (is_last || !family->refine()) break;
+    } catch (const Rejection&) {
+      if (is_last || !family->refine()) throw;
+    }
+    report.refinement_rounds = round + 1;
+  }
   if (report.claims.names().empty())
     throw Rejection(fmt::format("no level is reached: {}", fmt::join(report.reasons, "; ")));
   clock.begin("write the certificate");

@@ -2,8 +2,10 @@
 #include <memory>
 #include <sstream>
 
+#include "apps/build_commit.hpp"
 #include "apps/certification.hpp"
 #include "apps/certify_complex.hpp"
+#include "apps/command_line.hpp"
 #include "apps/commands.hpp"
 #include "apps/exact_option.hpp"
 #include "kernel/parallel/threads.hpp"
@@ -80,6 +82,10 @@ void add_certify(CLI::App& program, Action& chosen) {
                    "Repair simplices that are not more protected than this, in units of ε");
   command->add_option("--repair-rounds", options->repair_rounds, "Rounds of repair before giving up (default 20)")
       ->check(CLI::Range(0, 1000000));
+  command
+      ->add_option("--refine", options->refinement_rounds,
+                   "Submanifolds: rounds of halving radii where something fails, at most (default 0)")
+      ->check(CLI::Range(0, 100));
   command->add_flag("--no-perturbation", options->no_perturbation, "Take the net as it is");
   command->add_option_function<std::string>(
       "--levels", [options](const std::string& text) { options->levels = parse_levels(text); },
@@ -99,16 +105,20 @@ void add_certify(CLI::App& program, Action& chosen) {
       "  delcert certify --manifold torus-3 --radius 1/24 --seed 1 --output torus-3.json.zst\n"
       "  delcert certify --manifold torus-2 --lattice 30 --mode measured --tolerance 1/64\n"
       "  delcert certify --manifold my-torus.toml --points net.txt --levels 0,1,2,4,5,6\n"
+      "  delcert certify --manifold torus-2 --radius 1/32 --sizing examples/sizings/torus-2.txt --seed 1\n"
       "  delcert certify --manifold bolza-surface --radius 1/10 --output bolza.json.zst\n"
       "  delcert certify --manifold sphere-2 --icosphere 24\n"
       "  delcert certify --complex examples/complexes/genus-2.toml\n"
       "  delcert certify --manifold torus-of-revolution --complex mesh.off\n"
       "  delcert certify --manifold torus-2-hills --radius 1/40 --seed 1\n"
       "  delcert certify --manifold torus-of-revolution --radius 1/10 --seed 1\n"
+      "  delcert certify --manifold genus-2 --radius 1/16 --sizing curvature:1/10,1/10 --refine 4\n"
       "  delcert certify --manifold torus-2 --lattice 30 --no-perturbation      (exits 1, naming stars)");
   command->callback([options, command, mode, &chosen] {
     require_manifold_or_complex(*command);
     options->mode_is_given = mode->count() > 0;
+    options->origin = {{"command", command_line("delcert", *command, {"--output", "--threads", "--json"})}};
+    if (build_commit()[0] != '\0') options->origin.emplace_back("commit", build_commit());
     if (!options->complex.empty() && options->source.manifold.empty()) {
       chosen = [options] { return certify_complex(*options); };
       return;

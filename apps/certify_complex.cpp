@@ -69,7 +69,7 @@ ExitStatus certify(const CertifyOptions& options, const ComplexDescription& comp
   clock.begin("write the certificate");
   report.certificate = options.output.empty() ? complex.name + ".delcert.json.zst" : options.output;
   const Proposal proposal(report.certificate);
-  write_given_complex<m>(proposal.path(), complex, given, report.claims, progress);
+  write_given_complex<m>(proposal.path(), complex, given, report.claims, options.origin, progress);
   clock.begin("delcert-check");
   report.checker = verified(complex, proposal).output;
   if (!has_loops) {

@@ -19,9 +19,11 @@ struct CertifyOptions {
   bool no_perturbation = false;
   std::optional<Rational> required_protection;
   int repair_rounds = 20;
+  int refinement_rounds = 0;
   unsigned threads = 0;  ///< 0: as many as there are processors
   LevelSelection levels = all_levels();
   std::string output;
+  Origin origin;
   bool json = false;
 };
 

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "apps/family.hpp"
+#include "kernel/chart/length_units.hpp"
 #include "kernel/run/chart_run.hpp"
 
 namespace delcert {
@@ -30,8 +31,11 @@ class ChartFamily : public Family {
   void choose_measured_parameters(const CertifyOptions& options) {
     ParameterChoice choice = options.choice;
     choice.mode = options.no_perturbation ? RunMode::none : RunMode::measured;
-    if (!options.no_perturbation && !choice.tolerance)
+    if (!options.no_perturbation && !choice.tolerance) {
       choice.tolerance = measured_parameters(Dimension(m), choice.seed).tolerance;
+      // Where radii vary, there are more candidates.
+      if (LengthUnits(*atlas_).vary()) choice.tolerance = *choice.tolerance / Rational(2);
+    }
     report.parameters = parameters_for(Dimension(m), report.parameters.algorithm.separation, choice);
   }
 

@@ -36,16 +36,18 @@ fs::path installed_checker() {
   throw std::runtime_error("delcert-check is not installed; looked for" + places);
 }
 
-CheckerRun run_checker_on(const fs::path& checker, const fs::path& certificate) {
-  std::string program = checker.string(), file = certificate.string(), json = "--json", end_of_options = "--";
-  const std::array<char*, 5> arguments{program.data(), json.data(), end_of_options.data(), file.data(), nullptr};
+CheckerRun run_checker_with(const fs::path& checker, std::vector<std::string> arguments) {
+  std::string program = checker.string();
+  std::vector<char*> words{program.data()};
+  for (std::string& argument : arguments) words.push_back(argument.data());
+  words.push_back(nullptr);
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) fail(errno, "cannot make a pipe");
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
   pid_t child = 0;
-  const int reason = posix_spawn(&child, program.c_str(), &actions, nullptr, arguments.data(), environ);
+  const int reason = posix_spawn(&child, program.c_str(), &actions, nullptr, words.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   close(ends[1]);
   CheckerRun result;
@@ -63,6 +65,10 @@ CheckerRun run_checker_on(const fs::path& checker, const fs::path& certificate) 
   }
   result.status = WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
   return result;
+}
+
+CheckerRun run_checker_on(const fs::path& checker, const fs::path& certificate) {
+  return run_checker_with(checker, {"--json", "--", certificate.string()});
 }
 
 }  // namespace delcert

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace delcert {
 
@@ -15,8 +16,11 @@ struct CheckerRun {
   std::string output;
 };
 
-/// Runs `checker --json` on a file and waits for it. Standard error is that of this process. Throws
+/// Runs the checker with these arguments and waits for it. Standard error is that of this process. Throws
 /// std::system_error if it cannot be started.
+[[nodiscard]] CheckerRun run_checker_with(const std::filesystem::path& checker, std::vector<std::string> arguments);
+
+/// The same with `--json` and a file.
 [[nodiscard]] CheckerRun run_checker_on(const std::filesystem::path& checker, const std::filesystem::path& certificate);
 
 }  // namespace delcert

@@ -6,6 +6,7 @@
 #include "apps/claim_options.hpp"
 #include "apps/commands.hpp"
 #include "kernel/number/exact_text.hpp"
+#include "proofs/formula/latex.hpp"
 #include "properties/attack/claim_library.hpp"
 #include "properties/attack/paper_labels.hpp"
 
@@ -56,6 +57,8 @@ void print_claim(const Claim& claim) {
   if (!claim.note.empty()) std::cout << "  note: " << claim.note << "\n";
 }
 
+void print_latex_of(const Claim& claim) { std::cout << "{\\raggedright\n" << latex_of(claim) << "\\par}\n"; }
+
 ExitStatus list_claims() {
   for (const Claim& claim : builtin_files()) {
     std::cout << fmt::format("{:45} {:42} {:8} {}\n", claim.name, claim.source, name_of(claim.status),
@@ -80,9 +83,11 @@ void add_claims(CLI::App& program, Action& chosen) {
   CLI::App* show = command->add_subcommand("show", "Print claims, of the library or from TOML files");
   const auto options = std::make_shared<ClaimOptions>();
   add_claim_options(*show, *options);
-  show->callback([options, &chosen] {
-    chosen = [options] {
-      for (const Claim& claim : claims_of(*options)) print_claim(claim);
+  const auto latex = std::make_shared<bool>(false);
+  show->add_flag("--latex", *latex, "Print LaTeX (amsmath)");
+  show->callback([options, latex, &chosen] {
+    chosen = [options, latex] {
+      for (const Claim& claim : claims_of(*options)) *latex ? print_latex_of(claim) : print_claim(claim);
       return ExitStatus::verified;
     };
   });
@@ -101,6 +106,7 @@ void add_claims(CLI::App& program, Action& chosen) {
       "  delcert claims\n"
       "  delcert claims show thickness-and-singular-value\n"
       "  delcert claims show my-claim.toml\n"
+      "  delcert claims show --latex --all > claims.tex\n"
       "  delcert claims classes\n"
       "  delcert claims labels");
   command->callback([command, &chosen] {

@@ -17,7 +17,12 @@ void add_sample(CLI::App& program, Action& chosen);
 void add_certify(CLI::App& program, Action& chosen);
 void add_check(CLI::App& program, Action& chosen);
 void add_info(CLI::App& program, Action& chosen);
+void add_cite(CLI::App& program, Action& chosen);
+void add_figure(CLI::App& program, Action& chosen);
+void add_bundle(CLI::App& program, Action& chosen);
+void add_manifolds(CLI::App& program, Action& chosen);
 void add_homology(CLI::App& program, Action& chosen);
+void add_export(CLI::App& program, Action& chosen);
 void add_claims(CLI::App& program, Action& chosen);
 void add_attack(CLI::App& program, Action& chosen);
 void add_tighten(CLI::App& program, Action& chosen);
@@ -25,6 +30,7 @@ void add_formalise(CLI::App& program, Action& chosen);
 void add_prove(CLI::App& program, Action& chosen);
 void add_errata(CLI::App& program, Action& chosen);
 void add_tables(CLI::App& program, Action& chosen);
+void add_report(CLI::App& program, Action& chosen);
 
 /// Replaces this process by delcert-check with these arguments. Returns only by throwing: std::runtime_error if the
 /// checker is not found or cannot be run.

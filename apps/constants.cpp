@@ -67,7 +67,7 @@ void add_constants(CLI::App& program, Action& chosen) {
       ->delimiter(',')
       ->check(complaint_about_name, "", "");
   CLI::Option* json = command->add_flag("--json", options->json, "Print JSON");
-  command->add_flag("--latex", options->latex, "Print a LaTeX table (booktabs)")->excludes(json);
+  command->add_flag("--latex", options->latex, "Print a LaTeX table (longtable, booktabs)")->excludes(json);
   command->footer(
       "Numbers are exact: integers, fractions such as 1/4, or hexadecimal floats such as 0x1p-2. A list, 1/4,1/2,1 or\n"
       "2..6, makes a sweep: every dimension with every separation and every perturbation.\n\n"

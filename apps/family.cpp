@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/report_parts.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
@@ -24,9 +25,18 @@ void Family::refuse_stars(std::initializer_list<std::vector<StarFailure>> failur
   throw Rejection(text);
 }
 
+void Family::require_homology(const std::vector<std::string>& said) const {
+  if (said.empty() || !report.claims.manifold) return;
+  const std::vector<std::string> found = homology_texts(*report.claims.manifold);
+  if (found == said) return;
+  throw Rejection(
+      fmt::format("the homology is {}, and not {} as the file says", fmt::join(found, ", "), fmt::join(said, ", ")));
+}
+
 std::unique_ptr<Family> family_of(const AnyManifold& manifold, StageClock& clock) {
   if (std::holds_alternative<SpaceFormDescription>(manifold)) clock.begin("verify the group");
   if (std::holds_alternative<MetricFieldDescription>(manifold)) clock.begin("verify the metric");
+  if (std::holds_alternative<FormulaAtlasDescription>(manifold)) clock.begin("verify the gluing");
   return std::visit([](const auto& description) { return family_of(description); }, manifold);
 }
 

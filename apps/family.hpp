@@ -40,20 +40,27 @@ class Family {
   /// Throws Rejection, which names the stars that failed, unless everything is certified.
   virtual void run(RunRequest request, const Progress& progress) = 0;
   virtual void derive(const LevelSelection& selection, const Progress& progress) = 0;
+  /// After all that, or when it ended with a Rejection: makes radii smaller where something fails, so that the net will
+  /// be another one. False if there is no such place, or radii are not chosen by the run.
+  [[nodiscard]] virtual bool refine() { return false; }
   virtual void write(const std::string& path, const Progress& progress) const = 0;
 
  protected:
   /// Throws Rejection: how many failures there are, the first ten of them, and all labels whose stars disagree.
   [[noreturn]] void refuse_stars(std::initializer_list<std::vector<StarFailure>> failures,
                                  const std::vector<Label>& disagreeing = {}) const;
+  /// Throws Rejection unless the homology, if it is claimed, is what a file says, if it says something.
+  void require_homology(const std::vector<std::string>& said) const;
 };
 
-/// Verified: that a group acts as it should, that a metric is one. Throws Rejection.
+/// Verified: that a group acts as it should, that a metric is one, that charts are glued to a closed manifold. Throws
+/// Rejection, Undecided.
 [[nodiscard]] std::unique_ptr<Family> family_of(const AnyManifold& manifold, StageClock& clock);
 
 [[nodiscard]] std::unique_ptr<Family> family_of(const ManifoldDescription& manifold);
 [[nodiscard]] std::unique_ptr<Family> family_of(const SpaceFormDescription& manifold);
 [[nodiscard]] std::unique_ptr<Family> family_of(const MetricFieldDescription& manifold);
+[[nodiscard]] std::unique_ptr<Family> family_of(const FormulaAtlasDescription& manifold);
 [[nodiscard]] std::unique_ptr<Family> family_of(const SubmanifoldDescription& manifold);
 /// A mesh in a file (kernel/manifold/mesh_file.hpp), as a triangulation of a surface in space. Throws InputError for
 /// another manifold.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "apps/family.hpp"
+#include "kernel/sample/graded_density.hpp"
 #include "kernel/sample/net_measure.hpp"
 #include "kernel/sample/separation.hpp"
 #include "kernel/simplex/dimensions.hpp"
@@ -24,16 +25,25 @@ class FlatFamily final : public Family {
   }
 
   void make_net(const NetSource& source, const Progress& progress) override {
+    const auto sizing = source.torus_sizing<m>(space_);
     PointSet<m> net(source.points<m>(space_, progress));
-    density_ = measure_density<m>(space_, net, source.radius, progress);
-    atlas_.emplace(space_, std::move(net), density_.sampling_radius);
+    if (sizing) {
+      take_graded(std::move(net), *sizing, progress);
+    } else {
+      NetDensity<m> density = measure_density<m>(space_, net, source.radius, progress);
+      covering_radius_lower_ = density.covering_radius_lower;
+      net_simplices_ = std::move(density.simplices);
+      atlas_.emplace(space_, std::move(net), density.sampling_radius);
+    }
     report.points = atlas_->size();
-    report.sampling_radius = density_.sampling_radius;
-    report.parameters.algorithm.separation = measure_separation<m>(*atlas_);
+    report.sampling_radius = atlas_->sampling_radius();
+    // Points are μ₀ε_i apart in all patches if they are μ₀(1 + ε₀) times the lesser radius apart.
+    const Rational separation = measure_separation<m>(*atlas_) / (Rational(1) + atlas_->radius_variation());
+    report.parameters.algorithm.separation = atlas_->radii().vary() ? rounded_down(separation, -20) : separation;
   }
 
   [[nodiscard]] NetText net() const override {
-    NetText result{{}, "", density_.covering_radius_lower};
+    NetText result{{}, "", covering_radius_lower_};
     for (std::uint32_t index = 0; index < atlas_->size(); ++index) {
       const auto& point = atlas_->net().exact(Label(index));
       result.points.emplace_back(point.begin(), point.end());
@@ -43,7 +53,7 @@ class FlatFamily final : public Family {
 
   void choose_parameters(const CertifyOptions& options, const Progress&) override {
     const Rational separation = report.parameters.algorithm.separation;
-    report.parameters = parameters_for(Dimension(m), separation, options.choice);
+    report.parameters = parameters_for(Dimension(m), separation, options.choice, atlas_->radius_variation());
     report.input = check_input<m>(*atlas_, separation, report.parameters.algorithm.perturbation);
     std::string failed;
     for (const InputItem& item : report.input) {
@@ -65,13 +75,24 @@ class FlatFamily final : public Family {
 
   void write(const std::string& path, const Progress& progress) const override {
     write_certificate<m>(
-        path, content_of<m>(manifold_, *atlas_, density_.simplices, report.parameters, *run_, report.claims), progress);
+        path, content_of<m>(manifold_, *atlas_, net_simplices_, report.parameters, *run_, report.claims), progress);
   }
 
  private:
+  void take_graded(PointSet<m> net, const TorusSizing<m>& sizing, const Progress& progress) {
+    std::vector<double> radii;
+    for (const auto& point : net.approximate_all()) radii.push_back(sizing.at(point));
+    GradedDensity<m> density = measure_graded_density<m>(space_, net, SamplingRadii(radii), progress);
+    if (density.radii.vary())
+      report.radii = radii_report(density.radii, density.radius_variation, Dimension(m), "9(1 + ε₀) ε_i");
+    net_simplices_ = std::move(density.simplices);
+    atlas_.emplace(space_, std::move(net), std::move(density.radii), std::move(density.radius_variation));
+  }
+
   ManifoldDescription manifold_;
   FlatSpace<m> space_;
-  NetDensity<m> density_;
+  std::vector<LiftedSimplex<m>> net_simplices_;
+  std::optional<Rational> covering_radius_lower_;  // none where radii vary
   std::optional<FlatAtlas<m>> atlas_;
   std::optional<RunResult<m>> run_;
 };

@@ -9,6 +9,8 @@
 #include "kernel/number/decimal_bounds.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "proofs/constants/ledger_entries.hpp"
+#include "proofs/publication/exact_latex.hpp"
+#include "proofs/publication/latex_table.hpp"
 
 namespace delcert {
 
@@ -44,18 +46,12 @@ std::string value_text(const LedgerEntry& entry) {
 
 std::string log2_text(const LedgerEntry& entry) { return entry.log2 ? enclosure_text(*entry.log2) : ""; }
 
-std::string decimal_latex(const std::string& decimal) {
-  const auto exponent = decimal.find('e');
-  if (exponent == std::string::npos) return decimal;
-  return decimal.substr(0, exponent) + " \\cdot 10^{" + decimal.substr(exponent + 1) + "}";
-}
-
 std::string value_latex(const LedgerEntry& entry) {
   if (entry.is_estimate) return decimal_latex(decimal_lower(entry.value.lower, digits_of_estimates));
   const std::string lower = decimal_lower(entry.value.lower, digits_of_ledger);
   const std::string upper = decimal_upper(entry.value.upper, digits_of_ledger);
   if (lower == upper) return decimal_latex(lower);
-  return "[" + decimal_latex(lower) + ", " + decimal_latex(upper) + "]";
+  return "[" + decimal_latex(lower) + ", \\allowbreak " + decimal_latex(upper) + "]";
 }
 
 std::string exact_latex(const LedgerEntry& entry) {
@@ -158,11 +154,12 @@ std::string ledger_json(const Ledger& ledger, const ConstantNames& only) {
 }
 
 std::string ledger_latex(const Ledger& ledger, const ConstantNames& only) {
-  std::string text = "\\begin{tabular}{lllll}\n\\toprule\n & constant & exact & value & source \\\\\n\\midrule\n";
+  std::vector<std::vector<std::string>> rows;
   for (const LedgerEntry& entry : selected_entries(ledger, only))
-    text += fmt::format("${}$ & {} & {} & ${}$ & {} \\\\\n", entry.latex_symbol, with_spaces(entry.name),
-                        exact_latex(entry), value_latex(entry), entry.source);
-  return text + "\\bottomrule\n\\end{tabular}\n% " + parameters_sentence(ledger) + "\n";
+    rows.push_back({fmt::format("${}$", entry.latex_symbol), with_spaces(entry.name), exact_latex(entry),
+                    fmt::format("${}$", value_latex(entry)), latex_label(entry.source)});
+  return latex_table({{"", 66}, {"constant", 58}, {"exact", 74}, {"value", 64}, {"source", 59}}, rows) + "% " +
+         parameters_sentence(ledger) + "\n";
 }
 
 std::string sweep_table(const SweptLedgers& swept, const ConstantNames& only) {
@@ -193,21 +190,19 @@ std::string sweep_json(const SweptLedgers& swept, const ConstantNames& only) {
 }
 
 std::string sweep_latex(const SweptLedgers& swept, const ConstantNames& only) {
-  std::string text =
-      "\\begin{longtable}{rllll}\n\\toprule\n$m$ & $\\mu_0$ & $\\rho_0$ & exact & value \\\\\n\\midrule\n";
-  text += "\\endhead\n\\bottomrule\n\\endfoot\n";
-  bool is_first = true;
+  std::vector<std::vector<std::string>> rows;
   for (const auto& block : blocks_of(swept, only)) {
     const LedgerEntry& first = block.front().entry;
-    text += fmt::format("{}\\multicolumn{{5}}{{l}}{{${}$ {} ({})}} \\\\*\n", is_first ? "" : "\\addlinespace\n",
-                        first.latex_symbol, with_spaces(first.name), first.source);
-    is_first = false;
-    for (const auto& [ledger, entry] : block)
-      text +=
-          fmt::format("{} & ${}$ & ${}$ & {} & ${}$ \\\\\n", ledger->dimension.value, exact_text(ledger->separation),
-                      exact_text(ledger->perturbation), exact_latex(entry), value_latex(entry));
+    rows.push_back(
+        {fmt::format("${}$ {} ({})", first.latex_symbol, with_spaces(first.name), latex_label(first.source))});
+    for (const auto& [ledger, entry] : block) {
+      rows.push_back({std::to_string(ledger->dimension.value), "$" + exact_latex(ledger->separation) + "$",
+                      "$" + exact_latex(ledger->perturbation) + "$", exact_latex(entry),
+                      fmt::format("${}$", value_latex(entry))});
+    }
   }
-  text += "\\end{longtable}\n";
+  std::string text =
+      latex_table({{"$m$", 14}, {"$\\mu_0$", 50}, {"$\\rho_0$", 50}, {"exact", 110}, {"value", 97}}, rows);
   for (const std::string& remark : remarks_on(swept)) text += "% " + remark + "\n";
   return text;
 }

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <string>
 #include <string_view>
@@ -9,13 +10,15 @@
 #include "apps/interruption.hpp"
 #include "delcert_version.hpp"
 #include "kernel/number/self_test.hpp"
+#include "support/spelling.hpp"
 
 namespace delcert {
 namespace {
 
-constexpr AddCommand commands[] = {add_constants, add_sample, add_certify,  add_check,   add_info,
-                                   add_homology,  add_claims, add_attack,   add_tighten, add_prove,
-                                   add_errata,    add_tables, add_formalise};
+constexpr AddCommand commands[] = {add_constants, add_sample,    add_certify,   add_check,    add_info,
+                                   add_cite,      add_figure,    add_bundle,    add_homology, add_export,
+                                   add_claims,    add_attack,    add_tighten,   add_prove,    add_errata,
+                                   add_tables,    add_formalise, add_manifolds, add_report};
 
 /// Rigour rests on rounding that is really directed, on no contraction, on the libraries: refuse to go on without.
 bool arithmetic_is_sound() {
@@ -28,6 +31,15 @@ ExitStatus usage_error(const std::string& message) {
   report_error(std::cerr, message);
   std::cerr << "delcert: see delcert --help" << std::endl;
   return ExitStatus::usage;
+}
+
+/// Which subcommand was probably meant, where the first argument is none.
+std::string hint_for(const CLI::App& program, const std::vector<std::string>& arguments) {
+  if (arguments.empty() || arguments[0].starts_with('-')) return "";
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands(nullptr)) names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), arguments[0]) != names.end()) return "";
+  return "there is no subcommand " + shortened(arguments[0]) + suggestion(arguments[0], names);
 }
 
 bool asks_for_help(std::string_view argument) { return argument == "--help" || argument == "-h"; }
@@ -56,7 +68,8 @@ ExitStatus run(int argc, char** argv) {
       program.exit(help_or_version);
       return ExitStatus::verified;
     } catch (const CLI::ParseError& error) {
-      return usage_error(error.what());
+      const std::string hint = hint_for(program, arguments);
+      return usage_error(hint.empty() ? error.what() : hint);
     }
   }
 

@@ -121,8 +121,10 @@ class MeshFamily final : public Family {
 }  // namespace
 
 std::unique_ptr<Family> family_of_mesh(const AnyManifold& manifold, const std::string& file) {
-  if (const auto* submanifold = std::get_if<SubmanifoldDescription>(&manifold))
+  if (const auto* submanifold = std::get_if<SubmanifoldDescription>(&manifold)) {
+    if (submanifold->mesh) throw InputError("--complex is for manifolds by equations, and not for those by a mesh");
     return std::make_unique<MeshFamily>(*submanifold, file);
+  }
   throw InputError("--complex with --manifold is for submanifolds; without it for a complex with group elements");
 }
 

@@ -36,6 +36,12 @@ void NetSource::add_options(CLI::App& command, bool with_file) {
       ->excludes(lattice_option);
   command.add_option("--relax", relaxation_steps, "Space forms: so many of Lloyd's steps for the net (default 0)")
       ->type_name("STEPS");
+  command
+      .add_option(
+          "--sizing", sizing.text,
+          "Flat tori, submanifolds: radii that vary, at most --radius: a file with a cone a line, apex, radius, "
+          "slope; on submanifolds also curvature:K,NU, K divided by the curvature with Lipschitz constant NU")
+      ->type_name("FILE");
   command.add_option("--seed", seed, "Seed of all random choices (default 0)")->type_name("INTEGER");
 }
 
@@ -64,6 +70,24 @@ void NetSource::require_radius(const char* sources) const {
   if (*radius <= Rational(0)) throw InputError("--radius " + exact_text(*radius) + " is not above 0");
 }
 
+void NetSource::require_radius_or_file(const char* manifolds) const {
+  if (lattice || icosphere_frequency || relaxation_steps > 0)
+    throw InputError(std::string("--lattice, --icosphere and --relax are not for ") + manifolds +
+                     ": give --radius or --points");
+  require_radius("--radius, or with it --points");
+}
+
+void NetSource::refuse_sizing() const {
+  if (!sizing.text.empty()) throw InputError("--sizing is for flat tori and submanifolds");
+}
+
+template <int m>
+std::optional<TorusSizing<m>> NetSource::torus_sizing(const FlatSpace<m>& space) const {
+  if (sizing.text.empty()) return std::nullopt;
+  require_radius("--radius, the greatest that --sizing is to have");
+  return delcert::torus_sizing<m>(sizing, space, approximate_double(*radius));
+}
+
 template <int m>
 std::vector<Vector<Rational, m>> NetSource::points(const FlatSpace<m>& space, const Progress& progress) const {
   if (icosphere_frequency) throw InputError("--icosphere is for the manifold sphere-2");
@@ -71,12 +95,14 @@ std::vector<Vector<Rational, m>> NetSource::points(const FlatSpace<m>& space, co
   if (!points_file.empty()) return points_of_file<m>(points_file);
   if (lattice) return lattice_net<m>(space, LatticeNet{*lattice, centred, displacement_exponent, seed});
   require_radius("--radius, --lattice or --points");
+  if (const auto radii = torus_sizing<m>(space)) return poisson_disk_net<m>(space, *radii, seed, progress);
   return poisson_disk_net<m>(space, *radius, seed, progress);
 }
 
 template <int m>
 std::pair<std::vector<Vector<Rational, m>>, Rational> NetSource::net_of(const SpaceForm& form,
                                                                         const Progress& progress) const {
+  refuse_sizing();
   if (lattice) throw InputError("--lattice is for tori and balls; on a space form give --radius or --points");
   SpaceFormNet<m> net;
   if (icosphere_frequency) {
@@ -109,28 +135,68 @@ std::pair<std::vector<Vector<Rational, m>>, Rational> NetSource::net_of(const Sp
 
 template <int m>
 std::vector<Vector<Rational, m>> NetSource::centres(const MetricField<m>& field, const Progress& progress) const {
-  if (lattice || icosphere_frequency || relaxation_steps > 0)
-    throw InputError("--lattice, --icosphere and --relax are not for metric fields: give --radius or --points");
-  require_radius("--radius, or with it --points");
+  refuse_sizing();
+  require_radius_or_file("metric fields");
   if (!points_file.empty()) return points_of_file<m>(points_file);
   return metric_field_net<m>(field, *radius, seed, progress).centres;
 }
 
 template <int m>
-SubmanifoldNet<m> NetSource::charts(const ZeroSet& zero_set, const Progress& progress) const {
-  if (lattice || icosphere_frequency || relaxation_steps > 0)
-    throw InputError("--lattice, --icosphere and --relax are not for submanifolds: give --radius or --points");
-  require_radius("--radius, or with it --points");
-  if (points_file.empty()) return submanifold_net<m>(zero_set, *radius, seed, progress);
-  SubmanifoldNet<m> result;
-  result.centres = read_points(points_file, Dimension(static_cast<int>(zero_set.ambient())));
-  result.charts = fit_charts(zero_set, result.centres, *radius, progress);
-  result.parts = require_cover(zero_set, result.charts.charts, progress);
+std::vector<NetPlace<m>> NetSource::places(const ChartGluing& gluing, const Progress& progress) const {
+  refuse_sizing();
+  require_radius_or_file("atlases");
+  if (points_file.empty()) return atlas_net<m>(gluing, *radius, seed, progress).places;
+  std::vector<NetPlace<m>> result;
+  for (const auto& line : read_points(points_file, Dimension(m + 1))) {
+    std::size_t chart = 0;
+    while (chart < gluing.chart_count() && line[0] != Rational(Integer(chart))) ++chart;
+    if (chart == gluing.chart_count())
+      throw InputError(points_file + ": point " + std::to_string(result.size()) + ": no chart has the number " +
+                       exact_text(line[0]));
+    result.push_back({chart, {}});
+    std::copy(line.begin() + 1, line.end(), result.back().x.begin());
+  }
   return result;
 }
 
-template SubmanifoldNet<2> NetSource::charts<2>(const ZeroSet&, const Progress&) const;
-template SubmanifoldNet<3> NetSource::charts<3>(const ZeroSet&, const Progress&) const;
+template std::vector<NetPlace<2>> NetSource::places<2>(const ChartGluing&, const Progress&) const;
+template std::vector<NetPlace<3>> NetSource::places<3>(const ChartGluing&, const Progress&) const;
+
+template <int m>
+std::unique_ptr<SubmanifoldSampling<m>> NetSource::sampling(const EmbeddedManifold& embedded,
+                                                            const Progress& progress) const {
+  require_radius_or_file("submanifolds");
+  if (!points_file.empty()) return nullptr;
+  Sizing e = sizing_of(sizing, embedded, approximate_double(*radius), seed, progress);
+  return std::make_unique<SubmanifoldSampling<m>>(embedded, *radius, std::move(e), seed);
+}
+
+template <int m>
+SubmanifoldNet<m> NetSource::charts(const EmbeddedManifold& embedded, const Progress& progress) const {
+  SubmanifoldNet<m> result;
+  result.centres = read_points(points_file, Dimension(static_cast<int>(embedded.ambient())));
+  result.radii = *radius;
+  if (!sizing.text.empty()) {
+    const Sizing e = sizing_of(sizing, embedded, approximate_double(*radius), seed, progress);
+    std::vector<double> radii;
+    for (const auto& centre : result.centres) {
+      std::vector<double> x;
+      for (const Rational& coordinate : centre) x.push_back(approximate_double(coordinate));
+      radii.push_back(e.at(x.data()));
+    }
+    result.radii = SamplingRadii(radii);
+  }
+  result.charts = embedded.fit_charts(result.centres, result.radii, progress);
+  result.parts = require_cover(embedded, result.charts.charts, progress);
+  return result;
+}
+
+template std::unique_ptr<SubmanifoldSampling<1>> NetSource::sampling<1>(const EmbeddedManifold&, const Progress&) const;
+template std::unique_ptr<SubmanifoldSampling<2>> NetSource::sampling<2>(const EmbeddedManifold&, const Progress&) const;
+template std::unique_ptr<SubmanifoldSampling<3>> NetSource::sampling<3>(const EmbeddedManifold&, const Progress&) const;
+template SubmanifoldNet<1> NetSource::charts<1>(const EmbeddedManifold&, const Progress&) const;
+template SubmanifoldNet<2> NetSource::charts<2>(const EmbeddedManifold&, const Progress&) const;
+template SubmanifoldNet<3> NetSource::charts<3>(const EmbeddedManifold&, const Progress&) const;
 template std::vector<Vector<Rational, 2>> NetSource::centres<2>(const MetricField<2>&, const Progress&) const;
 template std::vector<Vector<Rational, 3>> NetSource::centres<3>(const MetricField<3>&, const Progress&) const;
 template std::pair<std::vector<Vector<Rational, 2>>, Rational> NetSource::net_of<2>(const SpaceForm&,
@@ -138,7 +204,8 @@ template std::pair<std::vector<Vector<Rational, 2>>, Rational> NetSource::net_of
 template std::pair<std::vector<Vector<Rational, 3>>, Rational> NetSource::net_of<3>(const SpaceForm&,
                                                                                     const Progress&) const;
 
-#define DELCERT_INSTANTIATE(m) \
+#define DELCERT_INSTANTIATE(m)                                                                  \
+  template std::optional<TorusSizing<m>> NetSource::torus_sizing<m>(const FlatSpace<m>&) const; \
   template std::vector<Vector<Rational, m>> NetSource::points<m>(const FlatSpace<m>&, const Progress&) const;
 DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
 #undef DELCERT_INSTANTIATE

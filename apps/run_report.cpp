@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "apps/distortion_report.hpp"
@@ -28,6 +29,12 @@ std::string head_text(const RunReport& report) {
         fmt::format("metric       positive definite everywhere: eigenvalues ≥ {}, ≤ {}\n",
                     decimal_lower(report.metric->eigenvalues.lower), decimal_upper(report.metric->eigenvalues.upper));
   }
+  if (report.gluing) {
+    const auto& [charts, transitions, cells, distortion] = *report.gluing;
+    out += fmt::format(
+        "gluing       verified: {} charts, {} transitions; cocycles in {} cells, limits in {}, cores in {}\n", charts,
+        transitions, cells.cocycle_cells, cells.hausdorff_cells, cells.compact_cells);
+  }
   out += fmt::format("net          {} points, ε = {}, μ₀ = {}", report.points, exact_text(report.sampling_radius),
                      exact_text(algorithm.separation));
   out += report.patch_factor ? fmt::format(", patches of radius {} ε\n", *report.patch_factor) : "\n";
@@ -38,10 +45,24 @@ std::string head_text(const RunReport& report) {
     out += fmt::format("charts       ξ₀ ≤ {} of each other, κ ≤ {} of the metric, rounded by ≤ {}\n",
                        decimal_upper(charts.transition), decimal_upper(charts.metric), decimal_upper(charts.rounding));
   }
+  if (report.gluing)
+    out += fmt::format("charts       ξ₀ ≤ {} of each other\n", decimal_upper(report.gluing->distortion));
   if (report.graphs) {
     out += fmt::format("charts       slope ≤ {}, ξ₀ ≤ {} of each other; all of the manifold, in {} parts of the box\n",
                        decimal_upper(report.graphs->slope), decimal_upper(report.graphs->distortion),
                        report.graphs->cover_parts);
+  }
+  if (report.graphs && report.graphs->reach && report.graphs->reach->reach > 0) {
+    out += fmt::format("reach        ≥ {}: curvature ≤ {}, bottlenecks ≥ {} long\n",
+                       decimal_lower(Rational::exactly(report.graphs->reach->reach)),
+                       decimal_upper(Rational::exactly(report.graphs->reach->curvature)),
+                       decimal_lower(Rational::exactly(report.graphs->reach->bottleneck)));
+  }
+  if (report.radii) {
+    out += fmt::format(
+        "radii        {} to {}, ε₀ ≤ {} within {}; with the least everywhere there would be about {:.0f} points\n",
+        decimal_lower(report.radii->least), decimal_upper(report.sampling_radius),
+        decimal_upper(report.radii->variation), report.radii->reach, report.radii->points_uniformly);
   }
   return out;
 }
@@ -63,7 +84,10 @@ std::string perturbation_text(const RunReport& report) {
     out += fmt::format("at first {} stars not certified, {} not in agreement; ", report.first->failures,
                        report.first->disagreeing);
   }
-  return out + fmt::format("{} repair rounds, {} points placed anew\n", report.repair_rounds, report.repaired_points);
+  out += fmt::format("{} repair rounds, {} points placed anew\n", report.repair_rounds, report.repaired_points);
+  if (report.refinement_rounds > 0)
+    out += fmt::format("             {} rounds of refinement\n", report.refinement_rounds);
+  return out;
 }
 
 /// What was measured beyond the levels.
@@ -140,6 +164,7 @@ Json statistics_json(const RunReport& report) {
   }
   json["repair_rounds"] = report.repair_rounds;
   json["repaired_points"] = report.repaired_points;
+  if (report.refinement_rounds > 0) json["refinement_rounds"] = report.refinement_rounds;
   return json;
 }
 
@@ -153,10 +178,27 @@ Json measures_json(const RunReport& report) {
                       {"metric", upper_json(charts.metric)},
                       {"rounding", upper_json(charts.rounding)}};
   }
+  if (report.gluing) {
+    const GluingReport& cells = report.gluing->cells;
+    json["gluing"] = {{"charts", report.gluing->charts},      {"transitions", report.gluing->transitions},
+                      {"cocycle_cells", cells.cocycle_cells}, {"hausdorff_cells", cells.hausdorff_cells},
+                      {"compact_cells", cells.compact_cells}, {"distortion", upper_json(report.gluing->distortion)}};
+  }
+  if (report.radii) {
+    json["radii"] = {{"least", lower_json(report.radii->least, Margin::Unit::length, unit)},
+                     {"variation", upper_json(report.radii->variation)},
+                     {"points_with_the_least", std::llround(report.radii->points_uniformly)}};
+  }
   if (report.graphs) {
     json["graphs"] = {{"slope", upper_json(report.graphs->slope)},
                       {"distortion", upper_json(report.graphs->distortion)},
                       {"cover_parts", report.graphs->cover_parts}};
+    if (const auto& reach = report.graphs->reach; reach && reach->reach > 0) {
+      json["graphs"]["reach"] = {
+          {"least", lower_json(Rational::exactly(reach->reach), Margin::Unit::length, unit)},
+          {"curvature", upper_json(Rational::exactly(reach->curvature))},
+          {"bottleneck", lower_json(Rational::exactly(reach->bottleneck), Margin::Unit::length, unit)}};
+    }
     if (report.graphs->margin)
       json["graphs"]["isotopy_margin"] = lower_json(exactly(*report.graphs->margin), Margin::Unit::length, unit);
   }
@@ -189,6 +231,18 @@ Json measures_json(const RunReport& report) {
 }
 
 }  // namespace
+
+RunReport::Radii radii_report(const SamplingRadii& radii, const Rational& variation, Dimension dimension,
+                              std::string reach) {
+  const double least = radii.least_unit();
+  RunReport::Radii result{radii.greatest() * Rational::exactly(least), variation, std::move(reach), 0};
+  for (const double unit : radii.units()) {
+    double share = 1;
+    for (int k = 0; k < dimension.value; ++k) share *= unit / least;
+    result.points_uniformly += share;
+  }
+  return result;
+}
 
 std::string level_line(const Claims& claims, const std::string& level, const Rational& unit) {
   const auto within = [&unit](const Rational& length) { return decimal_upper(length / unit); };
@@ -257,8 +311,11 @@ std::string level_line(const Claims& claims, const std::string& level, const Rat
 }
 
 nlohmann::ordered_json levels_json(const Claims& claims, const Rational& sampling_radius) {
+  return levels_json(claimed_levels(claims), sampling_radius);
+}
+nlohmann::ordered_json levels_json(const std::vector<ClaimedLevel>& levels, const Rational& sampling_radius) {
   Json json = Json::object();
-  for (const ClaimedLevel& level : claimed_levels(claims)) {
+  for (const ClaimedLevel& level : levels) {
     Json& entries = json[level.name] = Json::object();
     for (const LevelEntry& entry : level.entries) {
       Json bounds = Json::array();

@@ -6,10 +6,12 @@
 #include <vector>
 
 #include "apps/stage_clock.hpp"
+#include "kernel/manifold/gluing/gluing_check.hpp"
 #include "kernel/manifold/input_check.hpp"
 #include "kernel/perturb/placement.hpp"
 #include "kernel/stars/stable_stars.hpp"
 #include "kernel/theorems/piecewise_flat.hpp"
+#include "kernel/theorems/reach_bound.hpp"
 #include "kernel/theorems/riemannian_simplices.hpp"
 #include "proofs/certificate/metric_field_claims.hpp"
 #include "proofs/certificate/run_parameters.hpp"
@@ -31,13 +33,28 @@ struct RunReport {
     EigenvalueBounds eigenvalues;
     ChartDistortion distortion;
   };
+  /// Of an atlas by formulas.
+  struct Gluing {
+    std::size_t charts = 0;
+    std::size_t transitions = 0;
+    GluingReport cells;
+    Rational distortion;  ///< of the transitions, an upper bound
+  };
   /// Of a submanifold.
   struct Graphs {
     std::size_t ambient_dimension = 0;
-    Rational slope;                 ///< of the manifold in its charts, an upper bound
-    Rational distortion;            ///< of the transitions, an upper bound
-    std::uint64_t cover_parts = 0;  ///< of the box, to show that the charts are all of it
-    std::optional<double> margin;   ///< of level 5i, a lower bound; once level 5 is reached
+    Rational slope;                   ///< of the manifold in its charts, an upper bound
+    Rational distortion;              ///< of the transitions, an upper bound
+    std::uint64_t cover_parts = 0;    ///< of the box, to show that the charts are all of it
+    std::optional<double> margin;     ///< of level 5i, a lower bound; once level 5 is reached
+    std::optional<ReachBound> reach;  ///< of a zero set; once its complex has been looked at for level 4
+  };
+  /// Of sampling radii that vary.
+  struct Radii {
+    Rational least;
+    Rational variation;           ///< ε₀, an upper bound
+    std::string reach;            ///< of labels how far apart that is measured, for people
+    double points_uniformly = 0;  ///< about how many the least radius alone would need
   };
   /// Stars before any repair.
   struct FirstStars {
@@ -50,7 +67,9 @@ struct RunReport {
   Dimension dimension{0};
   std::optional<Group> group;
   std::optional<Metric> metric;
+  std::optional<Gluing> gluing;
   std::optional<Graphs> graphs;
+  std::optional<Radii> radii;
   RunParameters parameters;
   Rational sampling_radius;
   std::optional<int> patch_factor;  ///< the radius of patches, in sampling radii
@@ -60,6 +79,7 @@ struct RunReport {
   PerturbationStatistics statistics;
   std::optional<FirstStars> first;
   int repair_rounds = 0;
+  int refinement_rounds = 0;
   std::size_t repaired_points = 0;
   Claims claims;
   std::vector<std::string> reasons;  ///< for levels that were asked for and not reached
@@ -80,10 +100,16 @@ struct RunReport {
   }
 };
 
+/// Precondition: these radii vary.
+[[nodiscard]] RunReport::Radii radii_report(const SamplingRadii& radii, const Rational& variation, Dimension dimension,
+                                            std::string reach);
+
 /// What is said of a level that is claimed; lengths in this unit, the sampling radius.
 [[nodiscard]] std::string level_line(const Claims& claims, const std::string& level, const Rational& unit);
 /// All levels, by their names: the entries of the certificate, with every bound in full.
 [[nodiscard]] nlohmann::ordered_json levels_json(const Claims& claims, const Rational& sampling_radius);
+[[nodiscard]] nlohmann::ordered_json levels_json(const std::vector<ClaimedLevel>& levels,
+                                                 const Rational& sampling_radius);
 
 /// A page of text. Decimal figures in it are rounded in the safe direction and marked by ≥ or ≤.
 [[nodiscard]] std::string report_text(const RunReport& report);

@@ -1,9 +1,6 @@
-#include <fmt/format.h>
-
 #include "apps/chart_family.hpp"
-#include "apps/report_parts.hpp"
+#include "kernel/manifold/submanifold_file.hpp"
 #include "kernel/sample/separation.hpp"
-#include "kernel/topology/abelian_group.hpp"
 #include "proofs/certificate/content.hpp"
 #include "proofs/certificate/submanifold_claims.hpp"
 #include "support/error.hpp"
@@ -19,20 +16,24 @@ class SubmanifoldFamily final : public ChartFamily<m, SubmanifoldAtlas<m>> {
   using Family::report;
 
   explicit SubmanifoldFamily(const SubmanifoldDescription& manifold)
-      : ChartFamily<m, SubmanifoldAtlas<m>>(false), zero_set_(manifold) {
+      : ChartFamily<m, SubmanifoldAtlas<m>>(false), manifold_(embedded_manifold(manifold)) {
     report.manifold = manifold.name;
     report.family = "submanifold";
     report.dimension = Dimension(m);
     report.graphs.emplace();
-    report.graphs->ambient_dimension = zero_set_.ambient();
+    report.graphs->ambient_dimension = manifold_->ambient();
   }
 
   void make_net(const NetSource& source, const Progress& progress) override {
-    SubmanifoldNet<m> net = source.charts<m>(zero_set_, progress);
-    report.graphs->slope = net.charts.slope;
-    report.graphs->distortion = distortion_of_slope(net.charts.slope);
-    report.graphs->cover_parts = net.parts;
-    this->take_atlas(SubmanifoldAtlas<m>(zero_set_, std::move(net.charts), *source.radius, progress));
+    this->run_.reset();
+    failed_.clear();
+    if (!sampling_) sampling_ = source.sampling<m>(*manifold_, progress);
+    try {
+      take_net(sampling_ ? sampling_->complete(progress) : source.charts<m>(*manifold_, progress), progress);
+    } catch (const TooCoarse& error) {
+      failed_ = error.places;
+      throw;
+    }
     report.patch_factor = this->atlas_->patch_factor();
     report.parameters.algorithm.separation = measure_separation<m>(*this->atlas_);
   }
@@ -57,8 +58,26 @@ class SubmanifoldFamily final : public ChartFamily<m, SubmanifoldAtlas<m>> {
     const SubmanifoldMeasures<m> measures = measure_submanifold<m>(*this->atlas_, run, geometry(), selection, progress);
     report.claims = derive_claims<m>(*this->atlas_, report.parameters, run, measures, selection, report.reasons);
     report.stability = measures.stability;
+    report.graphs->reach = measures.reach;
+    for (const auto& failure : measures.triangulation.failures) {
+      for (const std::uint32_t label : failure.simplex) failed_.push_back(place_of(Label(label)));
+    }
+    if (selects(selection, "5i")) {
+      for (const Label label : measures.triangulation.crowded) failed_.push_back(place_of(label));
+    }
     if (measures.triangulation.triangulates()) report.graphs->margin = measures.triangulation.margin;
-    require_homology();
+    this->require_homology(manifold_->homology());
+  }
+
+  [[nodiscard]] bool refine() override {
+    if (!sampling_) return false;
+    if (this->run_ && !this->run_->is_certified()) {
+      for (const Label label : this->run_->agreement.labels) failed_.push_back(place_of(label));
+      for (const StarFailure& failure : this->run_->star_failures) failed_.push_back(place_of(failure.label));
+    }
+    if (failed_.empty()) return false;
+    sampling_->refine(failed_);
+    return true;
   }
 
   void write(const std::string& path, const Progress& progress) const override {
@@ -66,25 +85,32 @@ class SubmanifoldFamily final : public ChartFamily<m, SubmanifoldAtlas<m>> {
   }
 
  private:
-  [[nodiscard]] ModelGeometry geometry() const override { return geometry_of<m>(*this->atlas_); }
-
-  /// What the file says of the homology is so.
-  void require_homology() const {
-    const std::vector<std::string>& said = zero_set_.description().homology;
-    if (said.empty() || !report.claims.manifold) return;
-    const std::vector<std::string> found = homology_texts(*report.claims.manifold);
-    if (found != said) {
-      throw Rejection(fmt::format("the homology is {}, and not {} as the file says", fmt::join(found, ", "),
-                                  fmt::join(said, ", ")));
-    }
+  void take_net(SubmanifoldNet<m> net, const Progress& progress) {
+    report.graphs->slope = net.charts.slope;
+    report.graphs->distortion = distortion_of_slope(net.charts.slope);
+    report.graphs->cover_parts = net.parts;
+    report.radii.reset();
+    if (net.radii.vary())
+      report.radii = radii_report(net.radii, radius_variation(net.charts.charts, net.radii), Dimension(m), "6 ε_i");
+    this->take_atlas(SubmanifoldAtlas<m>(manifold_, std::move(net.charts), std::move(net.radii), progress));
+  }
+  [[nodiscard]] std::vector<double> place_of(Label i) const {
+    std::vector<double> result;
+    for (const Rational& x : this->atlas_->chart(i).data().centre) result.push_back(approximate_double(x));
+    return result;
   }
 
-  ZeroSet zero_set_;
+  [[nodiscard]] ModelGeometry geometry() const override { return geometry_of<m>(*this->atlas_); }
+
+  std::shared_ptr<const EmbeddedManifold> manifold_;
+  std::unique_ptr<SubmanifoldSampling<m>> sampling_;  // none for points that are given
+  std::vector<std::vector<double>> failed_;           // where radii are too large
 };
 
 }  // namespace
 
 std::unique_ptr<Family> family_of(const SubmanifoldDescription& manifold) {
+  if (manifold.dimension == Dimension(1)) return std::make_unique<SubmanifoldFamily<1>>(manifold);
   if (manifold.dimension == Dimension(2)) return std::make_unique<SubmanifoldFamily<2>>(manifold);
   return std::make_unique<SubmanifoldFamily<3>>(manifold);
 }

@@ -44,7 +44,7 @@ void add_tables(CLI::App& program, Action& chosen) {
       "tables", "Print the constants of the lemmas: the paper's, provable by the same proof, shown necessary");
   command->add_option("--slack", options->slack, "What delcert prove --all --slack --json has printed (default: none)");
   command->add_option("--ratios", options->ratios, "What delcert tighten --all --json has printed (default: none)");
-  command->add_flag("--latex", options->latex, "Print a LaTeX table (default: Markdown)");
+  command->add_flag("--latex", options->latex, "Print a LaTeX table, longtable and booktabs (default: Markdown)");
   command->footer(
       "Examples:\n"
       "  delcert prove --all --slack --json > docs/tables/slack.json\n"

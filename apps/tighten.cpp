@@ -12,10 +12,12 @@
 #include "apps/commands.hpp"
 #include "apps/interruption.hpp"
 #include "apps/progress_line.hpp"
+#include "proofs/publication/latex_table.hpp"
 #include "properties/attack/search_plan.hpp"
 #include "properties/attack/twins.hpp"
 #include "support/atomic_file.hpp"
 #include "support/error.hpp"
+#include "support/latex_text.hpp"
 
 namespace delcert {
 
@@ -29,6 +31,7 @@ struct TightenOptions {
   std::string log;
   std::string witnesses;
   bool json = false;
+  bool latex = false;
 };
 
 const std::string& conclusion_of(const SearchTarget& target) {
@@ -59,6 +62,19 @@ void print_table(const std::vector<SearchTarget>& targets, const std::vector<std
                              text_of(targets[at].shape), found ? ratio_text(found->ratio) : "–",
                              found ? found->evaluations : 0, found ? note_of(*found) : "no instance with a ratio");
   }
+}
+
+void print_latex(const std::vector<SearchTarget>& targets, const std::vector<std::optional<Tightest>>& results) {
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t at = 0; at < targets.size(); ++at) {
+    const auto& found = results[at];
+    rows.push_back({latex_label(targets[at].claim.name + " / " + conclusion_of(targets[at])),
+                    latex_text(text_of(targets[at].shape)), latex_text(found ? ratio_text(found->ratio) : "–"),
+                    std::to_string(found ? found->evaluations : 0),
+                    found ? note_of(*found) : "no instance with a ratio"});
+  }
+  std::cout << latex_table(
+      {{"claim / conclusion", 116}, {"shape", 44}, {"worst ratio found", 60}, {"evaluations", 44}, {"", 57}}, rows);
 }
 
 void print_json(const std::vector<SearchTarget>& targets, const std::vector<std::optional<Tightest>>& results) {
@@ -116,7 +132,11 @@ ExitStatus run_tighten(const TightenOptions& options) {
     refuted = refuted || is_refuted(results[at]->verdict);
     if (!options.witnesses.empty()) write_witness(plan.targets[at], *results[at], options.witnesses);
   }
-  options.json ? print_json(plan.targets, results) : print_table(plan.targets, results);
+  if (options.latex) {
+    print_latex(plan.targets, results);
+  } else {
+    options.json ? print_json(plan.targets, results) : print_table(plan.targets, results);
+  }
   return refuted ? ExitStatus::rejected : ExitStatus::verified;
 }
 
@@ -134,7 +154,8 @@ void add_tighten(CLI::App& program, Action& chosen) {
   command->add_option("--log", options->log,
                       "JSON lines, one for each finished search; the same command goes on from there");
   command->add_option("--witnesses", options->witnesses, "Folder for witness files of the worst instances");
-  command->add_flag("--json", options->json, "Print JSON");
+  CLI::Option* json = command->add_flag("--json", options->json, "Print JSON");
+  command->add_flag("--latex", options->latex, "Print the table in LaTeX (longtable, booktabs)")->excludes(json);
   command->footer(
       "The ratio is that of the smaller side to the larger one as the conclusion has them, certified; above 1 the\n"
       "conclusion is refuted (exit status 1).\n\n"

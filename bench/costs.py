@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """What runs cost: measures it, records it in bench/costs.json, and writes the tables of README.md and
-docs/performance.md, those of the members in docs/space-forms.md, and of zero sets in docs/submanifolds.md, between their marks, <!-- costs: NAME --> and
+docs/performance.md, those of the members in docs/space-forms.md, of zero sets in docs/submanifolds.md and of atlases in docs/atlases.md, between their marks, <!-- costs: NAME --> and
 <!-- costs: end -->.
 
-  bench/costs.py measure [--build build/release] [--long] [--members]   all of it, in less than ten minutes on two idle cores
+  bench/costs.py measure [--build build/release] [--long] [--members] [--only REGEX]   all of it, in less than ten minutes on two idle cores
   bench/costs.py render                                     the tables again from the record
   bench/costs.py check [--build build/release]              whether the tables are those of the record, and the record is
                                                             of these programs: the cheap runs are made again, and what
@@ -34,18 +34,20 @@ MARK = re.compile(r"(<!-- costs: (?!end)([a-z0-9-]+) -->\n).*?(<!-- costs: end -
 class Run:
     """A certified run that tables speak of."""
 
-    def __init__(self, manifold, radius, seed=0, threads=1, cheap=False, long=False, member=False):
+    def __init__(self, manifold, radius, seed=0, threads=1, cheap=False, long=False, member=False, options=()):
         self.manifold, self.radius, self.seed, self.threads = manifold, radius, seed, threads
-        self.cheap, self.long, self.member = cheap, long, member
-        self.is_flat = re.match("torus-[0-9]", manifold) is not None
-        self.name = f"{manifold} {radius} seed {seed} threads {threads}" + (" member" if member else "")
+        self.cheap, self.long, self.member, self.options = cheap, long, member, list(options)
+        self.is_flat = re.match("torus-[0-9](-skewed)?$", manifold) is not None
+        self.name = " ".join([f"{manifold} {radius} seed {seed} threads {threads}", *options] + ["member"] * member)
 
     def certify(self, program, output):
         command = [program, "certify", "--manifold", self.manifold, "--radius", self.radius, "--seed", str(self.seed)]
-        return command + ["--json", "--threads", str(self.threads), "--output", output]
+        return command + [*self.options, "--json", "--threads", str(self.threads), "--output", output]
 
     def is_due(self, arguments, record):
         """Whether this time it is measured."""
+        if arguments.only:
+            return re.search(arguments.only, self.name) is not None
         asked = arguments.long if self.long else arguments.members if self.member else True
         return asked or (self.cheap and self.name not in record["runs"])
 
@@ -74,8 +76,17 @@ ZERO_SETS = [Run(manifold, radius, 1, 2, cheap=manifold == "two-spheres")
              for manifold, radius in [("torus-of-revolution", "3/20"), ("torus-of-revolution", "1/10"),
                                       ("torus-of-revolution", "1/20"), ("ellipsoid", "1/10"), ("ellipsoid", "1/16"),
                                       ("two-spheres", "1/17"), ("clifford-torus", "1/20")]]
+ZERO_SETS += [Run("trefoil", "1/26", 1, 2)]
 ZERO_SETS += [Run("sphere-3-in-r4", "1/11", 1, 2, long=True)]
-ALL = {run.name: run for run in TORI + FORMS + SIZES + sum(THREADS, []) + MEMBERS + ZERO_SETS}
+# Radii that vary.
+ZERO_SETS += [Run("ellipsoid", "1", 1, 2, cheap=True, options=("--sizing", "curvature:3/20,1/10")),
+              Run("tanglecube", "1", 1, 2, options=("--sizing", "curvature:1/10,1/10")),
+              Run("genus-2", "1/4", 1, 2, long=True, options=("--sizing", "curvature:1/10,1/10", "--refine", "3"))]
+ATLASES = [Run(manifold, radius, 1, 2, cheap=True)
+           for manifold, radius in [("klein-bottle-rectangles", "1/30"), ("projective-plane-by-charts", "1/10"),
+                                    ("projective-plane-by-charts", "1/16"), ("sphere-2-stereographic", "1/8"),
+                                    ("sphere-2-stereographic", "1/16"), ("torus-2-bent", "1/40"), ("torus-2-by-charts", "1/30")]]
+ALL = {run.name: run for run in TORI + FORMS + SIZES + sum(THREADS, []) + MEMBERS + ZERO_SETS + ATLASES}
 BENCHES = {"ratios": ["ratios", "3"],
            "claims": ["claims", "--benchmark_filter=^(thickness-and-singular-value|crude-circumradius-bound).*k=3,m=3",
                       "--benchmark_min_time=0.5", "--benchmark_format=json"],
@@ -114,7 +125,7 @@ def timed(command):
 def of_zero_set(report):
     """What a table says of a submanifold besides: margins of levels, in sampling radii where they are lengths."""
     levels = report["levels"]
-    if "5" not in levels or "contraction" not in levels["5"]:
+    if report["manifold"]["family"] != "submanifold" or "5" not in levels:
         return {}
     five, isotopy, metric = levels["5"], levels.get("5i"), levels.get("6")
     return {"zero set": {"contraction": five["contraction"]["value"],
@@ -122,7 +133,19 @@ def of_zero_set(report):
                          "isotopy": isotopy and isotopy["margin"]["in_sampling_radii"],
                          "delaunay": levels.get("4", {}).get("metric"),
                          "normal": metric and metric["normal"]["value"],
-                         "homology": levels["2"]["homology"]}}
+                         "homology": levels["2"]["homology"],
+                         "uniformly": report["measures"].get("radii", {}).get("points_with_the_least")}}
+
+
+def of_atlas(report):
+    """The same of an atlas by formulas."""
+    if report["manifold"]["family"] != "atlas":
+        return {}
+    one, five = report["levels"]["1"], report["levels"].get("5")
+    return {"atlas": {"protection": one["protection"]["in_sampling_radii"], "thickness": one["thickness"]["value"],
+                      "displacement": five and five["displacement"]["in_sampling_radii"],
+                      "contraction": five and five["contraction"]["value"],
+                      "homology": report["levels"]["2"]["homology"]}}
 
 
 def counts(report, certificate, check):
@@ -134,7 +157,7 @@ def counts(report, certificate, check):
             "levels": [str(level["level"]) if isinstance(level, dict) else level for level in report["levels"]],
             "decisions": {stage["stage"]: sum(stage["decisions"].values()) for stage in report["stages"]
                           if sum(stage["decisions"].values()) > 0},
-            **of_zero_set(report),
+            **of_zero_set(report), **of_atlas(report),
             "content": hashlib.sha256(content.encode()).hexdigest(),
             "check": {"levels": [level["level"] for level in check["levels"]], "decisions": check["decisions"]}}
 
@@ -234,7 +257,7 @@ def measure_all(arguments, record, file):
     for name, run in ALL.items():
         if name in record["runs"] and run.is_due(arguments, record):
             record["runs"][name]["programs"] = identity
-    for name, command in BENCHES.items():
+    for name, command in ({} if arguments.only else BENCHES).items():
         program = arguments.build / "bench" / command[0]
         if not program.exists():
             print(f"{name}: bench/{command[0]} has not been built, its table stays", flush=True)
@@ -386,7 +409,9 @@ class Tables:
             if one and "zero set" in one["counts"]:
                 counted = one["counts"]
                 found = counted["zero set"]
-                rows.append([run.manifold + self.mark(run), run.radius, thousands(counted["points"]),
+                radius = " ".join([run.radius, *(option for option in run.options if not option.startswith("--"))])
+                rows.append([run.manifold + self.mark(run), radius, thousands(counted["points"]),
+                             thousands(found["uniformly"]) if found.get("uniformly") else "–",
                              thousands(counted["simplices"]), " ".join(counted["levels"]),
                              decimals(found["contraction"], 3, math.ceil), decimals(found["displacement"], 3, math.ceil),
                              decimals(found["isotopy"], 3, math.floor) if found["isotopy"] else "–",
@@ -394,8 +419,23 @@ class Tables:
                              decimals(found["normal"], 3, math.ceil) if found["normal"] else "–",
                              ", ".join(found["homology"]), f"{one['certify']['wall']:.1f}", f"{one['check']['user']:.1f}",
                              f"{max(one['certify']['mib'], one['check']['mib']):.0f}"])
-        return self.table("| manifold | ε | points | simplices | levels | γ ≤ | ω/ε ≤ | 5i/ε ≥ | level 4 | normal ≤ | homology | certify, s | check, s | MiB |",
-                          "|---|---|--:|--:|---|--:|--:|--:|---|--:|---|--:|--:|--:|", rows)
+        return self.table("| manifold | ε, sizing, refinements | points | uniformly | simplices | levels | γ ≤ | ω/ε ≤ | 5i/ε ≥ | level 4 | normal ≤ | homology | certify, s | check, s | MiB |",
+                          "|---|---|--:|--:|--:|---|--:|--:|--:|---|--:|---|--:|--:|--:|", rows)
+
+    def atlases(self):
+        rows = []
+        for run in ATLASES:
+            one = self.of(run)
+            if one:
+                counted, found = one["counts"], one["counts"]["atlas"]
+                rows.append([run.manifold + self.mark(run), run.radius, thousands(counted["points"]), thousands(counted["simplices"]),
+                             " ".join(counted["levels"]), decimals(found["protection"], 4, math.floor),
+                             decimals(found["thickness"], 3, math.floor),
+                             decimals(found["displacement"], 3, math.ceil) if found["displacement"] else "–",
+                             decimals(found["contraction"], 3, math.ceil) if found["contraction"] else "–",
+                             ", ".join(found["homology"]), f"{one['certify']['wall']:.1f}", f"{one['check']['user']:.1f}"])
+        return self.table("| atlas | ε | points | simplices | levels | δ/ε ≥ | thickness ≥ | λ/ε ≤ | γ ≤ | homology | certify, s | check, s |",
+                          "|---|---|--:|--:|---|--:|--:|--:|--:|---|--:|--:|", rows)
 
     def sizes(self):
         rows = []
@@ -445,7 +485,7 @@ class Tables:
                   "checks-of-tori": self.checks_of_tori(), "checks-by-levels": self.checks_by_levels(),
                   "sizes": self.sizes(), "threads": self.threads(), "members": self.members(),
                   "members-costs": self.costs_of_members(), "members-hinges": self.hinges(),
-                  "zero-sets": self.zero_sets()}
+                  "zero-sets": self.zero_sets(), "atlases": self.atlases()}
         for name, text in self.record["benches"].items():
             result[name] = self.claims() if name == "claims" else text
             if name == "claims":
@@ -459,7 +499,8 @@ def rendered(text, tables):
 
 
 def pages(root):
-    return [root / "README.md", root / "docs/performance.md", root / "docs/space-forms.md", root / "docs/submanifolds.md"]
+    return [root / "README.md", root / "docs/performance.md", root / "docs/space-forms.md", root / "docs/submanifolds.md",
+            root / "docs/atlases.md"]
 
 
 def render(root, record):
@@ -506,6 +547,7 @@ def main():
     parser.add_argument("--build", type=Path, default=ROOT / "build/release")
     parser.add_argument("--long", action="store_true")
     parser.add_argument("--members", action="store_true")
+    parser.add_argument("--only", metavar="REGEX", help="measure the runs whose names this finds, and nothing else")
     parser.add_argument("--root", type=Path, default=ROOT, help="where the pages and the record are")
     arguments = parser.parse_args()
     file = arguments.root / "bench/costs.json"

@@ -31,3 +31,20 @@ const std::vector<@type@>& @function@() {
 ]])
   target_sources(${target} PRIVATE ${generated})
 endfunction()
+
+# A text file becomes `std::string_view function()` of a library, which `header` declares.
+function(delcert_embed_text target file header function)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${file})
+  file(READ ${PROJECT_SOURCE_DIR}/${file} text)
+  set(generated ${PROJECT_BINARY_DIR}/generated/${function}.cpp)
+  file(CONFIGURE OUTPUT ${generated} @ONLY CONTENT [[
+#include "@header@"
+
+namespace delcert {
+
+std::string_view @function@() { return R"embedded(@text@)embedded"; }
+
+}  // namespace delcert
+]])
+  target_sources(${target} PRIVATE ${generated})
+endfunction()

@@ -1,6 +1,7 @@
 # cmake --install: the programs, the libraries with their headers, the manifolds and claims of the examples, the
 # docs, and what find_package(delcert) reads.
 include(CMakePackageConfigHelpers)
+include(CheckerInstall)
 set(DELCERT_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/delcert)
 
 set_target_properties(delcert_rigour PROPERTIES EXPORT_NAME rigour)
@@ -9,29 +10,44 @@ set_target_properties(delcert_kernel PROPERTIES EXPORT_NAME kernel)
 set_target_properties(delcert_proofs PROPERTIES EXPORT_NAME proofs)
 set_target_properties(delcert_properties PROPERTIES EXPORT_NAME properties)
 install(TARGETS delcert_rigour delcert_support delcert_kernel delcert_proofs delcert_properties EXPORT delcert
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(TARGETS delcert delcert-check RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+install(TARGETS delcert RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT delcert)
 # ./run does not build it: a folder where it has not been built is installed without it.
-install(TARGETS delcert-replay RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} OPTIONAL)
+install(TARGETS delcert-replay RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT delcert OPTIONAL)
 
 # Below include/delcert/, so that consumers write the same includes as we do.
 foreach(folder support kernel proofs/constants proofs/certificate proofs/formula proofs/prover properties/instances properties/attack)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/delcert/${folder}
-    FILES_MATCHING PATTERN "*.hpp")
+    COMPONENT development FILES_MATCHING PATTERN "*.hpp")
 endforeach()
-install(FILES ${PROJECT_BINARY_DIR}/generated/delcert_version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/delcert)
+install(FILES ${PROJECT_BINARY_DIR}/generated/delcert_version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/delcert
+  COMPONENT development)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/manifolds ${PROJECT_SOURCE_DIR}/examples/claims ${PROJECT_SOURCE_DIR}/examples/complexes
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/delcert)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR})
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/delcert COMPONENT delcert)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT delcert)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
-  ${PROJECT_SOURCE_DIR}/CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+  ${PROJECT_SOURCE_DIR}/CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT delcert)
+install(FILES ${PROJECT_SOURCE_DIR}/cmake/completions/delcert DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+  COMPONENT delcert)
+install(FILES ${PROJECT_SOURCE_DIR}/cmake/completions/_delcert DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions
+  COMPONENT delcert)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT delcert OPTIONAL
+  FILES_MATCHING PATTERN "delcert.1" PATTERN "delcert-*.1" PATTERN "delcert-check.1" EXCLUDE)
 
-install(EXPORT delcert NAMESPACE delcert:: FILE delcertTargets.cmake DESTINATION ${DELCERT_PACKAGE_DIR})
+install(EXPORT delcert NAMESPACE delcert:: FILE delcertTargets.cmake DESTINATION ${DELCERT_PACKAGE_DIR} COMPONENT development)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/delcertConfig.cmake.in
   ${PROJECT_BINARY_DIR}/generated/delcertConfig.cmake INSTALL_DESTINATION ${DELCERT_PACKAGE_DIR})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/generated/delcertConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/generated/delcertConfig.cmake
   ${PROJECT_BINARY_DIR}/generated/delcertConfigVersion.cmake ${PROJECT_SOURCE_DIR}/cmake/Libraries.cmake
-  DESTINATION ${DELCERT_PACKAGE_DIR})
+  ${PROJECT_SOURCE_DIR}/cmake/CheckerLibraries.cmake
+  DESTINATION ${DELCERT_PACKAGE_DIR} COMPONENT development)
+
+foreach(subcommand attack bundle certify cite claims constants errata export figure formalise homology info manifolds prove report sample
+    tables tighten)
+  delcert_manual(delcert-${subcommand} delcert "delcert ${subcommand}" ${subcommand})
+endforeach()
+delcert_manual(delcert delcert "certified Delaunay triangulations of manifolds")
+include(Packages)

@@ -8,8 +8,11 @@ set(DELCERT_TWIN_EXEMPTIONS
   "support/progress" "the type of a callback without behaviour of its own"
   "support/toml" "the one include of toml++, tested through support/toml_reader"
   "kernel/chart/atlas" "an interface, tested through flat_atlas"
+  "kernel/manifold/submanifold/embedded_manifold" "an interface, tested through zero_set_evaluation and polyhedral_mesh"
+  "kernel/manifold/submanifold/triangle_mesh" "plain data, read and tested in kernel/manifold/mesh_file"
   "proofs/formula/builtin_claims" "a declaration of what is generated, read in tests/proofs/formula/claim_test.cpp"
   "proofs/errata/builtin_errata" "a declaration of what is generated, read in tests/proofs/errata/erratum_test.cpp"
+  "proofs/report/page_sources" "a declaration of what is generated, read in tests/proofs/report/page_test.cpp"
   "proofs/replay/builtin_steps" "a declaration of what is generated, read in tests/proofs/replay/stated_step_test.cpp"
   "proofs/replay/main" "the program itself, run in tests/cli/prove.cmake"
   "properties/instances/instance_classes" "the list of all classes, gone through in properties/instances/instance_class_test"
@@ -33,7 +36,7 @@ function(delcert_twin_complaints root exemptions result)
     set(on_change)
   endif()
   set(stems)
-  foreach(folder support kernel proofs/constants proofs/certificate proofs/formal proofs/formula proofs/prover proofs/replay proofs/errata proofs/tables
+  foreach(folder support kernel proofs/constants proofs/certificate proofs/drawing proofs/publication proofs/report proofs/formal proofs/formula proofs/prover proofs/replay proofs/errata proofs/tables
       properties/instances properties/attack)
     file(GLOB_RECURSE sources ${on_change} RELATIVE ${root} ${root}/${folder}/*.hpp ${root}/${folder}/*.cpp)
     file(GLOB_RECURSE tests ${on_change} RELATIVE ${root}/tests ${root}/tests/${folder}/*_test.cpp)

@@ -7,12 +7,28 @@ build=${root:?}/build/release
 
 say() { printf '%s\n' "$*" >&2; }
 
-# packages_for run | test: the packages needed for it, one a line. What the tests need includes what a run needs.
+# packages_for check | run | test | package: the packages needed for it, one a line. What a run needs includes what checking
+# needs, and what the tests need includes all. With `optional` those instead that a distribution need not have,
+# as what they hold may be in another package: their purpose ends with a question mark.
 packages_for() {
-  local purpose package what
+  local purposes=$1 wanted_purpose purpose package what mark=""
+  if [[ $1 == run || $1 == test ]]; then purposes="check run"; fi
+  if [[ $1 == test ]]; then purposes+=" test package"; fi
+  if [[ ${2:-} == optional ]]; then mark="?"; fi
   while read -r purpose package what; do
-    if [[ $purpose == run || $purpose == "$1" ]]; then echo "$package"; fi
+    for wanted_purpose in $purposes; do
+      if [[ $purpose == "$wanted_purpose$mark" ]]; then echo "$package"; fi
+    done
   done <"$root/cmake/debian-packages.txt"
+}
+
+# are_there PACKAGE…: those of them that are installed. Node.js of another source than Debian's comes with npm, and excludes
+# the package of that name.
+are_there() {
+  if [[ " $* " == *" npm "* ]] && command -v npm >/dev/null; then echo npm; fi
+  # The status of dpkg-query only says that some package is unknown, which is what is asked.
+  # shellcheck disable=SC2016
+  dpkg-query --show --showformat='${Package} ${db:Status-Status}\n' "$@" 2>/dev/null | sed -n 's/ installed$//p' || true
 }
 
 # Status 69: something that only the user can provide is missing.
@@ -27,23 +43,34 @@ stop_for_packages() {
   exit 69
 }
 
-# install_packages run | test
+# known_packages PACKAGE…: those of them that this distribution has.
+known_packages() {
+  local package
+  for package in "$@"; do
+    # Its status is 0 for a name that is only referred to, too.
+    if [[ -n $(apt-cache show "$package" 2>/dev/null) ]]; then echo "$package"; fi
+  done
+}
+
+# install_packages check | run | test | package
 install_packages() {
   [[ -z ${DELCERT_SKIP_PACKAGES:-} ]] || return 0
-  local -a wanted missing=() as_root=()
+  local -a wanted optional missing=() unsure=() as_root=()
   mapfile -t wanted < <(packages_for "$1")
+  mapfile -t optional < <(packages_for "$1" optional)
   if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
     stop_for_packages "This is not Debian or Ubuntu. Needed (under Debian's names):" "${wanted[@]}"
   fi
 
   local installed package
-  # The status of dpkg-query only says that some package is unknown, which is what is asked.
-  # shellcheck disable=SC2016
-  installed=$(dpkg-query --show --showformat='${Package} ${db:Status-Status}\n' "${wanted[@]}" 2>/dev/null || true)
-  for package in "${wanted[@]}"; do
-    grep -qxF "$package installed" <<<"$installed" || missing+=("$package")
-  done
-  ((${#missing[@]} > 0)) || return 0
+  installed=$(are_there "${wanted[@]}" "${optional[@]}")
+  for package in "${wanted[@]}"; do grep -qxF "$package" <<<"$installed" || missing+=("$package"); done
+  for package in "${optional[@]}"; do grep -qxF "$package" <<<"$installed" || unsure+=("$package"); done
+  if ((${#missing[@]} == 0)); then
+    mapfile -t missing < <(known_packages "${unsure[@]}")
+    ((${#missing[@]} > 0)) || return 0
+    unsure=()
+  fi
 
   if [[ $(id -u) != 0 ]]; then
     if command -v sudo >/dev/null && { [[ -t 0 ]] || sudo -n true 2>/dev/null; }; then
@@ -53,11 +80,15 @@ install_packages() {
     fi
   fi
 
-  say "Installing ${#missing[@]} packages: ${missing[*]}"
   local log=$root/build/packages.log
   mkdir -p "${log%/*}"
-  if ! "${as_root[@]}" apt-get -q update >"$log" 2>&1 ||
-    ! "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends \
+  if ! "${as_root[@]}" apt-get -q update >"$log" 2>&1; then
+    tail -n 20 "$log" >&2
+    stop_for_packages "apt-get failed (all of it in build/packages.log). Needed:" "${missing[@]}"
+  fi
+  mapfile -t -O ${#missing[@]} missing < <(known_packages "${unsure[@]}")
+  say "Installing ${#missing[@]} packages: ${missing[*]}"
+  if ! "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends \
       -o DPkg::Lock::Timeout=300 install "${missing[@]}" >>"$log" 2>&1 </dev/null; then
     tail -n 20 "$log" >&2
     stop_for_packages "apt-get failed (all of it in build/packages.log). Needed:" "${missing[@]}"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "kernel/chart/length_units.hpp"
 #include "kernel/simplex/dimensions.hpp"
 
 namespace delcert {
@@ -12,13 +13,36 @@ ChartView<m>::ChartView(const Atlas<m>& atlas, const PointSet<m>& points, const 
         const FilterGuard guard;
         return atlas.metric().template on<Filter>();
       }()) {
-  const FilterGuard guard;
-  Filter most(0);
-  for (std::uint32_t index = 0; index < points.size(); ++index) {
-    const auto offset = difference(points.enclosure(Label(index)), atlas.net().enclosure(Label(index)));
-    most = maximum(most, filter_metric_.squared_norm(offset));
+  std::vector<double> own;
+  {
+    const FilterGuard guard;
+    Filter most(0);
+    const Filter stretch = scalar_from<Filter>(Rational(1) + geometry.distortion);
+    for (std::uint32_t index = 0; index < points.size(); ++index) {
+      const auto offset = difference(points.enclosure(Label(index)), atlas.net().enclosure(Label(index)));
+      const Filter squared = filter_metric_.squared_norm(offset);
+      own.push_back((square_root(squared) * stretch).upper());
+      most = maximum(most, squared);
+    }
+    displacement_ = (square_root(most) * stretch).upper();
   }
-  displacement_ = (square_root(most) * scalar_from<Filter>(Rational(1) + geometry.distortion)).upper();
+  if (LengthUnits(atlas).vary()) find_near_displacements(own);
+}
+
+/// A point in the patch has its original within its own displacement and √(1 + L²) radii of the patch.
+template <int m>
+void ChartView<m>::find_near_displacements(const std::vector<double>& own) {
+  const double stretch = approximate_double(Rational(1) + geometry_.distortion) * (1 + 0x1p-20);
+  auto near = std::make_shared<std::vector<double>>();
+  std::vector<Sighting<m>> seen;
+  for (std::uint32_t index = 0; index < own.size(); ++index) {
+    const double patch = approximate_double(atlas_->sampling_radius(Label(index))) * geometry_.patch_factor;
+    atlas_->sightings(Label(index), stretch * (patch + displacement_), seen);
+    double most = own[index];
+    for (const Sighting<m>& other : seen) most = std::max(most, own[other.index]);
+    near->push_back(most);
+  }
+  near_displacement_ = std::move(near);
 }
 
 template <int m>
@@ -52,7 +76,7 @@ template <int m>
 double ChartView<m>::complete_radius_of_patch(Label chart) const {
   const double reach = reach_of(chart, 2 * geometry_.patch_factor);
   const FilterGuard guard;
-  const double result = (Filter::exactly(reach) - Filter::exactly(displacement_)).lower();
+  const double result = (Filter::exactly(reach) - Filter::exactly(displacement(chart))).lower();
   return result > 0 ? result : 0;
 }
 
@@ -78,7 +102,7 @@ std::optional<std::uint32_t> ChartView<m>::find(Label label) const {
 template <int m>
 double ChartView<m>::complete_radius(LocalCoordinates coordinates) const {
   const FilterGuard guard;
-  const Filter radius = Filter::exactly(reach_) - Filter::exactly(displacement_);
+  const Filter radius = Filter::exactly(reach_) - Filter::exactly(displacement(chart_));
   if (!is_proved(less(Filter(0), radius))) return 0;
   const Filter length = Filter::exactly(radius.lower());
   if (coordinates == LocalCoordinates::chart || geometry_.curvature == Curvature::zero) return length.lower();

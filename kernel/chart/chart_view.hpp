@@ -1,6 +1,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -30,7 +31,8 @@ enum class LocalCoordinates { chart, conformal };
 template <int m>
 class ChartView {
  public:
-  /// References are kept. Computes how far points are from their originals at most.
+  /// References are kept. Computes how far points are from their originals at most. Where sampling radii vary,
+  /// `Atlas::sightings` has to show what is beyond the patches too.
   ChartView(const Atlas<m>& atlas, const PointSet<m>& points, const ModelGeometry& geometry);
 
   /// Shows the chart of this label: every perturbed point whose original is within `reach` of p_i, in the order of
@@ -59,8 +61,10 @@ class ChartView {
   [[nodiscard]] double complete_radius(LocalCoordinates coordinates) const;
   /// The same in the chart of this label, were all of its patch in the view.
   [[nodiscard]] double complete_radius_of_patch(Label chart) const;
-  /// No point is farther than this from its original, in a chart.
-  [[nodiscard]] double displacement() const { return displacement_; }
+  /// No point that the chart of this label may show is farther than this from its original, in a chart.
+  [[nodiscard]] double displacement(Label chart) const {
+    return near_displacement_ ? (*near_displacement_)[chart.value] : displacement_;
+  }
 
   /// Precondition of this and the next: for S = Filter a `FilterGuard` is alive.
   [[nodiscard]] const Vector<Filter, m>& position(LocalCoordinates coordinates, std::size_t at) const {
@@ -85,13 +89,16 @@ class ChartView {
 
  private:
   const std::vector<Vector<Filter, m>>& conformal_positions() const;
+  void find_near_displacements(const std::vector<double>& own);
   [[nodiscard]] double reach_of(Label chart, int half_radii) const;
 
   const Atlas<m>* atlas_;
   const PointSet<m>* points_;
   ModelGeometry geometry_;
   MetricOn<Filter, m> filter_metric_;
-  double displacement_ = 0;
+  double displacement_ = 0;  // of all
+  /// By label, where sampling radii vary: of those that its chart may show.
+  std::shared_ptr<const std::vector<double>> near_displacement_;
   Label chart_{0};
   double reach_ = 0;
   std::vector<Sighting<m>> seen_;

@@ -4,30 +4,9 @@
 
 #include <stdexcept>
 
+#include "kernel/number/flint_rational.hpp"
+
 namespace delcert {
-
-namespace {
-
-/// A rational number of FLINT.
-class FlintRational {
- public:
-  FlintRational() { fmpq_init(value_); }
-  explicit FlintRational(const Rational& x) : FlintRational() { fmpq_set_mpq(value_, x.gmp()); }
-  FlintRational(const FlintRational& other) : FlintRational() { fmpq_set(value_, other.value_); }
-  FlintRational& operator=(const FlintRational&) = delete;
-  ~FlintRational() { fmpq_clear(value_); }
-  fmpq* raw() { return value_; }
-  [[nodiscard]] Rational rational() const {
-    Rational::Wrapped result;
-    fmpq_get_mpq(result.backend().data(), value_);
-    return Rational(std::move(result));
-  }
-
- private:
-  fmpq_t value_;
-};
-
-}  // namespace
 
 PolynomialRing::PolynomialRing(std::vector<std::string> names) : names_(std::move(names)) {
   // A ring of constants needs a variable all the same.

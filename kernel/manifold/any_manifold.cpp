@@ -9,7 +9,7 @@
 #include <system_error>
 #include <vector>
 
-#include "kernel/manifold/builtin_manifolds.hpp"
+#include "kernel/manifold/atlas_file.hpp"
 #include "kernel/manifold/metric_field_file.hpp"
 #include "kernel/manifold/space_form_file.hpp"
 #include "kernel/manifold/submanifold_file.hpp"
@@ -52,6 +52,7 @@ AnyManifold parsed_as_space_form(std::string_view text, const std::string& sourc
 AnyManifold parsed_as_metric_field(std::string_view text, const std::string& source) {
   return parse_metric_field(text, source);
 }
+AnyManifold parsed_as_atlas(std::string_view text, const std::string& source) { return parse_atlas(text, source); }
 AnyManifold parsed_as_submanifold(std::string_view text, const std::string& source) {
   return parse_submanifold(text, source);
 }
@@ -61,7 +62,7 @@ struct Family {
   Parse parse;
 };
 
-constexpr std::array<Family, 10> families{{{"flat-torus", parsed_as_flat},
+constexpr std::array<Family, 11> families{{{"flat-torus", parsed_as_flat},
                                            {"euclidean-ball", parsed_as_flat},
                                            {"space-form", parsed_as_space_form},
                                            {"sphere", parsed_as_space_form},
@@ -70,6 +71,7 @@ constexpr std::array<Family, 10> families{{{"flat-torus", parsed_as_flat},
                                            {"regular-polygon-surface", parsed_as_space_form},
                                            {"product-with-circle", parsed_as_space_form},
                                            {"metric-field", parsed_as_metric_field},
+                                           {"atlas", parsed_as_atlas},
                                            {"submanifold", parsed_as_submanifold}}};
 
 std::string listed(const std::vector<std::string_view>& names) {
@@ -116,24 +118,29 @@ AnyManifold read_any_manifold(const std::filesystem::path& path) {
   return parse_any_manifold(content_of(path), path.string());
 }
 
+std::array<BuiltinKind, 5> builtin_kinds() {
+  return {{{"flat", "flat manifolds", &builtin_manifolds()},
+           {"space form", "space forms", &builtin_space_forms()},
+           {"metric field", "metric fields", &builtin_metric_fields()},
+           {"atlas", "atlases", &builtin_atlases()},
+           {"submanifold", "submanifolds", &builtin_submanifolds()}}};
+}
+
 AnyManifold find_any_manifold(const std::string& name_or_path) {
   std::vector<std::string_view> all;
-  std::array<std::string, 4> names;
-  std::size_t kind = 0;
-  for (const auto* list :
-       {&builtin_manifolds(), &builtin_space_forms(), &builtin_metric_fields(), &builtin_submanifolds()}) {
+  std::string listing;
+  for (const BuiltinKind& kind : builtin_kinds()) {
     std::vector<std::string_view> known;
-    for (const BuiltinManifold& builtin : *list) {
+    for (const BuiltinManifold& builtin : *kind.manifolds) {
       if (builtin.name == name_or_path) return parse_any_manifold(builtin.text, builtin.name);
       known.emplace_back(builtin.name);
     }
-    names[kind++] = listed(known);
+    listing += (listing.empty() ? "" : ", or of the " + std::string(kind.plural) + " ") + listed(known);
     all.insert(all.end(), known.begin(), known.end());
   }
   if (!std::filesystem::exists(name_or_path)) {
-    throw InputError("no manifold \"" + name_or_path + "\": neither a file nor one of " + names[0] +
-                     ", or of the space forms " + names[1] + ", or of the metric fields " + names[2] +
-                     ", or of the submanifolds " + names[3] + suggestion(name_or_path, all));
+    throw InputError("no manifold \"" + name_or_path + "\": neither a file nor one of " + listing +
+                     suggestion(name_or_path, all));
   }
   return read_any_manifold(name_or_path);
 }
@@ -141,8 +148,9 @@ AnyManifold find_any_manifold(const std::string& name_or_path) {
 ManifoldDescription find_manifold(const std::string& name_or_path) {
   AnyManifold found = find_any_manifold(name_or_path);
   if (auto* flat = std::get_if<ManifoldDescription>(&found)) return std::move(*flat);
-  throw InputError(name_or_path +
-                   ": a space form, a metric field or a submanifold, expected a flat torus or a Euclidean ball");
+  throw InputError(
+      name_or_path +
+      ": a space form, a metric field, an atlas or a submanifold, expected a flat torus or a Euclidean ball");
 }
 
 }  // namespace delcert

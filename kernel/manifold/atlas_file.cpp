@@ -6,6 +6,7 @@
 #include "kernel/formula/toml_formula_reader.hpp"
 #include "kernel/manifold/exact_entry.hpp"
 #include "kernel/number/exact_text.hpp"
+#include "kernel/topology/abelian_group.hpp"
 
 namespace delcert {
 
@@ -39,9 +40,9 @@ class AtlasReader : TomlFormulaReader {
       for (const toml::node& entry :
            array_of(required(table_, "homology"), key_in_words("homology"), m + 1, m + 1, "groups, from degree 0 on")) {
         const auto* group = entry.as_string();
-        if (group == nullptr || group->get().empty() || group->get().size() > 64)
+        if (group == nullptr || !is_group_text(group->get()))
           fail(entry, "homology, degree " + std::to_string(result.homology.size()),
-               R"(a group such as "Z^2 + Z/3" or "0")");
+               R"(a group such as "Z^2 + Z/3", "(Z/2)^2" or "0")");
         result.homology.push_back(group->get());
       }
     }

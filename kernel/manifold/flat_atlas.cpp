@@ -29,22 +29,24 @@ bool is_interior_point(const FlatSpace<m>& space, const Vector<Rational, m>& poi
 }  // namespace
 
 template <int m>
-FlatAtlas<m>::FlatAtlas(FlatSpace<m> space, PointSet<m> net, Rational sampling_radius)
+FlatAtlas<m>::FlatAtlas(FlatSpace<m> space, PointSet<m> net, SamplingRadii radii, Rational radius_variation)
     : space_(std::move(space)),
       net_(std::move(net)),
-      sampling_radius_(std::move(sampling_radius)),
-      grid_(space_.metric, space_.box_radius(), approximate_double(sampling_radius_), net_.size()) {
+      radii_(std::move(radii)),
+      radius_variation_(std::move(radius_variation)),
+      grid_(space_.metric, space_.box_radius(), approximate_double(sampling_radius()) * middle_unit(radii_.units()),
+            net_.size()) {
   for (const auto& point : net_.approximate_all()) grid_.insert(point);
   interior_.reserve(net_.size());
   for (std::uint32_t index = 0; index < net_.size(); ++index) {
-    interior_.push_back(is_interior_point(space_, net_.exact(Label(index)), sampling_radius_));
+    interior_.push_back(is_interior_point(space_, net_.exact(Label(index)), sampling_radius()));
   }
 }
 
 template <int m>
 std::vector<Sighting<m>> FlatAtlas<m>::neighbours(Label i) const {
   std::vector<Sighting<m>> result;
-  sightings(i, patch_factor * approximate_double(sampling_radius_), result);
+  sightings(i, approximate_double(patch_factor() * sampling_radius(i)), result);
   return result;
 }
 

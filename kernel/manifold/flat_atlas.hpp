@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "kernel/chart/atlas.hpp"
+#include "kernel/chart/sampling_radii.hpp"
 
 namespace delcert {
 
@@ -21,23 +22,27 @@ struct FlatSpace {
   }
 };
 
-/// U_i = B(p_i, 9ε), N_i = the labels seen there, transition functions = translations by lattice vectors. This is an
-/// atlas in the sense of the paper when every lattice vector has length at least 24ε (docs/levels/0-input.md), which
-/// `check_input` certifies; nothing here assumes it.
+/// U_i = B(p_i, bε_i), b = 9(1 + ε₀), N_i = the labels seen there, transition functions = translations by lattice
+/// vectors. This is an atlas in the sense of the paper when every lattice vector has length at least (2b + 6)ε
+/// (docs/levels/0-input.md), which `check_input` certifies; nothing here assumes it. On a ball radii do not vary.
 template <int m>
 class FlatAtlas final : public Atlas<m> {
  public:
-  /// `patch_factor` of the patches' radius: 9.
-  static constexpr int patch_factor = 9;
-
-  FlatAtlas(FlatSpace<m> space, PointSet<m> net, Rational sampling_radius);
+  /// `radius_variation`: ε₀ of these radii.
+  FlatAtlas(FlatSpace<m> space, PointSet<m> net, SamplingRadii radii, Rational radius_variation = Rational(0));
 
   [[nodiscard]] const FlatSpace<m>& space() const { return space_; }
-  [[nodiscard]] const Rational& sampling_radius() const { return sampling_radius_; }
+  [[nodiscard]] const SamplingRadii& radii() const { return radii_; }
+  /// The greatest.
+  [[nodiscard]] const Rational& sampling_radius() const { return radii_.greatest(); }
+  /// ε₀.
+  [[nodiscard]] const Rational& radius_variation() const { return radius_variation_; }
+  /// b: of how many sampling radii patches are.
+  [[nodiscard]] Rational patch_factor() const { return Rational(9) * (Rational(1) + radius_variation_); }
 
   [[nodiscard]] std::size_t size() const override { return net_.size(); }
   [[nodiscard]] const FrameMetric<m>& metric() const override { return space_.metric; }
-  [[nodiscard]] const Rational& sampling_radius(Label) const override { return sampling_radius_; }
+  [[nodiscard]] const Rational& sampling_radius(Label i) const override { return radii_.of(i.value); }
   [[nodiscard]] bool is_interior(Label i) const override { return interior_[i.value]; }
   [[nodiscard]] const PointSet<m>& net() const override { return net_; }
   [[nodiscard]] std::vector<Sighting<m>> neighbours(Label i) const override;
@@ -52,7 +57,8 @@ class FlatAtlas final : public Atlas<m> {
  private:
   FlatSpace<m> space_;
   PointSet<m> net_;
-  Rational sampling_radius_;
+  SamplingRadii radii_;
+  Rational radius_variation_;
   PointGrid<m> grid_;
   std::vector<bool> interior_;
 };

@@ -8,16 +8,26 @@ namespace delcert {
 
 namespace {
 
-constexpr int systole_factor = 24;
-
 template <int m>
 InputItem patches_of_torus(const FlatAtlas<m>& atlas) {
   const Rational squared = squared_systole<m>(atlas.metric());
-  const Rational least = Rational(systole_factor) * atlas.sampling_radius();
-  return {
-      "patches: every label at one lift in B(p_i, 9ε), the same lift for all charts that are compared",
-      verdict_of(square(least) <= squared),
-      "shortest lattice vector² " + exact_text(squared) + ", must be at least (24ε)² = " + exact_text(square(least))};
+  const Rational factor = Rational(2) * atlas.patch_factor() + Rational(6);
+  const Rational least = factor * atlas.sampling_radius();
+  const bool vary = atlas.radii().vary();
+  return {vary ? "patches: every label at one lift in B(p_i, bε_i), the same lift for all charts that are compared"
+               : "patches: every label at one lift in B(p_i, 9ε), the same lift for all charts that are compared",
+          verdict_of(square(least) <= squared),
+          "shortest lattice vector² " + exact_text(squared) + ", must be at least " +
+              (vary ? "((2b + 6)·max ε_i)² = " : "(24ε)² = ") + exact_text(square(least)) +
+              (vary ? ", b = 9(1 + ε₀) = " + exact_text(atlas.patch_factor()) : "")};
+}
+
+/// What is compared of density, radii and domains where radii vary.
+template <int m>
+std::string details_of_radii(const FlatAtlas<m>& atlas) {
+  const SamplingRadii& radii = atlas.radii();
+  return "ε_i from " + exact_text(radii.greatest() * Rational::exactly(radii.least_unit())) + " to " +
+         exact_text(radii.greatest());
 }
 
 template <int m>
@@ -34,18 +44,27 @@ InputItem patches_of_ball(const FlatAtlas<m>& atlas) {
 template <int m>
 std::vector<InputItem> check_input(const FlatAtlas<m>& atlas, const Rational& separation,
                                    const Rational& perturbation) {
+  const bool vary = atlas.radii().vary();
+  const Rational tilde = (Rational(1) + atlas.radius_variation()) * perturbation;
   std::vector<InputItem> items;
   items.push_back({"separation: distances at least μ₀ε in every chart", Verdict::proved,
                    "μ₀ = " + exact_text(separation) + ", measured"});
-  items.push_back({"density: B(p_i, 8ε) is within ε of the net", Verdict::proved,
-                   "ε = " + exact_text(atlas.sampling_radius()) + ", certified by a covering with smaller balls"});
-  items.push_back(atlas.space().is_torus() ? patches_of_torus<m>(atlas) : patches_of_ball<m>(atlas));
-  items.push_back({"radius variation: |ε_i − ε_j| ≤ ε₀ min(ε_i, ε_j)", Verdict::proved, "ε₀ = 0, one radius"});
   items.push_back(
-      {"domains: B(p_i, 6ε) ∩ B(p_j, 9ε) in U_ij", items[2].verdict, "U_ij is the intersection of the patches"});
+      {vary ? "density: B(p_i, 8ε_i) is within ε_i of the net" : "density: B(p_i, 8ε) is within ε of the net",
+       Verdict::proved,
+       (vary ? details_of_radii<m>(atlas) : "ε = " + exact_text(atlas.sampling_radius())) +
+           ", certified by a covering with smaller balls"});
+  items.push_back(atlas.space().is_torus() ? patches_of_torus<m>(atlas) : patches_of_ball<m>(atlas));
+  items.push_back({"radius variation: |ε_i − ε_j| ≤ ε₀ min(ε_i, ε_j)",
+                   verdict_of(atlas.radius_variation() <= Rational(1)),
+                   vary ? "ε₀ = " + exact_text(atlas.radius_variation()) + ", measured within b·max(ε_i, ε_j)"
+                        : "ε₀ = 0, one radius"});
+  items.push_back({vary ? "domains: B(p_i, 6ε_i) ∩ B(p_j, 9ε_i) in U_ij" : "domains: B(p_i, 6ε) ∩ B(p_j, 9ε) in U_ij",
+                   items[2].verdict, "U_ij is the intersection of the patches"});
   items.push_back({"transitions: inverse to each other, compatible with the labels, distortion ξ₀", items[2].verdict,
                    "translations, ξ₀ = 0"});
-  items.push_back({"perturbation: ρ₀ ≤ μ₀/4", verdict_of(perturbation * Rational(4) <= separation),
+  items.push_back({vary ? "perturbation: (1 + ε₀)ρ₀ ≤ μ₀/4" : "perturbation: ρ₀ ≤ μ₀/4",
+                   verdict_of(tilde * Rational(4) <= separation),
                    "ρ₀ = " + exact_text(perturbation) + ", μ₀/4 = " + exact_text(separation / Rational(4))});
   return items;
 }

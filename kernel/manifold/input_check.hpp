@@ -15,8 +15,9 @@ struct InputItem {
   std::string detail;  ///< the values that were compared
 };
 
-/// Checks Hypotheses 1 item by item for the patches U_i = B(p_i, 9ε) of a flat atlas, with the values that decide
-/// each. The net's separation and density are those measured before; everything else is decided here, exactly.
+/// Checks Hypotheses 1 item by item for the patches U_i = B(p_i, bε_i), b = 9(1 + ε₀), of a flat atlas, with the values
+/// that decide each. The net's separation, density and ε₀ are those measured before; everything else is decided here,
+/// exactly.
 template <int m>
 [[nodiscard]] std::vector<InputItem> check_input(const FlatAtlas<m>& atlas, const Rational& separation,
                                                  const Rational& perturbation);

@@ -1,20 +1,11 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "kernel/number/rational.hpp"
+#include "kernel/manifold/submanifold/triangle_mesh.hpp"
 
 namespace delcert {
-
-/// Triangles in space, as a file has them.
-struct TriangleMesh {
-  std::vector<std::vector<Rational>> points;            ///< three coordinates each
-  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< numbers of points, from 0 on, in the order of the file
-};
 
 /// Reads OFF, or OBJ if `source` ends in ".obj": vertices and triangles, no more; colours of faces, normals and texture
 /// are passed over. Decimals are the exact fractions that they are written as; exact numbers of delcert are read, too.

@@ -1,36 +1,52 @@
 #include "kernel/manifold/submanifold_file.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "kernel/formula/plain_formula.hpp"
 #include "kernel/formula/toml_formula_reader.hpp"
 #include "kernel/manifold/exact_entry.hpp"
+#include "kernel/manifold/mesh_file.hpp"
+#include "kernel/manifold/submanifold/polyhedral_mesh.hpp"
 #include "kernel/number/exact_text.hpp"
+#include "kernel/topology/abelian_group.hpp"
 
 namespace delcert {
 
 namespace {
 
-constexpr int least_submanifold_dimension = 2;
+constexpr int least_submanifold_dimension = 1;
 constexpr int greatest_submanifold_dimension = 3;
 constexpr std::size_t longest_equation = 4096;
 
 class SubmanifoldReader : TomlFormulaReader {
  public:
   SubmanifoldReader(std::string_view text, const std::string& source)
-      : TomlFormulaReader(text, source), table_(parse()) {}
+      : TomlFormulaReader(text, source), folder_(std::filesystem::path(source).parent_path()), table_(parse()) {}
 
   SubmanifoldDescription read() const {
-    refuse_unknown(table_, {"name", "family", "dimension", "variables", "equations", "box", "homology"});
+    const bool is_mesh = table_.contains("mesh");
+    if (is_mesh) {
+      refuse_unknown(table_, {"name", "family", "dimension", "mesh", "homology"});
+    } else {
+      refuse_unknown(table_, {"name", "family", "dimension", "variables", "equations", "box", "homology"});
+    }
     if (short_string(table_, "family") != "submanifold")
       fail(required(table_, "family"), key_in_words("family"), "\"submanifold\"");
     SubmanifoldDescription result;
     result.name = short_string(table_, "name");
     result.dimension =
         Dimension(integer(table_, "dimension", least_submanifold_dimension, greatest_submanifold_dimension));
-    result.variables = variables();
-    result.equations = equations(result);
-    result.box = box(result.variables);
+    if (is_mesh) {
+      if (result.dimension != Dimension(2)) fail(required(table_, "dimension"), key_in_words("dimension"), "2: a mesh");
+      result.mesh = mesh();
+    } else {
+      result.variables = variables();
+      result.equations = equations(result);
+      result.box = box(result.variables);
+    }
     result.homology = homology(static_cast<std::size_t>(result.dimension.value) + 1);
     return result;
   }
@@ -46,9 +62,17 @@ class SubmanifoldReader : TomlFormulaReader {
     return *result;
   }
 
+  TriangleMesh mesh() const {
+    const std::filesystem::path path = folder_ / short_string(table_, "mesh");
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream)
+      fail(required(table_, "mesh"), key_in_words("mesh"), "an OFF or OBJ file; " + path.string() + " cannot be read");
+    return parse_mesh(std::string(std::istreambuf_iterator<char>(stream), {}), path.string());
+  }
+
   std::vector<std::string> variables() const {
     std::vector<std::string> result;
-    for (const toml::node& entry : array_of("variables", 3, most_ambient_dimensions, "names")) {
+    for (const toml::node& entry : array_of("variables", 2, most_ambient_dimensions, "names")) {
       const std::string what = "variable " + std::to_string(result.size() + 1);
       const auto* name = entry.as_string();
       if (name == nullptr || !is_name_of_variable(name->get()))
@@ -100,13 +124,15 @@ class SubmanifoldReader : TomlFormulaReader {
     if (!table_.contains("homology")) return result;
     for (const toml::node& entry : array_of("homology", count, count, "groups, from degree 0 on")) {
       const auto* group = entry.as_string();
-      if (group == nullptr || group->get().empty() || group->get().size() > 64)
-        fail(entry, "homology, degree " + std::to_string(result.size()), R"(a group such as "Z^2 + Z/3" or "0")");
+      if (group == nullptr || !is_group_text(group->get()))
+        fail(entry, "homology, degree " + std::to_string(result.size()),
+             R"(a group such as "Z^2 + Z/3", "(Z/2)^2" or "0")");
       result.push_back(group->get());
     }
     return result;
   }
 
+  std::filesystem::path folder_;
   toml::table table_;
 };
 
@@ -114,6 +140,11 @@ class SubmanifoldReader : TomlFormulaReader {
 
 SubmanifoldDescription parse_submanifold(std::string_view text, const std::string& source) {
   return SubmanifoldReader(text, source).read();
+}
+
+std::shared_ptr<const EmbeddedManifold> embedded_manifold(const SubmanifoldDescription& description) {
+  if (!description.mesh) return std::make_shared<ZeroSet>(description);
+  return std::make_shared<PolyhedralMesh>(description.name, *description.mesh, description.homology);
 }
 
 }  // namespace delcert

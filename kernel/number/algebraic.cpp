@@ -1,10 +1,13 @@
 #include "kernel/number/algebraic.hpp"
 
+#include <flint/fmpz_poly.h>
+
 #include <algorithm>
 #include <stdexcept>
 #include <string>
 
 #include "kernel/number/calcium.hpp"
+#include "kernel/number/flint_rational.hpp"
 
 namespace delcert {
 
@@ -31,11 +34,8 @@ void refuse_if_too_large(const qqbar_t a, const qqbar_t b, const char* operation
 Algebraic::Algebraic(int integer) : value_(std::make_unique<Value>()) { qqbar_set_si(value_->number, integer); }
 
 Algebraic::Algebraic(const Rational& x) : value_(std::make_unique<Value>()) {
-  fmpq_t fraction;
-  fmpq_init(fraction);
-  fmpq_set_mpq(fraction, x.gmp());
-  qqbar_set_fmpq(value_->number, fraction);
-  fmpq_clear(fraction);
+  FlintRational fraction(x);
+  qqbar_set_fmpq(value_->number, fraction.raw());
 }
 
 Algebraic::Algebraic(const Algebraic& other) : value_(std::make_unique<Value>()) {
@@ -56,13 +56,9 @@ long Algebraic::degree() const { return qqbar_degree(value_->number); }
 
 Rational Algebraic::rational() const {
   if (degree() != 1) throw std::domain_error("algebraic number of degree " + std::to_string(degree()) + " as rational");
-  fmpq_t fraction;
-  fmpq_init(fraction);
-  qqbar_get_fmpq(fraction, value_->number);
-  Rational::Wrapped result;
-  fmpq_get_mpq(result.backend().data(), fraction);
-  fmpq_clear(fraction);
-  return Rational(std::move(result));
+  FlintRational fraction;
+  qqbar_get_fmpq(fraction.raw(), value_->number);
+  return fraction.rational();
 }
 
 BigInterval Algebraic::enclosure() const {
@@ -149,13 +145,8 @@ Verdict is_zero(const Algebraic& a) { return verdict_of(qqbar_is_zero(a.value_->
 std::vector<Algebraic> real_roots(std::span<const Rational> coefficients) {
   fmpq_poly_t polynomial;
   fmpq_poly_init(polynomial);
-  fmpq_t fraction;
-  fmpq_init(fraction);
-  for (std::size_t power = 0; power < coefficients.size(); ++power) {
-    fmpq_set_mpq(fraction, coefficients[power].gmp());
-    fmpq_poly_set_coeff_fmpq(polynomial, static_cast<slong>(power), fraction);
-  }
-  fmpq_clear(fraction);
+  for (std::size_t power = 0; power < coefficients.size(); ++power)
+    set_coefficient(polynomial, static_cast<slong>(power), coefficients[power]);
   const slong degree = fmpq_poly_degree(polynomial);
   if (degree < 0) {
     fmpq_poly_clear(polynomial);

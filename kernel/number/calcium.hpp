@@ -17,6 +17,10 @@ inline AnyPointer any_pointer(void* pointer) { return {pointer}; }
 
 #define flint_malloc(size) delcert::detail::any_pointer(flint_malloc(size))
 #define flint_realloc(pointer, size) delcert::detail::any_pointer(flint_realloc(pointer, size))
+#if __has_include(<flint/qqbar.h>)  // FLINT 3
+#include <flint/qqbar.h>
+#else
 #include <calcium/qqbar.h>
+#endif
 #undef flint_malloc
 #undef flint_realloc

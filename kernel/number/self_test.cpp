@@ -1,12 +1,17 @@
 #include "kernel/number/self_test.hpp"
 
 #include <CGAL/version.h>
+#if __has_include(<flint/arb.h>)  // FLINT 3
+#include <flint/arb.h>
+#else
 #include <arb.h>
+#endif
 #include <flint/flint.h>
 #include <gmp.h>
 #include <mpfi.h>
 #include <mpfr.h>
 
+#include <algorithm>
 #include <array>
 #include <boost/version.hpp>
 #include <cmath>
@@ -261,8 +266,10 @@ void test_versions(Failures& failures) {
   compare("MPFR", MPFR_VERSION_STRING, mpfr_get_version());
   compare("MPFI", MPFI_VERSION_STRING, mpfi_get_version());
   compare("FLINT", FLINT_VERSION, flint_version);
+#if __FLINT_RELEASE < 30000  // FLINT 3 holds the two
   compare("Arb", ARB_VERSION, arb_version);
   compare("Calcium", CALCIUM_VERSION, calcium_version());
+#endif
 }
 
 }  // namespace
@@ -295,14 +302,19 @@ std::vector<std::string> arithmetic_self_test() {
 }
 
 std::vector<std::pair<std::string, std::string>> library_versions() {
-  return {{"arb", arb_version},
-          {"boost", numbered(BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100)},
-          {"calcium", calcium_version()},
-          {"cgal", CGAL_VERSION_STR},
-          {"flint", flint_version},
-          {"gmp", gmp_version},
-          {"mpfi", mpfi_get_version()},
-          {"mpfr", mpfr_get_version()}};
+  std::vector<std::pair<std::string, std::string>> versions = {
+      {"boost", numbered(BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100)},
+      {"cgal", CGAL_VERSION_STR},
+      {"flint", flint_version},
+      {"gmp", gmp_version},
+      {"mpfi", mpfi_get_version()},
+      {"mpfr", mpfr_get_version()}};
+#if __FLINT_RELEASE < 30000
+  versions.emplace_back("arb", arb_version);
+  versions.emplace_back("calcium", calcium_version());
+#endif
+  std::sort(versions.begin(), versions.end());
+  return versions;
 }
 
 }  // namespace delcert

@@ -114,7 +114,8 @@ Rational reach_in_place(const PerturbationParameters& parameters) {
 
 Rational reach_of_candidates(const PerturbationParameters& parameters) {
   const Rational reach = reach_in_place(parameters);
-  return parameters.candidates == CandidateRule::pruned ? reach + parameters.perturbation : reach;
+  if (parameters.candidates != CandidateRule::pruned) return reach;
+  return reach + (Rational(1) + parameters.radius_variation) * parameters.perturbation;
 }
 
 template <int m>

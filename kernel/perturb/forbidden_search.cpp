@@ -1,5 +1,6 @@
 #include "kernel/perturb/forbidden_search.hpp"
 
+#include "kernel/chart/length_units.hpp"
 #include "kernel/perturb/candidates.hpp"
 #include "kernel/perturb/simplex_walk.hpp"
 #include "kernel/simplex/dimensions.hpp"
@@ -19,18 +20,25 @@ class Search {
       : atlas_(atlas),
         points_(points),
         parameters_(parameters),
-        reach_(approximate_double(parameters.edge_bound + Rational(2) * perturbation) * (1 + 0x1p-40)),
+        units_(atlas),
+        shift_(approximate_double(Rational(2) * perturbation)),
+        edge_bound_(approximate_double(parameters.edge_bound)),
         exact_(atlas.metric().template on<Rational>()),
         view_(atlas, points),
         filter_(atlas.metric().template on<Filter>()),
-        squared_edge_bound_(scalar_from<Filter>(square(parameters.edge_bound))),
-        squared_radius_bound_(scalar_from<Filter>(Rational(4) * square(parameters.sampling_radius))),
+        greatest_squared_edge_bound_(scalar_from<Filter>(square(parameters.edge_bound))),
+        greatest_squared_radius_bound_(scalar_from<Filter>(Rational(4) * square(parameters.sampling_radius))),
         squared_hoop_(scalar_from<Filter>(parameters.squared_hoop_bound)) {}
 
   /// The sets whose smallest label is i.
   void look_at(Label i) {
     const FilterGuard guard;
-    atlas_.sightings(i, reach_, seen_);
+    // No label of a set counts for more than this one.
+    const double unit = units_.of(i);
+    const Filter squared_unit = square(Filter::exactly(unit));
+    squared_edge_bound_ = greatest_squared_edge_bound_ * squared_unit;
+    squared_radius_bound_ = greatest_squared_radius_bound_ * squared_unit;
+    atlas_.sightings(i, (edge_bound_ * unit + shift_) * (1 + 0x1p-40), seen_);
     view_.clear(i);
     // i itself first, at home; then the larger labels that are near enough to it.
     for (const Sighting<m>& sighting : seen_) {
@@ -72,7 +80,7 @@ class Search {
         ++result.configurations;
         decide_exactly(vertices);
       }
-      return stack.squared_radius() < Rational(4) * square(parameters_.sampling_radius);
+      return stack.squared_radius() < Rational(4) * square(parameters_.sampling_radius * unit_of(vertices.first(1)));
     }
   }
 
@@ -99,6 +107,13 @@ class Search {
   }
 
  private:
+  /// The least of the labels.
+  [[nodiscard]] Rational unit_of(std::span<const std::uint32_t> vertices) const {
+    double least = 1;
+    for (const std::uint32_t vertex : vertices) least = std::min(least, units_.of(view_.label(vertex)));
+    return Rational::exactly(least);
+  }
+
   void decide_exactly(std::span<const std::uint32_t> vertices) {
     ++result.decided_exactly;
     std::vector<std::vector<Rational>> coordinates;
@@ -113,7 +128,10 @@ class Search {
       std::copy(y.begin(), y.end(), b.begin());
       return exact_.inner(a, b);
     };
-    const Verdict verdict = has_forbidden_properties(edge_gram_from_points(coordinates, inner), parameters_);
+    ForbiddenPropertiesParameters<Rational> parameters = parameters_;
+    parameters.sampling_radius *= unit_of(vertices);
+    parameters.edge_bound *= unit_of(vertices);
+    const Verdict verdict = has_forbidden_properties(edge_gram_from_points(coordinates, inner), parameters);
     ladder_statistics().count(Rung::rational);
     if (is_refuted(verdict) || result.found) return;
     result.found.emplace();
@@ -123,11 +141,15 @@ class Search {
   const Atlas<m>& atlas_;
   const PointSet<m>& points_;
   ForbiddenPropertiesParameters<Rational> parameters_;
-  double reach_;
+  LengthUnits units_;
+  double shift_;
+  double edge_bound_;
   MetricOn<Rational, m> exact_;
   PatchView<m> view_;
   MetricOn<Filter, m> filter_;
-  Filter squared_edge_bound_;
+  Filter greatest_squared_edge_bound_;
+  Filter greatest_squared_radius_bound_;
+  Filter squared_edge_bound_;  // of the label at hand
   Filter squared_radius_bound_;
   Filter squared_hoop_;
   std::vector<Sighting<m>> seen_;

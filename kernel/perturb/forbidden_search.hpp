@@ -23,7 +23,9 @@ struct ForbiddenSearch {
 /// transitions, for one with all of P1 … P4 of lem:prop.forbid.cfg. Nothing found means that there is none in any
 /// Q′_i (docs/levels/3-forbidden-configurations.md). Stops at the first one found.
 ///
-/// `perturbation`: every point is at most this length from its original position.
+/// Where radii vary, the lengths of P2 and P3 are multiples of the greatest radius, and count for a set as many times
+/// as the least radius of its labels is of that (`LengthUnits`). `perturbation`: every point is at most this length
+/// from its original position.
 template <int m>
 [[nodiscard]] ForbiddenSearch search_forbidden(const Atlas<m>& atlas, const PointSet<m>& points,
                                                const ForbiddenPropertiesParameters<Rational>& parameters,

@@ -19,11 +19,12 @@ enum class CandidateRule {
 
 /// What the perturbation algorithm is run with. Lengths are in units of the sampling radius ε_i.
 struct PerturbationParameters {
-  Rational separation;    ///< μ₀
-  Rational perturbation;  ///< ρ₀: points move by at most ρ₀ε_i
-  Rational tolerance;     ///< a good perturbation is farther than this from every candidate sphere: 2α̃₀
-  Rational edge_bound;    ///< candidates have shorter edges: (1+ξ₀)(1+ε₀)(5/2)(1+δ₀μ₀/2), or an upper bound
-  Rational circumradius_bound;  ///< candidates have a smaller circumradius: that of lem:raw.hoop.distort
+  Rational separation;           ///< μ₀
+  Rational perturbation;         ///< ρ₀: points move by at most ρ₀ε_i
+  Rational radius_variation{0};  ///< ε₀: no radius in a patch is more than 1 + ε₀ times another
+  Rational tolerance;            ///< a good perturbation is farther than this from every candidate sphere: 2α̃₀
+  Rational edge_bound;  ///< candidates have shorter edges: (1+ξ₀)(1+ε₀)(5/2)(1+δ₀μ₀/2), or an upper bound
+  Rational circumradius_bound;  ///< candidates have a smaller circumradius: 2(1+ε₀), that of lem:raw.hoop.distort
   CandidateRule candidates = CandidateRule::pruned;
   std::uint64_t seed = 0;
   std::uint32_t most_tries = 100000;  ///< for one point, before the run is given up

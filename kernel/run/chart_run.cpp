@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "kernel/chart/length_units.hpp"
 #include "kernel/parallel/parts.hpp"
 #include "kernel/simplex/dimensions.hpp"
 
@@ -17,6 +18,7 @@ class Stars {
   Stars(const Atlas<m>& atlas, const ModelGeometry& geometry, double required_protection)
       : atlas_(atlas),
         geometry_(geometry),
+        units_(atlas),
         required_protection_(required_protection),
         stars_(atlas.size()),
         outdated_(atlas.size(), true) {
@@ -37,7 +39,8 @@ class Stars {
       for (std::size_t at = first; at < last; ++at) {
         CertifiedStar<m>& star = stars_[labels[at].value];
         star.star.label = labels[at];
-        if (interior_[labels[at].value]) star = chart_star<m>(view, labels[at], required_protection_);
+        if (interior_[labels[at].value])
+          star = chart_star<m>(view, labels[at], required_protection_ * units_.of(labels[at]));
         reach = std::max(reach, star.reach);
       }
       return reach;
@@ -49,6 +52,8 @@ class Stars {
   /// The stars in whose charts one of these labels had a say.
   void outdate(const std::vector<Label>& moved) {
     std::vector<Sighting<m>> seen;
+    std::vector<bool> has_moved(stars_.size());
+    for (const Label label : moved) has_moved[label.value] = true;
     for (const Label label : moved) {
       // The distance of original points is the same from both sides, but for the distortion; a little more for its
       // rounding.
@@ -56,6 +61,14 @@ class Stars {
       atlas_.sightings(label, farthest_reach_ * stretch * (1 + 0x1p-20), seen);
       for (const auto& sighting : seen) outdated_[sighting.index] = true;
       outdated_[label.value] = true;
+    }
+    if (!units_.vary()) return;
+    // Of those that may see a moved point from far away most look less far.
+    for (std::uint32_t index = 0; index < outdated_.size(); ++index) {
+      if (!outdated_[index] || has_moved[index]) continue;
+      atlas_.sightings(Label(index), stars_[index].reach * (1 + 0x1p-20), seen);
+      outdated_[index] =
+          std::any_of(seen.begin(), seen.end(), [&](const auto& other) { return has_moved[other.index]; });
     }
   }
 
@@ -75,8 +88,9 @@ class Stars {
     bool is_first = true;
     for (std::size_t index = 0; index < stars_.size(); ++index) {
       if (!interior_[index] || !stars_[index].failures.empty()) continue;
-      if (is_first) result = stars_[index].margins;
-      result.include(stars_[index].margins);
+      const LocalMargins here = stars_[index].margins.as_multiples(units_, Label(index));
+      if (is_first) result = here;
+      result.include(here);
       is_first = false;
     }
     return result;
@@ -85,6 +99,7 @@ class Stars {
  private:
   const Atlas<m>& atlas_;
   ModelGeometry geometry_;
+  LengthUnits units_;
   double required_protection_;
   std::vector<CertifiedStar<m>> stars_;
   std::vector<bool> interior_;
@@ -159,9 +174,9 @@ template ModelGeometry geometry_of<2>(const SpaceFormAtlas<2>&);
 template ModelGeometry geometry_of<3>(const SpaceFormAtlas<3>&);
 
 PerturbationParameters measured_parameters(Dimension dimension, std::uint64_t seed) {
-  if (dimension != Dimension(2) && dimension != Dimension(3))
-    throw std::invalid_argument("parameters for runs on space forms exist in dimensions 2 and 3");
-  const bool is_surface = dimension == Dimension(2);
+  if (dimension.value < 1 || dimension.value > 3)
+    throw std::invalid_argument("parameters for runs in charts exist in dimensions 1 to 3");
+  const bool is_surface = dimension.value <= 2;
   PerturbationParameters result;
   result.separation = Rational(1);
   result.perturbation = Rational(Integer(1), Integer(4));

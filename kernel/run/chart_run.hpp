@@ -12,7 +12,7 @@ template <int m>
 struct ChartRun {
   PointSet<m> points;
   ChartComplex<m> complex;
-  LocalMargins margins;     ///< of the certified stars, each in its own chart: lengths
+  LocalMargins margins;     ///< of the certified stars, each in its own chart: lengths, as multiples of `LengthUnits`
   StarAgreement agreement;  ///< of the stars
   ModelReport model;        ///< of level 4; nothing is asked of it before the stars are certified and agree
   std::vector<StarFailure> star_failures;
@@ -51,7 +51,7 @@ template <int m>
 }
 
 /// The parameters of a run that claims nothing beforehand (docs/space-forms.md): tolerances that a net of any space
-/// form stands, for surfaces and in dimension 3. Throws std::invalid_argument for another dimension.
+/// form stands, for curves and surfaces and in dimension 3. Throws std::invalid_argument for another dimension.
 [[nodiscard]] PerturbationParameters measured_parameters(Dimension dimension, std::uint64_t seed);
 
 }  // namespace delcert

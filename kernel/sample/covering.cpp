@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
+#include "kernel/chart/net_grid.hpp"
 #include "kernel/number/ladder.hpp"
+#include "kernel/random/counter_random.hpp"
 #include "kernel/sample/hull_distance.hpp"
 #include "kernel/simplex/dimensions.hpp"
 #include "kernel/stars/approximate_sphere.hpp"
@@ -75,6 +78,32 @@ std::pair<Vector<double, m>, double> enclosing_ball(const MetricOn<PlainDouble, 
     if (best.second <= good_enough) break;
   }
   return best;
+}
+
+/// The least unit of a vertex.
+template <int m>
+double unit_of(const LiftedSimplex<m>& simplex, std::span<const double> units) {
+  double result = 1;
+  if (units.empty()) return result;
+  for (const Lift<m>& vertex : simplex) result = std::min(result, units[vertex.index]);
+  return result;
+}
+
+/// Displaced coordinates are on the grid of nets: in a Cartesian frame cospherical points are then triangulated the
+/// same way in every copy, in others nearly always.
+constexpr double jitter = 0x1p-32;
+constexpr std::uint32_t most_displacements = 4;
+
+template <int m>
+std::vector<Vector<double, m>> jittered(const PointSet<m>& net, std::uint32_t attempt) {
+  std::vector<Vector<double, m>> points = net.approximate_all();
+  for (std::uint32_t index = 0; index < points.size(); ++index) {
+    CounterRandom random(0, RandomPurpose::jitter, index, attempt);
+    for (double& coordinate : points[index]) {
+      coordinate = on_net_grid(coordinate + jitter * (2 * random.next_unit() - 1));
+    }
+  }
+  return points;
 }
 
 /// Whether nothing of the simplex is in the open ball of this radius about the origin: by a vertex or by its enclosing
@@ -179,7 +208,7 @@ void certify_ball_degree(const FlatSpace<m>& space, const PointSet<m>& net,
 template <int m>
 Covering<m> certified_covering(const FlatSpace<m>& space, const PointSet<m>& net,
                                const std::vector<Vector<double, m>>& proposal_points,
-                               const std::vector<LiftedSimplex<m>>& proposed) {
+                               const std::vector<LiftedSimplex<m>>& proposed, std::span<const double> units) {
   const auto plain = space.metric.template on<PlainDouble>();
   const auto filter = [&] {
     const FilterGuard guard;
@@ -191,10 +220,13 @@ Covering<m> certified_covering(const FlatSpace<m>& space, const PointSet<m>& net
   Covering<m> result;
   const double ball = space.box_radius().value_or(0);
   for (const auto& simplex : proposed) {
-    const auto [centre, squared_radius] = enclosing_ball<m>(plain, filter, net, simplex, covering);
+    const double squared_unit = unit_of<m>(simplex, units) * unit_of<m>(simplex, units);  // exact
+    const auto [centre, squared_radius] = enclosing_ball<m>(plain, filter, net, simplex, covering * squared_unit);
     needed.push_back(space.is_torus() || !is_outside_ball<m>(*space.ball_radius, net, simplex, centre, squared_radius));
     if (!needed.back()) continue;
-    covering = std::max(covering, squared_radius);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    covering = std::max(covering,
+                        squared_unit == 1 ? squared_radius : std::nextafter(squared_radius / squared_unit, infinity));
     if (squared_radius > farthest && (space.is_torus() || pairing(centre, centre) <= ball * ball)) {
       farthest = squared_radius;
       result.farthest_centre = centre;
@@ -236,10 +268,26 @@ Covering<m> certified_covering(const FlatSpace<m>& space, const PointSet<m>& net
   return result;
 }
 
-#define DELCERT_INSTANTIATE(m)                                                        \
-  template Covering<m> certified_covering<m>(const FlatSpace<m>&, const PointSet<m>&, \
-                                             const std::vector<Vector<double, m>>&,   \
-                                             const std::vector<LiftedSimplex<m>>&);
+/// On a torus copies of displaced points may disagree about a cospherical set; the next displacement decides
+/// differently.
+template <int m>
+Covering<m> cover_net(const FlatSpace<m>& space, const PointSet<m>& net, double usual, std::span<const double> units) {
+  for (std::uint32_t attempt = 0;; ++attempt) {
+    const auto points = jittered(net, attempt);
+    const auto proposed = propose_delaunay<m>(space, points, usual);
+    try {
+      return certified_covering<m>(space, net, points, proposed, units);
+    } catch (const Rejection&) {
+      if (!space.is_torus() || attempt + 1 == most_displacements) throw;
+    }
+  }
+}
+
+#define DELCERT_INSTANTIATE(m)                                                                               \
+  template Covering<m> certified_covering<m>(const FlatSpace<m>&, const PointSet<m>&,                        \
+                                             const std::vector<Vector<double, m>>&,                          \
+                                             const std::vector<LiftedSimplex<m>>&, std::span<const double>); \
+  template Covering<m> cover_net<m>(const FlatSpace<m>&, const PointSet<m>&, double, std::span<const double>);
 DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
 #undef DELCERT_INSTANTIATE
 

@@ -1,54 +1,18 @@
 #include "kernel/sample/net_measure.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "kernel/chart/net_grid.hpp"
 #include "kernel/number/exact_text.hpp"
-#include "kernel/random/counter_random.hpp"
 #include "kernel/sample/covering.hpp"
 #include "kernel/simplex/dimensions.hpp"
-#include "kernel/stars/approximate_sphere.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
 
 namespace {
 
-/// Displaced coordinates are on the grid of nets: in a Cartesian frame cospherical points are then triangulated the
-/// same way in every copy, in others nearly always.
-constexpr double jitter = 0x1p-32;
-constexpr std::uint32_t most_displacements = 4;
 /// ε is rounded up to this many binary digits: far less than the 0.1 % that it may exceed the covering radius by.
 constexpr long radius_digits = 30;
-
-template <int m>
-std::vector<Vector<double, m>> jittered(const PointSet<m>& net, std::uint32_t attempt) {
-  std::vector<Vector<double, m>> points = net.approximate_all();
-  for (std::uint32_t index = 0; index < points.size(); ++index) {
-    CounterRandom random(0, RandomPurpose::jitter, index, attempt);
-    for (double& coordinate : points[index]) {
-      coordinate = on_net_grid(coordinate + jitter * (2 * random.next_unit() - 1));
-    }
-  }
-  return points;
-}
-
-/// The covering that a triangulation of displaced points gives. On a torus its copies may disagree about a cospherical
-/// set; the next displacement decides differently.
-template <int m>
-Covering<m> covering_of(const FlatSpace<m>& space, const PointSet<m>& net, double usual) {
-  for (std::uint32_t attempt = 0;; ++attempt) {
-    const auto points = jittered(net, attempt);
-    const auto proposed = propose_delaunay<m>(space, points, usual);
-    try {
-      return certified_covering<m>(space, net, points, proposed);
-    } catch (const Rejection&) {
-      if (!space.is_torus() || attempt + 1 == most_displacements) throw;
-    }
-  }
-}
 
 /// The radius of a ball of which each point would have its share of the volume.
 template <int m>
@@ -92,7 +56,7 @@ NetDensity<m> measure_density(const FlatSpace<m>& space, const PointSet<m>& net,
   }
   if (net.size() <= m) throw Rejection("a net needs more than " + std::to_string(m) + " points");
   const double usual = nominal ? approximate_double(*nominal) : usual_distance(space, net.size());
-  Covering<m> covering = covering_of<m>(space, net, usual);
+  Covering<m> covering = cover_net<m>(space, net, usual);
   NetDensity<m> result;
   result.covering_radius_lower = distance_lower(space, net, covering.farthest_centre);
   const Rational& upper = covering.radius_upper;

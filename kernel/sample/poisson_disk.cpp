@@ -30,20 +30,23 @@ double ball_volume(int dimension) {
 template <int m>
 class Sampler {
  public:
-  Sampler(const FlatSpace<m>& space, const Rational& radius, std::uint64_t seed)
+  /// `sizing`: none if the radius is the same everywhere. It is kept.
+  Sampler(const FlatSpace<m>& space, double radius, const TorusSizing<m>* sizing, std::uint64_t seed)
       : space_(space),
-        radius_(approximate_double(radius)),
+        radius_(radius),
+        sizing_(sizing),
         outer_radius_(space.is_torus() ? 0 : approximate_double(*space.ball_radius) + 2 * radius_),
         seed_(seed),
-        grid_(space.metric, space.is_torus() ? std::nullopt : std::optional(outer_radius_), radius_,
-              expected_points()) {}
+        grid_(space.metric, space.is_torus() ? std::nullopt : std::optional(outer_radius_),
+              sizing == nullptr ? radius_ : std::sqrt(radius_ * sizing->least()), expected_points()) {}
 
   void throw_darts(const Progress& progress) {
     const auto darts = static_cast<std::uint32_t>(std::ceil(darts_per_cell * cells()));
     for (std::uint32_t dart = 0; dart < darts; ++dart) {
       if (dart % 65536 == 0) progress("throw darts", dart, darts);
       CounterRandom random(seed_, RandomPurpose::darts, dart, 0);
-      insert_if_free(space_.is_torus() ? random_in_unit_cell(random) : random_in_ball(random, {}, outer_radius_));
+      const auto x = random_place(random);
+      insert_if_free(x, radius_at(x));
     }
   }
 
@@ -60,10 +63,12 @@ class Sampler {
       }
       const auto sphere = approximate_sphere<m>(plain, vertices);
       const double gap = std::sqrt(sphere.squared_radius);
-      if (!std::isfinite(gap) || gap <= radius_ * clearance || !is_sampled(sphere.centre)) continue;
+      double radius = radius_;
+      for (const auto& vertex : vertices) radius = std::min(radius, radius_at(vertex));
+      if (!std::isfinite(gap) || gap <= radius * clearance || !is_sampled(sphere.centre)) continue;
       found = true;
       CounterRandom random(seed_, RandomPurpose::gap_filling, at, round);
-      insert_if_free(random_in_ball(random, sphere.centre, gap - radius_ * clearance));
+      insert_if_free(random_in_ball(random, sphere.centre, gap - radius * clearance), radius);
     }
     return found;
   }
@@ -89,12 +94,27 @@ class Sampler {
   [[nodiscard]] double cells() const {
     const double volume = space_.is_torus() ? std::sqrt(approximate_double(space_.metric.determinant()))
                                             : ball_volume(m) * raised_to_dimension(outer_radius_);
-    const double result = volume / raised_to_dimension(radius_);
+    const double result = volume / raised_to_dimension(radius_) * mean_density();
     if (!(result <= most_points)) {
       throw Rejection("a net of this radius would have more than " + std::to_string(static_cast<long>(most_points)) +
                       " points, which is the most that is supported");
     }
     return result;
+  }
+  /// The mean over the space of (greatest radius/radius)^m, about.
+  [[nodiscard]] double mean_density() const {
+    if (sizing_ == nullptr) return 1;
+    constexpr std::uint32_t places = 4096;
+    double sum = 0;
+    for (std::uint32_t place = 0; place < places; ++place) {
+      // Other numbers than those that points are made from.
+      CounterRandom random(seed_, RandomPurpose::darts, place, 1);
+      sum += raised_to_dimension(radius_ / sizing_->at(random_in_unit_cell(random)));
+    }
+    return sum / places;
+  }
+  [[nodiscard]] double radius_at(const Vector<double, m>& x) const {
+    return sizing_ == nullptr ? radius_ : sizing_->at(x);
   }
   [[nodiscard]] std::size_t expected_points() const { return static_cast<std::size_t>(cells()) + 16; }
 
@@ -108,6 +128,18 @@ class Sampler {
     return x;
   }
 
+  /// Uniformly; where radii vary as often as there are to be points, nearly: what is missing then gaps are filled with.
+  Vector<double, m> random_place(CounterRandom& random) const {
+    if (!space_.is_torus()) return random_in_ball(random, {}, outer_radius_);
+    constexpr int most_draws = 64;
+    auto x = random_in_unit_cell(random);
+    for (int draw = 1; sizing_ != nullptr && draw < most_draws; ++draw) {
+      if (random.next_unit() <= raised_to_dimension(sizing_->least() / sizing_->at(x))) break;
+      x = random_in_unit_cell(random);
+    }
+    return x;
+  }
+
   Vector<double, m> random_in_ball(CounterRandom& random, const Vector<double, m>& centre, double radius) const {
     Vector<double, m> cartesian;
     do {
@@ -117,28 +149,26 @@ class Sampler {
     return sum(centre, space_.metric.approximate_frame(cartesian));
   }
 
-  void insert_if_free(Vector<double, m> x) {
+  /// No point is nearer than the radius.
+  void insert_if_free(Vector<double, m> x, double radius) {
     for (double& coordinate : x) {
       coordinate = on_net_grid(coordinate);
       if (space_.is_torus()) coordinate -= std::floor(coordinate);
     }
     if (!is_sampled(x)) return;
-    if (!grid_.approximately_occupied(x, radius_)) grid_.insert(x);
+    if (!grid_.approximately_occupied(x, radius)) grid_.insert(x);
   }
 
   const FlatSpace<m>& space_;
-  double radius_;
+  double radius_;  // the greatest
+  const TorusSizing<m>* sizing_;
   double outer_radius_;
   std::uint64_t seed_;
   PointGrid<m> grid_;
 };
 
-}  // namespace
-
 template <int m>
-std::vector<Vector<Rational, m>> poisson_disk_net(const FlatSpace<m>& space, const Rational& radius, std::uint64_t seed,
-                                                  const Progress& progress) {
-  Sampler<m> sampler(space, radius, seed);
+std::vector<Vector<Rational, m>> complete_net(Sampler<m> sampler, const Progress& progress) {
   sampler.throw_darts(progress);
   for (std::uint32_t round = 0; round < most_rounds; ++round) {
     progress("fill gaps", round, most_rounds);
@@ -147,9 +177,25 @@ std::vector<Vector<Rational, m>> poisson_disk_net(const FlatSpace<m>& space, con
   throw Rejection("maximal Poisson-disk sampling found gaps for " + std::to_string(most_rounds) + " rounds");
 }
 
+}  // namespace
+
+template <int m>
+std::vector<Vector<Rational, m>> poisson_disk_net(const FlatSpace<m>& space, const Rational& radius, std::uint64_t seed,
+                                                  const Progress& progress) {
+  return complete_net<m>(Sampler<m>(space, approximate_double(radius), nullptr, seed), progress);
+}
+
+template <int m>
+std::vector<Vector<Rational, m>> poisson_disk_net(const FlatSpace<m>& space, const TorusSizing<m>& sizing,
+                                                  std::uint64_t seed, const Progress& progress) {
+  return complete_net<m>(Sampler<m>(space, sizing.greatest(), &sizing, seed), progress);
+}
+
 #define DELCERT_INSTANTIATE(m)                                                                                       \
   template std::vector<Vector<Rational, m>> poisson_disk_net<m>(const FlatSpace<m>&, const Rational&, std::uint64_t, \
-                                                                const Progress&);
+                                                                const Progress&);                                    \
+  template std::vector<Vector<Rational, m>> poisson_disk_net<m>(const FlatSpace<m>&, const TorusSizing<m>&,          \
+                                                                std::uint64_t, const Progress&);
 DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
 #undef DELCERT_INSTANTIATE
 

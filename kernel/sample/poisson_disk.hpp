@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/manifold/flat_atlas.hpp"
+#include "kernel/sample/torus_sizing.hpp"
 #include "support/progress.hpp"
 
 namespace delcert {
@@ -19,6 +19,12 @@ namespace delcert {
 /// not fit the space.
 template <int m>
 [[nodiscard]] std::vector<Vector<Rational, m>> poisson_disk_net(const FlatSpace<m>& space, const Rational& radius,
+                                                                std::uint64_t seed, const Progress& progress);
+
+/// The same with radii that vary: of two points at least one is no nearer to the other than e there, and no simplex of
+/// the Delaunay triangulation has a circumradius above the least e of its vertices; both nearly, where e varies.
+template <int m>
+[[nodiscard]] std::vector<Vector<Rational, m>> poisson_disk_net(const FlatSpace<m>& space, const TorusSizing<m>& sizing,
                                                                 std::uint64_t seed, const Progress& progress);
 
 }  // namespace delcert

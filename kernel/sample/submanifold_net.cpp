@@ -4,7 +4,6 @@
 #include <cmath>
 #include <string>
 
-#include "kernel/number/exact_text.hpp"
 #include "kernel/sample/disk_sampling.hpp"
 #include "kernel/sample/spatial_order.hpp"
 #include "support/error.hpp"
@@ -14,37 +13,28 @@ namespace delcert {
 namespace {
 
 constexpr std::size_t most_points_of_submanifold = 2000000;
-constexpr int most_newton_steps = 40;
 
-/// The points of a zero set as `DiskSampling` takes them: coordinates about a point are those of its tangent plane.
+/// The points of a zero set as `DiskSampling` takes them: coordinates about a point are those of its tangent plane, as
+/// multiples of its radius by the greatest one.
 template <int m>
 class SubmanifoldPoints {
  public:
-  SubmanifoldPoints(const ZeroSet& zero_set, double radius)
-      : zero_set_(zero_set),
-        radius_(radius),
-        n_(zero_set.ambient()),
-        q_(zero_set.codimension()),
-        f_(zero_set.map()),
-        cells_(n_, 4 * radius),
-        value_(q_),
-        derivative_(q_ * n_) {
-    // Doubles of a few digits fewer than they have, so that centres are short.
-    step_ = std::ldexp(1.0, std::ilogb(radius) - 30);
-    for (const auto& side : zero_set.description().box)
-      box_.push_back({approximate_double(side[0]), approximate_double(side[1])});
+  SubmanifoldPoints(const EmbeddedManifold& manifold, Sizing sizing)
+      : manifold_(manifold),
+        sizing_(std::move(sizing)),
+        greatest_(sizing_.greatest()),
+        n_(manifold.ambient()),
+        step_(net_step(greatest_)),
+        sampler_(manifold.sampler(greatest_)),
+        cells_(n_, 4 * std::sqrt(sizing_.least() / greatest_) * greatest_) {
+    for (const auto& side : manifold.box()) box_.push_back({approximate_double(side[0]), approximate_double(side[1])});
   }
 
-  bool throw_dart(CounterRandom& random) {
-    std::vector<double> x(n_);
-    for (std::size_t axis = 0; axis < n_; ++axis)
-      x[axis] = box_[axis][0] + random.next_unit() * (box_[axis][1] - box_[axis][0]);
-    return insert_from(x);
-  }
-  /// The point of M to which Newton's method goes from here, unless there is none or another is closer to it than the
-  /// radius.
+  bool throw_dart(CounterRandom& random) { return insert_from(sampler_->dart(random)); }
+  /// The point of M to which is found from here, unless there is none or another is closer to it than the
+  /// radius there.
   bool insert_from(std::vector<double> x) {
-    if (!newton(x, nullptr) || !is_in_box(x) || !is_free(x)) return false;
+    if (!sampler_->project(x, nullptr) || !is_in_box(x) || !is_free(x)) return false;
     return insert(x);
   }
   void insert_about(std::uint32_t label, const Vector<double, m>& place) {
@@ -52,43 +42,70 @@ class SubmanifoldPoints {
     std::vector<double> x(n_);
     for (std::size_t axis = 0; axis < n_; ++axis) {
       x[axis] = cells_[label][axis];
-      for (std::size_t k = 0; k < m; ++k) x[axis] += frame[axis * n_ + k] * place[k];
+      for (std::size_t k = 0; k < m; ++k) x[axis] += frame[axis * n_ + k] * place[k] * units_[label];
     }
-    if (!newton(x, &frame) || height(label, x) > most_slope * 2 * radius_)
-      throw Rejection(zero_set_.description().name + ": the manifold is too curved for the sampling radius near " +
-                      rough_text({cells_[label], cells_[label] + n_}) + ": take a smaller one");
+    if (!sampler_->project(x, &frame) || height(label, x) > most_slope * 2 * radius_of(label)) {
+      std::vector<double> where(cells_[label], cells_[label] + n_);
+      const std::string reason = manifold_.name() + ": the manifold is too curved for the sampling radius near " +
+                                 rough_text(where) + ": " + sampler_->advice(where);
+      throw TooCoarse(reason, {std::move(where)});
+    }
+    if (!is_in_box(x))
+      throw Undecided(manifold_.name() + ": undecided whether the manifold goes through the side of the box near " +
+                      rough_text(x) + ": it is to be inside of the box, without boundary");
     if (is_free_in_chart(label, x)) insert(x);
   }
   void look_about(std::uint32_t label, std::vector<Vector<double, m>>& around) const {
     constexpr double reach = DiskSampling<m, SubmanifoldPoints>::reach;
     around.clear();
     std::vector<std::uint32_t> seen;
-    cells_.visit(cells_[label], most_stretch * reach * radius_, [&](std::uint32_t other, double) {
+    const double radius = radius_of(label);
+    cells_.visit(cells_[label], most_stretch * reach * radius, [&](std::uint32_t other, double) {
       if (other != label) seen.push_back(other);
       return false;
     });
     std::sort(seen.begin(), seen.end());
     for (const std::uint32_t other : seen) {
-      const auto place = seen_from(label, cells_[other]);
-      if (place && pairing(*place, *place) <= reach * radius_ * (reach * radius_)) around.push_back(*place);
+      auto place = seen_from(label, cells_[other]);
+      if (!place || pairing(*place, *place) > reach * radius * (reach * radius)) continue;
+      for (double& coordinate : *place) coordinate /= units_[label];
+      around.push_back(*place);
     }
   }
   [[nodiscard]] std::size_t size() const { return cells_.size(); }
 
-  [[nodiscard]] std::vector<std::vector<Rational>> ordered() const {
+  /// Where points are, in the order of a space-filling curve, and the radii there.
+  struct Ordered {
+    std::vector<std::vector<Rational>> centres;
+    SamplingRadii radii;
+  };
+  [[nodiscard]] Ordered ordered(const Rational& greatest) const {
     std::vector<std::array<double, 4>> places(size());
     for (std::size_t label = 0; label < size(); ++label) {
       for (std::size_t axis = 0; axis < std::min<std::size_t>(n_, 4); ++axis) {
-        const double width = box_[axis][1] - box_[axis][0];
-        places[label][axis] = 2 * (cells_[label][axis] - box_[axis][0]) / width - 1;
+        const std::array<double, 2>& side = box_[axis];
+        places[label][axis] = 2 * (cells_[label][axis] - side[0]) / (side[1] - side[0]) - 1;
       }
     }
-    std::vector<std::vector<Rational>> result;
+    Ordered result{{}, greatest};
+    std::vector<double> radii;
     for (const std::uint32_t label : spatial_order<4>(places)) {
-      auto& centre = result.emplace_back();
+      auto& centre = result.centres.emplace_back();
       for (std::size_t axis = 0; axis < n_; ++axis) centre.push_back(Rational::exactly(cells_[label][axis]));
+      radii.push_back(radius_of(label));
     }
+    if (sizing_.size() > 0) result.radii = SamplingRadii(radii);
     return result;
+  }
+
+  /// Half the radius at these places.
+  void refine(const std::vector<std::vector<double>>& places, double slope) {
+    std::vector<Sizing::Cone> cones;
+    for (const auto& place : places) cones.push_back({place, sizing_.at(place.data()) / 2, slope});
+    for (Sizing::Cone& cone : cones) {
+      if (cone.radius < sizing_.at(cone.apex.data()) * 0.75) sizing_.add(std::move(cone));
+    }
+    for (std::uint32_t label = 0; label < size(); ++label) units_[label] = sizing_.at(cells_[label]) / greatest_;
   }
 
  private:
@@ -96,58 +113,25 @@ class SubmanifoldPoints {
   static constexpr double most_slope = 1.5;
   static constexpr double most_stretch = 1.5;
 
-  /// Newton's method, along the normal columns of the frame, or by least steps.
-  bool newton(std::vector<double>& x, const Dense<double>* frame) {
-    Dense<double> directions(n_ * q_);
-    Dense<double> normal(q_ * q_);
-    for (int step = 0; step < most_newton_steps; ++step) {
-      if (!f_.first(x.data(), value_.data(), derivative_.data())) return false;
-      for (std::size_t axis = 0; axis < n_; ++axis) {
-        for (std::size_t b = 0; b < q_; ++b)
-          directions[axis * q_ + b] = frame != nullptr ? (*frame)[axis * n_ + m + b] : derivative_[b * n_ + axis];
-      }
-      std::fill(normal.begin(), normal.end(), 0);
-      for (std::size_t row = 0; row < q_; ++row) {
-        for (std::size_t axis = 0; axis < n_; ++axis) {
-          for (std::size_t b = 0; b < q_; ++b)
-            normal[row * q_ + b] += derivative_[row * n_ + axis] * directions[axis * q_ + b];
-        }
-      }
-      const auto inverse = inverse_of(normal, q_);
-      if (!inverse) return false;
-      double longest = 0;
-      for (std::size_t axis = 0; axis < n_; ++axis) {
-        double change = 0;
-        for (std::size_t b = 0; b < q_; ++b) {
-          double weight = 0;
-          for (std::size_t row = 0; row < q_; ++row) weight += (*inverse)[b * q_ + row] * value_[row];
-          change += directions[axis * q_ + b] * weight;
-        }
-        x[axis] -= change;
-        longest = std::max(longest, std::fabs(change));
-      }
-      if (!(longest < 0x1p+40)) return false;
-      if (longest < step_) return true;
-    }
-    return false;
-  }
-
   [[nodiscard]] bool is_in_box(const std::vector<double>& x) const {
     for (std::size_t axis = 0; axis < n_; ++axis) {
       if (!(x[axis] > box_[axis][0] && x[axis] < box_[axis][1])) return false;
     }
     return true;
   }
+  [[nodiscard]] double radius_of(std::uint32_t label) const { return units_[label] * greatest_; }
 
   bool insert(std::vector<double> x) {
     if (size() == most_points_of_submanifold)
       throw Rejection("a net of this radius has more than " + std::to_string(most_points_of_submanifold) +
                       " points, which is the most that is supported");
     for (double& coordinate : x) coordinate = std::nearbyint(coordinate / step_) * step_;
-    if (!f_.first(x.data(), value_.data(), derivative_.data())) return false;
-    auto proposed = propose_frame(derivative_, q_, n_);
+    const auto normals = sampler_->normals(x);
+    if (!normals) return false;
+    auto proposed = propose_frame(*normals, manifold_.codimension(), n_);
     if (!proposed) return false;
     cells_.insert(x.data());
+    units_.push_back(sizing_.at(x.data()) / greatest_);
     frames_.push_back(std::move(proposed->frame));
     return true;
   }
@@ -166,7 +150,7 @@ class SubmanifoldPoints {
   }
   /// In the tangent plane of this label; none if it must be on another sheet.
   [[nodiscard]] std::optional<Vector<double, m>> seen_from(std::uint32_t label, const double* x) const {
-    Vector<double, m> place;
+    Vector<double, m> place{};
     double across = 0;
     double above = 0;
     for (std::size_t k = 0; k < n_; ++k) {
@@ -178,26 +162,28 @@ class SubmanifoldPoints {
     return place;
   }
 
-  /// No point is closer in its own chart.
+  /// No point is closer in its own chart than the radius at x.
   [[nodiscard]] bool is_free(const std::vector<double>& x) const {
     bool result = true;
-    cells_.visit(x.data(), most_stretch * radius_, [&](std::uint32_t other, double squared) {
+    const double radius = sizing_.at(x.data());
+    cells_.visit(x.data(), most_stretch * radius, [&](std::uint32_t other, double squared) {
       const auto place = seen_from(other, x.data());
-      result = squared > square_of(step_) && (!place || pairing(*place, *place) >= radius_ * radius_);
+      result = squared > square_of(step_) && (!place || pairing(*place, *place) >= radius * radius);
       return !result;
     });
     return result;
   }
-  /// No point is closer in the chart of this label.
+  /// No point is closer in the chart of this label than its radius.
   [[nodiscard]] bool is_free_in_chart(std::uint32_t label, const std::vector<double>& x) const {
+    const double radius = radius_of(label);
     const auto place = seen_from(label, x.data());
-    if (!place || pairing(*place, *place) < radius_ * radius_) return false;
+    if (!place || pairing(*place, *place) < radius * radius) return false;
     bool result = true;
-    cells_.visit(x.data(), most_stretch * radius_, [&](std::uint32_t other, double squared) {
+    cells_.visit(x.data(), most_stretch * radius, [&](std::uint32_t other, double squared) {
       const auto there = seen_from(label, cells_[other]);
       if (there) {
         const auto offset = difference(*there, *place);
-        result = pairing(offset, offset) >= radius_ * radius_;
+        result = pairing(offset, offset) >= radius * radius;
       }
       if (squared <= square_of(step_)) result = false;
       return !result;
@@ -205,23 +191,25 @@ class SubmanifoldPoints {
     return result;
   }
 
-  const ZeroSet& zero_set_;
-  double radius_;
+  const EmbeddedManifold& manifold_;
+  Sizing sizing_;
+  double greatest_;
   std::size_t n_;
-  std::size_t q_;
-  FormulaEvaluation<double> f_;
+  double step_;
+  std::unique_ptr<ManifoldSampler> sampler_;
   AmbientGrid cells_;
   std::vector<Dense<double>> frames_;
-  std::vector<double> value_;
-  Dense<double> derivative_;
   std::vector<std::array<double, 2>> box_;
-  double step_;
+  std::vector<double> units_;  // radii, as parts of the greatest
 };
 
-[[noreturn]] void refuse_part(const ZeroSet& zero_set, const CoverReport& report) {
+[[noreturn]] void refuse_part(const EmbeddedManifold& manifold, const CoverReport& report) {
   const BoxPart& part = report.open.front();
-  throw Undecided(zero_set.description().name + ": undecided at the part of the box from " + rough_text(part.lower) +
-                  " to " + rough_text(part.upper) +
+  if (!manifold.is_smooth())
+    throw Undecided(manifold.name() + ": undecided near " + rough_text(part.lower) +
+                    ": this part of the mesh is not certainly in a patch");
+  throw Undecided(manifold.name() + ": undecided at the part of the box from " + rough_text(part.lower) + " to " +
+                  rough_text(part.upper) +
                   ": it may have zeros of the equations, and is in no patch; there may be a singular point, a "
                   "component of the manifold "
                   "that is too small for the sampling radius, or the manifold may go through the side of the box");
@@ -230,24 +218,48 @@ class SubmanifoldPoints {
 }  // namespace
 
 template <int m>
-SubmanifoldNet<m> submanifold_net(const ZeroSet& zero_set, const Rational& radius, std::uint64_t seed,
-                                  const Progress& progress) {
-  constexpr int most_rounds = 16;
+struct SubmanifoldSampling<m>::State {
+  State(const EmbeddedManifold& set, const Rational& radius, Sizing sizing)
+      : manifold(set),
+        greatest(radius),
+        points(set, std::move(sizing)),
+        sampling(points, Curvature::zero, approximate_double(radius)) {}
+
+  const EmbeddedManifold& manifold;
+  Rational greatest;
+  SubmanifoldPoints<m> points;
+  DiskSampling<m, SubmanifoldPoints<m>> sampling;
+  bool is_begun = false;
+};
+
+template <int m>
+SubmanifoldSampling<m>::SubmanifoldSampling(const EmbeddedManifold& manifold, const Rational& radius, Sizing sizing,
+                                            std::uint64_t seed)
+    : seed_(seed) {
   if (radius <= Rational(0)) throw InputError("the radius of a net is above 0");
-  SubmanifoldPoints<m> points(zero_set, approximate_double(radius));
-  DiskSampling<m, SubmanifoldPoints<m>> sampling(points, Curvature::zero, approximate_double(radius));
-  sampling.throw_darts(seed, progress);
+  state_ = std::make_unique<State>(manifold, radius, std::move(sizing));
+}
+template <int m>
+SubmanifoldSampling<m>::~SubmanifoldSampling() = default;
+
+template <int m>
+SubmanifoldNet<m> SubmanifoldSampling<m>::complete_in_box(const Progress& progress) {
+  constexpr int most_rounds = 16;
+  auto& [manifold, greatest, points, sampling, is_begun] = *state_;
+  if (!is_begun) sampling.throw_darts(seed_, progress);
+  is_begun = true;
   for (int round = 0;; ++round) {
-    sampling.fill_gaps(seed, progress);
+    sampling.fill_gaps(seed_, progress);
     SubmanifoldNet<m> result;
-    result.centres = points.ordered();
-    if (points.size() > 0) result.charts = fit_charts(zero_set, result.centres, radius, progress);
-    const CoverReport cover = check_cover(zero_set, result.charts.charts, progress);
+    auto [centres, radii] = points.ordered(greatest);
+    result.centres = std::move(centres);
+    result.radii = std::move(radii);
+    if (points.size() > 0) result.charts = manifold.fit_charts(result.centres, result.radii, progress);
+    const CoverReport cover = manifold.check_cover(result.charts.charts, progress);
     result.covering_radius = sampling.covering_radius();
     result.parts = cover.parts;
     if (cover.open.empty()) {
-      if (points.size() == 0)
-        throw Rejection(zero_set.description().name + ": no point of the box is a zero of the equations");
+      if (points.size() == 0) throw Rejection(manifold.name() + ": no point of the box is a zero of the equations");
       return result;
     }
     bool is_longer = false;
@@ -257,16 +269,48 @@ SubmanifoldNet<m> submanifold_net(const ZeroSet& zero_set, const Rational& radiu
         x.push_back(part.lower[axis] / 2 + part.upper[axis] / 2);
       if (points.insert_from(std::move(x))) is_longer = true;
     }
-    if (!is_longer || round == most_rounds) refuse_part(zero_set, cover);
+    if (!is_longer || round == most_rounds) refuse_part(manifold, cover);
   }
 }
-template SubmanifoldNet<2> submanifold_net<2>(const ZeroSet&, const Rational&, std::uint64_t, const Progress&);
-template SubmanifoldNet<3> submanifold_net<3>(const ZeroSet&, const Rational&, std::uint64_t, const Progress&);
 
-std::uint64_t require_cover(const ZeroSet& zero_set, const std::vector<TangentChart>& charts,
+template <int m>
+SubmanifoldNet<m> SubmanifoldSampling<m>::complete(const Progress& progress) {
+  try {
+    return complete_in_box(progress);
+  } catch (const Rejection&) {
+    // What a singular point does to nets and charts says less than where it is.
+    const EmbeddedManifold& manifold = state_->manifold;
+    const auto part = manifold.singular_part();
+    if (!part) throw;
+    throw Undecided(manifold.name() + ": undecided at the part of the box from " + rough_text(part->lower) + " to " +
+                    rough_text(part->upper) +
+                    ": there may be a singular point, where the equations hold and their derivatives are dependent");
+  }
+}
+
+template <int m>
+void SubmanifoldSampling<m>::refine(const std::vector<std::vector<double>>& places) {
+  constexpr double slope = 0.125;
+  state_->points.refine(places, slope);
+}
+template class SubmanifoldSampling<1>;
+template class SubmanifoldSampling<2>;
+template class SubmanifoldSampling<3>;
+
+template <int m>
+SubmanifoldNet<m> submanifold_net(const EmbeddedManifold& manifold, const Rational& radius, std::uint64_t seed,
+                                  const Progress& progress) {
+  const Sizing constant(manifold.ambient(), approximate_double(radius));
+  return SubmanifoldSampling<m>(manifold, radius, constant, seed).complete(progress);
+}
+template SubmanifoldNet<1> submanifold_net<1>(const EmbeddedManifold&, const Rational&, std::uint64_t, const Progress&);
+template SubmanifoldNet<2> submanifold_net<2>(const EmbeddedManifold&, const Rational&, std::uint64_t, const Progress&);
+template SubmanifoldNet<3> submanifold_net<3>(const EmbeddedManifold&, const Rational&, std::uint64_t, const Progress&);
+
+std::uint64_t require_cover(const EmbeddedManifold& manifold, const std::vector<TangentChart>& charts,
                             const Progress& progress) {
-  const CoverReport report = check_cover(zero_set, charts, progress);
-  if (!report.open.empty()) refuse_part(zero_set, report);
+  const CoverReport report = manifold.check_cover(charts, progress);
+  if (!report.open.empty()) refuse_part(manifold, report);
   return report.parts;
 }
 

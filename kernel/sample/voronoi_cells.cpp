@@ -19,7 +19,9 @@ constexpr double used_room = 0.9;
 /// det of these vectors.
 template <std::size_t m>
 double determinant_of(const std::array<std::array<double, m>, m>& x) {
-  if constexpr (m == 2) {
+  if constexpr (m == 1) {
+    return x[0][0];
+  } else if constexpr (m == 2) {
     return x[0][0] * x[1][1] - x[0][1] * x[1][0];
   } else {
     return pairing(wedge<double, m>({{x[1], x[2], {}}}), x[0]);
@@ -151,6 +153,7 @@ Vector<double, m> VoronoiCells<m>::mass_centre(const Cell& cell) {
   return volume > 0 ? scaled(1 / volume, moment) : Vector<double, m>{};
 }
 
+template class VoronoiCells<1>;
 template class VoronoiCells<2>;
 template class VoronoiCells<3>;
 

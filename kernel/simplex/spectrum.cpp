@@ -1,6 +1,7 @@
 #include "kernel/simplex/spectrum.hpp"
 
 #include <flint/fmpq_mat.h>
+#include <flint/fmpz_poly.h>
 #include <flint/fmpz_poly_factor.h>
 
 #include <Eigen/Dense>
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <optional>
 
+#include "kernel/number/flint_rational.hpp"
 #include "kernel/number/nearest_rounding.hpp"
 #include "kernel/simplex/inertia.hpp"
 #include "kernel/simplex/real_rooted.hpp"
@@ -115,13 +117,8 @@ class IntegralPolynomial {
   explicit IntegralPolynomial(const std::vector<Rational>& coefficients) {
     fmpq_poly_t rational;
     fmpq_poly_init(rational);
-    fmpq_t fraction;
-    fmpq_init(fraction);
-    for (std::size_t power = 0; power < coefficients.size(); ++power) {
-      fmpq_set_mpq(fraction, coefficients[power].gmp());
-      fmpq_poly_set_coeff_fmpq(rational, static_cast<slong>(power), fraction);
-    }
-    fmpq_clear(fraction);
+    for (std::size_t power = 0; power < coefficients.size(); ++power)
+      set_coefficient(rational, static_cast<slong>(power), coefficients[power]);
     fmpz_poly_init(value_);
     fmpq_poly_get_numerator(value_, rational);
     fmpq_poly_clear(rational);
@@ -213,15 +210,7 @@ std::vector<Rational> characteristic_polynomial(const SymmetricMatrix<Rational>&
   fmpq_mat_charpoly(polynomial, entries);
   fmpq_mat_clear(entries);
   std::vector<Rational> result;
-  fmpq_t coefficient;
-  fmpq_init(coefficient);
-  for (slong power = 0; power <= order; ++power) {
-    fmpq_poly_get_coeff_fmpq(coefficient, polynomial, power);
-    Rational::Wrapped value;
-    fmpq_get_mpq(value.backend().data(), coefficient);
-    result.emplace_back(std::move(value));
-  }
-  fmpq_clear(coefficient);
+  for (slong power = 0; power <= order; ++power) result.push_back(coefficient_of(polynomial, power));
   fmpq_poly_clear(polynomial);
   return result;
 }

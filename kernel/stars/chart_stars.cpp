@@ -148,6 +148,10 @@ class StarCertification {
 
 }  // namespace
 
+LocalMargins LocalMargins::as_multiples(const LengthUnits& units, Label i) const {
+  return {units.lower(i, protection), thickness, units.upper(i, circumradius), units.upper(i, reach)};
+}
+
 void LocalMargins::include(const LocalMargins& other) {
   protection = std::min(protection, other.protection);
   thickness = std::min(thickness, other.thickness);

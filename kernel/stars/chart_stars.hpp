@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "kernel/chart/length_units.hpp"
 #include "kernel/stars/local_ball.hpp"
 #include "kernel/stars/star_complex.hpp"
 
@@ -26,6 +27,8 @@ struct LocalMargins {
   double circumradius = 0;  ///< no circumradius is larger
   double reach = 0;         ///< no circumball goes farther than this from the centre of the chart
 
+  /// Lengths as multiples of the unit of this label, not better than they are.
+  [[nodiscard]] LocalMargins as_multiples(const LengthUnits& units, Label i) const;
   /// Of the simplices of both.
   void include(const LocalMargins& other);
 };

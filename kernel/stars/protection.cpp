@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "kernel/chart/length_units.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "kernel/number/ladder.hpp"
 #include "kernel/simplex/dimensions.hpp"
@@ -66,8 +67,10 @@ class Measurement {
           return atlas.metric().template on<Filter>();
         }()),
         plain_(atlas.metric().template on<PlainDouble>()),
-        look_beyond_(approximate_double(atlas.sampling_radius()) / 2),
-        grid_(atlas.metric(), atlas.space().box_radius(), approximate_double(atlas.sampling_radius()), points.size()) {
+        units_(atlas),
+        half_radius_(approximate_double(atlas.sampling_radius()) / 2),
+        grid_(atlas.metric(), atlas.space().box_radius(),
+              approximate_double(atlas.sampling_radius()) * middle_unit(atlas.radii().units()), points.size()) {
     for (const auto& point : points.approximate_all()) grid_.insert(point);
   }
 
@@ -80,6 +83,7 @@ class Measurement {
     lower_.resize(simplices.size());
     for (std::size_t at = 0; at < simplices.size(); ++at) {
       if (at % 4096 == 0) progress("certify stars", at, simplices.size());
+      take_unit(simplices[at]);
       measure(at, required);
     }
     progress("certify stars", simplices.size(), simplices.size());
@@ -130,6 +134,19 @@ class Measurement {
       const auto offset = difference(position<S>(lift), vertices[0]);
       return test.template operator()<S>(stack.power(offset, metric.squared_norm(offset)), stack.squared_radius());
     });
+  }
+
+  /// The simplex is measured in the least unit of its vertices.
+  void take_unit(const LiftedSimplex<m>& simplex) {
+    least_ = Label(simplex[0].index);
+    for (const Lift<m>& vertex : simplex) {
+      if (units_.of(Label(vertex.index)) < units_.of(least_)) least_ = Label(vertex.index);
+    }
+    look_beyond_ = half_radius_ * units_.of(least_);
+  }
+  /// So much of a length that is claimed counts for the simplex.
+  [[nodiscard]] Rational scaled(const Rational& length) const {
+    return units_.vary() ? length * Rational::exactly(units_.of(least_)) : length;
   }
 
   /// Fills near_ with all lifts within the circumradius and twice `look_beyond_` of the approximate centre.
@@ -191,7 +208,7 @@ class Measurement {
       thickness_.include(thickness.lower(), thickness.upper());
       if (last == m) {
         const Filter radius = square_root(stack.squared_radius());
-        negated_radius_.include(-radius.upper(), -radius.lower());
+        negated_radius_.include(-units_.upper(least_, radius.upper()), -units_.lower(least_, radius.lower()));
         stack_squared_radius_ = stack.squared_radius();
         centre_ = sum(stack.centre(), vertices[0]);
       }
@@ -217,7 +234,7 @@ class Measurement {
     ladder_statistics().count(Rung::interval, near_.size());
     is_certain_ = lower > 0;
     lower_[at] = lower;
-    if (is_certain_) protection_.include(lower, upper);
+    if (is_certain_) protection_.include(units_.lower(least_, lower), units_.upper(least_, upper));
   }
 
   /// The filter did not find a positive margin: decides which lifts are outside at all.
@@ -239,8 +256,8 @@ class Measurement {
   }
 
   void require(std::size_t at, const Rational& required) {
-    if (Rational::exactly(lower_[at]) > required) return;
-    if (const auto lift = less_protected(at, required)) {
+    if (Rational::exactly(lower_[at]) > scaled(required)) return;
+    if (const auto lift = less_protected(at, scaled(required))) {
       fail(complex_.simplices()[at], &*lift, FailureCause::less_protected, "is less protected than required");
     }
   }
@@ -283,9 +300,10 @@ class Measurement {
 
   bool all_are_protected_by(const Rational& protection) {
     for (std::size_t at = 0; at < complex_.simplices().size(); ++at) {
-      if (Rational::exactly(lower_[at]) > protection) continue;
+      take_unit(complex_.simplices()[at]);
+      if (Rational::exactly(lower_[at]) > scaled(protection)) continue;
       look_around(complex_.simplices()[at]);
-      if (less_protected(at, protection)) return false;
+      if (less_protected(at, scaled(protection))) return false;
     }
     return true;
   }
@@ -309,8 +327,12 @@ class Measurement {
   const StarComplex<m>& complex_;
   MetricOn<Filter, m> filter_;
   MetricOn<PlainDouble, m> plain_;
-  double look_beyond_;
+  LengthUnits units_;
+  double half_radius_;
   PointGrid<m> grid_;
+
+  Label least_{0};  // the vertex with the least unit, of the simplex at hand
+  double look_beyond_ = 0;
 
   std::vector<Lift<m>> near_;
   Lift<m> nearest_;

@@ -18,9 +18,10 @@ struct ProtectionReport {
 /// Certifies the simplices of all stars against all lifts of the points: non-degenerate, and every other lift farther
 /// from the circumcentre than the circumradius plus a margin. Margins have 12 significant binary digits. The protection
 /// is the best such number, but is not looked for beyond half a sampling radius; thickness and circumradius are what
-/// the filter's bounds give. A tie is decided (as a failure), and a protection that the filter cannot tell from 0 is a
-/// failure too. With `required_protection`, simplices whose protection is not above it are failures as well; throws
-/// InputError if that is more than half a sampling radius.
+/// the filter's bounds give. Where radii vary, lengths are multiples of the greatest: for a simplex they count as many
+/// times as the least radius of its vertices is of that (`LengthUnits`). A tie is decided (as a failure), and a
+/// protection that the filter cannot tell from 0 is a failure too. With `required_protection`, simplices whose
+/// protection is not above it are failures as well; throws InputError if that is more than half a sampling radius.
 template <int m>
 [[nodiscard]] ProtectionReport certify_protection(const FlatAtlas<m>& atlas, const PointSet<m>& points,
                                                   const StarComplex<m>& complex,

@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 
+#include "kernel/chart/length_units.hpp"
 #include "kernel/parallel/parts.hpp"
 #include "kernel/simplex/dimensions.hpp"
 
@@ -139,11 +140,14 @@ std::optional<LocalMargins> margins_in_chart(const ChartView<m>& view, const std
 /// decide all.
 template <int m>
 std::optional<LocalMargins> margins_by_isometry(ChartView<m>& view, const ChartComplex<m>& complex) {
-  if (!view.geometry().isometric_charts || !complex.agreement().failures.empty()) return std::nullopt;
+  if (!view.geometry().isometric_charts || LengthUnits(view.atlas()).vary() || !complex.agreement().failures.empty())
+    return std::nullopt;
   std::optional<LocalMargins> result;
   double complete = std::numeric_limits<double>::infinity();
+  double displacement = 0;
   for (std::uint32_t index = 0; index < complex.size(); ++index) {
     const Label chart(index);
+    displacement = std::max(displacement, view.displacement(chart));
     const auto mine = complex.first_seen_from(chart);
     if (complex.is_interior(chart)) complete = std::min(complete, view.complete_radius_of_patch(chart));
     if (mine.empty()) continue;
@@ -158,7 +162,7 @@ std::optional<LocalMargins> margins_by_isometry(ChartView<m>& view, const ChartC
   }
   if (!result) return std::nullopt;
   const FilterGuard guard;
-  const Filter reach = Filter::exactly(view.displacement()) + Filter(4) * Filter::exactly(result->circumradius);
+  const Filter reach = Filter::exactly(displacement) + Filter(4) * Filter::exactly(result->circumradius);
   const double room = (Filter::exactly(complete) - reach).lower();
   if (!(room > 0)) return std::nullopt;
   result->reach = reach.upper();
@@ -186,26 +190,28 @@ StarStability check_stability(const Atlas<m>& atlas, const PointSet<m>& points, 
   const auto is_interior = [&](Label i) { return complex.is_interior(i); };
   const auto look = [&](std::size_t first, std::size_t last) {
     ChartView<m> scratch = view;
-    std::vector<ChartStability> found;
+    std::vector<std::pair<Label, ChartStability>> found;
     for (std::size_t index = first; index < last; ++index) {
       const Label chart(index);
       if (!complex.is_interior(chart)) continue;
       if (is_decided) {
         const auto labels = complex.neighbours(chart);
-        found.emplace_back().pairs = static_cast<std::size_t>(std::count_if(labels.begin(), labels.end(), is_interior));
+        found.emplace_back(chart, ChartStability()).second.pairs =
+            static_cast<std::size_t>(std::count_if(labels.begin(), labels.end(), is_interior));
       } else {
-        found.push_back(stability_in_chart<m>(scratch, complex, chart));
+        found.emplace_back(chart, stability_in_chart<m>(scratch, complex, chart));
       }
     }
     return found;
   };
-  in_parts(stage, complex.size(), progress, look, [&](const std::vector<ChartStability>& found) {
-    for (const ChartStability& here : found) {
+  const LengthUnits units(atlas);
+  in_parts(stage, complex.size(), progress, look, [&](const std::vector<std::pair<Label, ChartStability>>& found) {
+    for (const auto& [chart, here] : found) {
       result.pairs += here.pairs;
       result.differing += here.failures.size();
       result.failures.insert(result.failures.end(), here.failures.begin(), here.failures.end());
       for (const StarFailure& failure : here.failures) differs[failure.label.value] = true;
-      if (here.margins) include(margins, *here.margins);
+      if (here.margins) include(margins, here.margins->as_multiples(units, chart));
     }
   });
   result.stars = static_cast<std::size_t>(std::count(differs.begin(), differs.end(), true));

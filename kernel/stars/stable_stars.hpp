@@ -18,7 +18,7 @@ struct StarStability {
   std::size_t differing = 0;          ///< pairs in which the star is not certified to be the same
   std::size_t stars = 0;              ///< labels in such a pair
   std::vector<StarFailure> failures;  ///< one for each such pair: which star, in which chart, why
-  LocalMargins margins;               ///< of all simplices in all these charts, where nothing fails
+  LocalMargins margins;  ///< of all simplices in all these charts, where nothing fails: as multiples of units
 };
 
 /// Checks star(i), as it is in the chart of i, in the chart of another label j, for all labels i of star(j): with the

@@ -23,10 +23,6 @@ Interval norm_of_difference(const Interval* a, const Interval* b, std::size_t co
   return square_root(squared);
 }
 
-double middle_of(const Interval& x) { return x.lower() + (x.upper() - x.lower()) / 2; }
-
-Interval point_in(const Interval& x) { return Interval::exactly(middle_of(x)); }
-
 }  // namespace
 
 const char* description_of(GraphCause cause) {
@@ -49,16 +45,10 @@ const char* description_of(GraphCause cause) {
 template <int m>
 GraphSimplexCheck<m>::GraphSimplexCheck(const GraphVertices& vertices)
     : vertices_(vertices),
-      n_(vertices.zero_set.ambient()),
-      q_(vertices.zero_set.codimension()),
-      evaluation_(vertices.zero_set.map()),
-      box_(n_),
-      middle_(n_),
-      f_(q_),
-      at_middle_(q_ * n_),
-      first_(q_ * n_),
-      second_(q_ * n_ * n_),
-      derivatives_((m + 1) * q_ * n_),
+      n_(vertices.manifold.ambient()),
+      q_(vertices.manifold.codimension()),
+      evaluation_(vertices.manifold.evaluation()),
+      hulls_(vertices.manifold.is_smooth() ? 1 : static_cast<std::size_t>(m) + 1),
       fibres_((m + 1) * q_ * n_) {}
 
 template <int m>
@@ -119,113 +109,70 @@ std::optional<typename GraphSimplexCheck<m>::Gradients> GraphSimplexCheck<m>::gr
   return result;
 }
 
-/// J at each vertex p′_v, Df(x̄) + D²f·(p′_v − x̄): on the simplex J is a convex combination of such.
 template <int m>
 bool GraphSimplexCheck<m>::enclose_derivatives(const LabelSimplex<m>& simplex, double displacement) {
-  const Interval around = Interval::between(-displacement, displacement);
-  for (std::size_t axis = 0; axis < n_; ++axis) {
-    Interval hull = vertices_.position(simplex[0])[axis];
-    for (std::size_t v = 1; v <= m; ++v) {
-      const Interval& x = vertices_.position(simplex[v])[axis];
-      hull = Interval::between(std::min(hull.lower(), x.lower()), std::max(hull.upper(), x.upper()));
-    }
-    middle_[axis] = point_in(hull);
-    box_[axis] = hull + around;
-  }
-  if (!evaluation_.first(middle_.data(), f_.data(), at_middle_.data())) return false;
-  if (!evaluation_.second(box_.data(), f_.data(), first_.data(), second_.data())) return false;
+  std::array<const Interval*, static_cast<std::size_t>(m) + 1> places;
   for (std::size_t v = 0; v <= m; ++v) {
-    const Interval* x = vertices_.position(simplex[v]);
+    places[v] = vertices_.position(simplex[v]);
     fibre(simplex[v], &fibres_[v * n_ * q_]);
-    for (std::size_t row = 0; row < q_ * n_; ++row) {
-      Interval sum = at_middle_[row];
-      for (std::size_t axis = 0; axis < n_; ++axis) sum += second_[row * n_ + axis] * (x[axis] - middle_[axis]);
-      derivatives_[v * q_ * n_ + row] = sum;
-    }
   }
-  spread_ = norm_of(second_) * Interval::exactly(displacement);
+  for (std::size_t at = 0; at < hulls_.size(); ++at) {
+    if (!evaluation_->enclose(vertices_.charts[simplex[at]], places, displacement, hulls_[at])) return false;
+  }
   return true;
 }
 
-/// ‖1 − J_v·W_w‖ with all that J may be nearby.
+/// ‖1 − J·W_w‖ for all that J may be.
 template <int m>
-double GraphSimplexCheck<m>::defect(std::size_t v, std::size_t w) const {
-  const Interval* j = &derivatives_[v * q_ * n_];
+double GraphSimplexCheck<m>::defect(const DerivativeHull& hull, std::size_t w) const {
   const Interval* fibre = &fibres_[w * n_ * q_];
-  Interval squared(0);
-  for (std::size_t row = 0; row < q_; ++row) {
-    for (std::size_t column = 0; column < q_; ++column) {
-      Interval sum(row == column ? 1 : 0);
-      for (std::size_t axis = 0; axis < n_; ++axis) sum -= j[row * n_ + axis] * fibre[axis * q_ + column];
-      squared += square(sum);
-    }
-  }
-  return (square_root(squared) + spread_ * norm_of({fibre, n_ * q_})).upper();
-}
-
-/// s_σ: sup|f| on σ over 1 − θ. f is at most m/(4(m + 1))·(max |Ā[e,e]| + ‖rad A‖·ℓ²) where it is 0 at the vertices, A
-/// = D²f.
-template <int m>
-Interval GraphSimplexCheck<m>::shift_of(const LabelSimplex<m>& simplex, const Interval& edge_squared,
-                                        const Interval& theta) const {
-  Interval deviation_squared(0);
-  for (const Interval& entry : second_) deviation_squared += square(entry - point_in(entry));
-  double bent = 0;
-  for (std::size_t v = 0; v <= m; ++v) {
-    for (std::size_t w = 0; w < v; ++w) {
-      std::array<Interval, 9> edge;
-      for (std::size_t axis = 0; axis < n_; ++axis)
-        edge[axis] = vertices_.position(simplex[v])[axis] - vertices_.position(simplex[w])[axis];
-      Interval squared(0);
-      for (std::size_t k = 0; k < q_; ++k) {
-        Interval value(0);
-        for (std::size_t row = 0; row < n_; ++row) {
-          Interval sum(0);
-          for (std::size_t axis = 0; axis < n_; ++axis)
-            sum += point_in(second_[(k * n_ + row) * n_ + axis]) * edge[axis];
-          value += edge[row] * sum;
-        }
-        squared += square(value);
+  double result = 0;
+  for (const Dense<Interval>& j : hull.matrices) {
+    Interval squared(0);
+    for (std::size_t row = 0; row < q_; ++row) {
+      for (std::size_t column = 0; column < q_; ++column) {
+        Interval sum(row == column ? 1 : 0);
+        for (std::size_t axis = 0; axis < n_; ++axis) sum -= j[row * n_ + axis] * fibre[axis * q_ + column];
+        squared += square(sum);
       }
-      bent = std::max(bent, square_root(squared).upper());
     }
+    result = std::max(result, (square_root(squared) + hull.spread * norm_of({fibre, n_ * q_})).upper());
   }
-  double residual = 0;
-  for (const std::uint32_t label : simplex) residual = std::max(residual, vertices_.residual(label));
-  const Interval curved = Interval::exactly(bent) + square_root(deviation_squared) * edge_squared;
-  return (curved * Interval(m) / Interval(4 * (m + 1)) + Interval::exactly(residual)) / (Interval(1) - theta);
+  return result;
 }
 
 template <int m>
-std::array<bool, 2> GraphSimplexCheck<m>::lies_inside(const LabelSimplex<m>& simplex, double displacement) const {
-  std::array<bool, 2> result{true, true};
+bool GraphSimplexCheck<m>::lies_inside(const LabelSimplex<m>& simplex, double displacement,
+                                       GraphSimplex<m>& result) const {
+  bool is_inside = true;
   const Interval around = Interval::exactly(displacement);
-  for (const std::uint32_t i : simplex) {
+  for (std::size_t at = 0; at <= m; ++at) {
+    const std::uint32_t i = simplex[at];
+    result.below_lid[at] = std::numeric_limits<double>::infinity();
     const ChartData& chart = vertices_.charts[i].data();
     const Interval radius = scalar_from<Interval>(chart.radius);
     const Interval height = scalar_from<Interval>(chart.height);
     for (const std::uint32_t v : simplex) {
       Interval squared(0);
       for (std::size_t column = 0; column < m; ++column) squared += square(coordinate(i, v, column));
-      if (!is_proved(less(square_root(squared) + around, radius))) result[0] = false;
+      if (!is_proved(less(square_root(squared) + around, radius))) is_inside = false;
       for (std::size_t column = m; column < n_; ++column) {
         const Interval size = absolute(coordinate(i, v, column));
-        if (!is_proved(less(size + around, height))) result[0] = false;
-        if (!is_proved(less(size + Interval(3) * around, height))) result[1] = false;
+        if (!is_proved(less(size + around, height))) is_inside = false;
+        result.below_lid[at] = std::min(result.below_lid[at], (height - size).lower());
       }
     }
   }
-  return result;
+  return is_inside;
 }
 
 /// sup ‖(J·N)⁻¹·J·E‖ ≤ ‖Y·J·E‖/(1 − ‖1 − Y·J·N‖).
 template <int m>
-double GraphSimplexCheck<m>::steepness(std::uint32_t i) const {
+double GraphSimplexCheck<m>::steepness(std::uint32_t i, const DerivativeHull& hull) const {
   const EnclosedChart<Interval>& chart = vertices_.charts[i].enclosed();
-  const Interval spread = spread_ * norm_of({chart.preconditioner.data(), q_ * q_});
+  const Interval spread = hull.spread * norm_of({chart.preconditioner.data(), q_ * q_});
   double result = 0;
-  for (std::size_t v = 0; v <= m; ++v) {
-    const Interval* j = &derivatives_[v * q_ * n_];
+  for (const Dense<Interval>& j : hull.matrices) {
     Interval along(0);
     Interval defect(0);
     for (std::size_t row = 0; row < q_; ++row) {
@@ -266,8 +213,7 @@ std::optional<double> GraphSimplexCheck<m>::contraction(std::size_t at, const La
   }
   double slope = 0;
   double size = 0;
-  for (std::size_t v = 0; v <= m; ++v) {
-    const Interval* j = &derivatives_[v * q_ * n_];
+  for (const Dense<Interval>& j : hull(at).matrices) {
     Interval squared(0);
     for (std::size_t row = 0; row < q_; ++row) {
       for (std::size_t column = 0; column < m; ++column) {
@@ -277,7 +223,7 @@ std::optional<double> GraphSimplexCheck<m>::contraction(std::size_t at, const La
       }
     }
     slope = std::max(slope, square_root(squared).upper());
-    size = std::max(size, norm_of({j, q_ * n_}).upper());
+    size = std::max(size, norm_of(j).upper());
   }
   // The derivative of W along the chart, one N×q matrix for each of its axes.
   Interval turn_squared(0);
@@ -292,15 +238,15 @@ std::optional<double> GraphSimplexCheck<m>::contraction(std::size_t at, const La
   const Interval rest = Interval(1) - theta;
   const Interval sideways = Interval::exactly(side);
   const Interval stretch = norm_of({lift.data(), n_ * m});
-  const Interval along = Interval::exactly(slope) + spread_ * stretch;
-  const Interval across = Interval(1) + sideways * (Interval::exactly(size) + spread_) / rest;
+  const Interval along = Interval::exactly(slope) + hull(at).spread * stretch;
+  const Interval across = Interval(1) + sideways * (Interval::exactly(size) + hull(at).spread) / rest;
   const double result = (sideways * along / rest + across * square_root(turn_squared) * shift).upper();
   if (!(result < greatest_contraction)) return std::nullopt;
   const Interval moved = Interval::exactly(result);
   // ‖D·Q⁻¹‖, of which the part in the plane of the chart is the identity.
   const Interval lifted = square_root(maximum(Interval(1), square(stretch) - Interval(m - 1)));
   measured.least_stretch = std::max(measured.least_stretch, ((Interval(1) - moved) / lifted).lower());
-  const double steepest = steepness(simplex[at]);
+  const double steepest = steepness(simplex[at], hull(at));
   const Interval longer = (Interval(1) + moved) * square_root(Interval(1) + square(Interval::exactly(steepest)));
   measured.greatest_stretch = std::min(measured.greatest_stretch, longer.upper());
   double narrowest = std::numeric_limits<double>::infinity();
@@ -331,7 +277,7 @@ GraphSimplex<m> GraphSimplexCheck<m>::measure(const LabelSimplex<m>& simplex, do
   double most_defect = 0;
   double widest = 0;
   for (std::size_t w = 0; w <= m; ++w) {
-    for (std::size_t v = 0; v <= m; ++v) most_defect = std::max(most_defect, defect(v, w));
+    for (const DerivativeHull& one : hulls_) most_defect = std::max(most_defect, defect(one, w));
     widest = std::max(widest, norm_of({&fibres_[w * n_ * q_], n_ * q_}).upper());
   }
   if (!(most_defect < 1)) {
@@ -339,11 +285,14 @@ GraphSimplex<m> GraphSimplexCheck<m>::measure(const LabelSimplex<m>& simplex, do
     return result;
   }
   const Interval theta = Interval::exactly(most_defect);
-  const Interval shift = Interval::exactly(shift_of(simplex, square(Interval::exactly(edge)), theta).upper());
-  result.shift = shift.upper();
+  double height = 0;
+  double residual = 0;
+  for (const DerivativeHull& one : hulls_) height = std::max(height, one.height);
+  for (const std::uint32_t label : simplex) residual = std::max(residual, vertices_.residual(label));
+  result.shift = ((Interval::exactly(height) + Interval::exactly(residual)) / (Interval(1) - theta)).upper();
+  const Interval shift = Interval::exactly(result.shift);
   result.displacement = (Interval::exactly(widest) * shift).upper();
-  const auto [is_inside, is_under_lid] = lies_inside(simplex, displacement);
-  result.is_under_lid = is_under_lid;
+  const bool is_inside = lies_inside(simplex, displacement, result);
   result.greatest_stretch = result.normal = std::numeric_limits<double>::infinity();
   if (!is_inside) fail(GraphCause::outside);
   if (!(result.displacement <= displacement)) fail(GraphCause::displacement);

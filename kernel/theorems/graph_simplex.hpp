@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -11,14 +12,24 @@
 
 namespace delcert {
 
-/// Where the labels of a complex are in ℝᴺ, with their charts, and how near to the zero set.
+/// Where the labels of a complex are in ℝᴺ, with their charts, and how near to the manifold.
 struct GraphVertices {
-  const ZeroSet& zero_set;
+  const EmbeddedManifold& manifold;
   const std::vector<TangentChart>& charts;
   std::vector<Interval> positions;  ///< p′, N coordinates for each label
   std::vector<double> residuals;    ///< upper bounds of |f(p′)|; empty: they are on M
+  /// Of few digits; lengths that are the same for all labels, but for these factors, count so many times. Empty: 1.
+  std::vector<double> units = {};
 
-  [[nodiscard]] const Interval* position(std::uint32_t label) const { return &positions[label * zero_set.ambient()]; }
+  [[nodiscard]] const Interval* position(std::uint32_t label) const { return &positions[label * manifold.ambient()]; }
+  [[nodiscard]] double unit(std::uint32_t label) const { return units.empty() ? 1 : units[label]; }
+  /// The least of those of the vertices.
+  template <std::size_t size>
+  [[nodiscard]] double unit(const std::array<std::uint32_t, size>& simplex) const {
+    double result = unit(simplex[0]);
+    for (const std::uint32_t label : simplex) result = std::min(result, unit(label));
+    return result;
+  }
   [[nodiscard]] double residual(std::uint32_t label) const { return residuals.empty() ? 0 : residuals[label]; }
 };
 
@@ -41,11 +52,11 @@ struct GraphSimplex {
   double shift = 0;                 ///< s_σ
   double displacement = 0;          ///< max ‖W_v‖·s_σ
   double contraction = 0;           ///< the greatest γ_{σ,i}
-  bool is_under_lid = false;        ///< 5i.lid: heights with 3ω below ζ
   double least_stretch = 0;  ///< level 6: distances on σ, moved to M, are at least this times as long; a lower bound
   double greatest_stretch = 0;  ///< and at most this times
   double normal = 0;            ///< the sine of the angle between σ and the tangent spaces of M over it
   std::array<double, static_cast<std::size_t>(m) + 1> altitudes{};  ///< at each vertex, in its own chart: lower bounds
+  std::array<double, static_cast<std::size_t>(m) + 1> below_lid{};  ///< and how far all are below its lid, likewise
 };
 
 /// Measures simplices. Has scratch memory: one for each thread. All but the constructor needs a `RoundingGuard`, and
@@ -75,26 +86,24 @@ class GraphSimplexCheck {
   /// W_v = N_v·Y_v, N×q.
   void fibre(std::uint32_t v, Interval* w) const;
   [[nodiscard]] bool enclose_derivatives(const LabelSimplex<m>& simplex, double displacement);
-  [[nodiscard]] double defect(std::size_t v, std::size_t w) const;
-  [[nodiscard]] Interval shift_of(const LabelSimplex<m>& simplex, const Interval& edge_squared,
-                                  const Interval& theta) const;
+  /// In the chart of the label that stands at this place.
+  [[nodiscard]] const DerivativeHull& hull(std::size_t at) const { return hulls_[hulls_.size() == 1 ? 0 : at]; }
+  [[nodiscard]] double defect(const DerivativeHull& hull, std::size_t w) const;
   /// What the simplex is in the chart of the label that stands at this place; adds to what is known of it. None if γ <
   /// 1 fails.
   [[nodiscard]] std::optional<double> contraction(std::size_t at, const LabelSimplex<m>& simplex,
                                                   const Gradients& gradients, const Interval& theta,
                                                   GraphSimplex<m>& result) const;
   /// Of ker J to the plane of the chart, for all J that may be on the simplex; infinite if unknown.
-  [[nodiscard]] double steepness(std::uint32_t i) const;
-  /// 5.fibre and 5i.lid.
-  [[nodiscard]] std::array<bool, 2> lies_inside(const LabelSimplex<m>& simplex, double displacement) const;
+  [[nodiscard]] double steepness(std::uint32_t i, const DerivativeHull& hull) const;
+  /// 5.fibre. Sets `below_lid`.
+  [[nodiscard]] bool lies_inside(const LabelSimplex<m>& simplex, double displacement, GraphSimplex<m>& result) const;
 
   const GraphVertices& vertices_;
   std::size_t n_, q_;
-  FormulaEvaluation<Interval> evaluation_;
-  std::vector<Interval> box_, middle_, f_, at_middle_, first_, second_;
-  std::vector<Interval> derivatives_;  // J at each vertex by the centred form, q×N
+  std::unique_ptr<GraphEvaluation> evaluation_;
+  std::vector<DerivativeHull> hulls_;  // one, or one for each vertex
   std::vector<Interval> fibres_;       // W of each vertex, N×q
-  Interval spread_;                    // ‖D²f‖·ω: how much J may differ from the hull of those
 };
 
 }  // namespace delcert

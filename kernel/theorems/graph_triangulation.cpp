@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 #include "kernel/chart/ambient_grid.hpp"
 #include "kernel/number/rounding_guard.hpp"
 #include "kernel/number/scalar.hpp"
 #include "kernel/parallel/parts.hpp"
+#include "kernel/topology/components.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
@@ -39,7 +39,9 @@ std::vector<GraphSimplex<m>> graph_measures_part(const GraphVertices& vertices,
   const RoundingGuard guard;
   GraphSimplexCheck<m> check(vertices);
   std::vector<GraphSimplex<m>> result;
-  for (std::size_t at = first; at < last; ++at) result.push_back(check.measure(simplices[at], displacement));
+  // Both have so few digits that the products are exact.
+  for (std::size_t at = first; at < last; ++at)
+    result.push_back(check.measure(simplices[at], displacement * vertices.unit(simplices[at])));
   return result;
 }
 
@@ -54,32 +56,13 @@ GraphMeasures<m> graph_measures(const GraphVertices& vertices, const std::vector
       },
       [&](std::vector<GraphSimplex<m>> part) {
         for (const GraphSimplex<m>& one : part) {
-          result.displacement = std::max(result.displacement, one.displacement);
+          const double unit = vertices.unit(simplices[result.simplices.size()]);
+          result.displacement = std::max(result.displacement, one.displacement / unit);
           if (one.cause && *one.cause != GraphCause::displacement) result.only_displacements_fail = false;
           result.simplices.push_back(one);
         }
       });
   return result;
-}
-
-/// The least vertex of the component of each label; of labels in no simplex themselves.
-template <int m>
-std::vector<std::uint32_t> component_of_labels(std::size_t labels, const std::vector<LabelSimplex<m>>& simplices) {
-  std::vector<std::uint32_t> parent(labels);
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&parent](std::uint32_t label) {
-    while (parent[label] != label) label = parent[label] = parent[parent[label]];
-    return label;
-  };
-  for (const LabelSimplex<m>& simplex : simplices) {
-    for (const std::uint32_t label : simplex) {
-      const std::uint32_t one = root(simplex[0]);
-      const std::uint32_t other = root(label);
-      parent[std::max(one, other)] = std::min(one, other);
-    }
-  }
-  for (std::uint32_t label = 0; label < labels; ++label) parent[label] = root(label);
-  return parent;
 }
 
 /// Rule 5.clear.
@@ -91,7 +74,7 @@ class ClearLabels {
       : vertices_(vertices),
         simplices_(simplices),
         measures_(measures),
-        around_(Interval(2) * Interval::exactly(displacement)),
+        displacement_(displacement),
         check_(vertices),
         shifts_(vertices.charts.size(), std::numeric_limits<double>::infinity()) {
     for (std::size_t at = 0; at < simplices.size(); ++at) {
@@ -104,29 +87,32 @@ class ClearLabels {
     for (std::size_t at = 0; at < simplices_.size(); ++at) {
       const LabelSimplex<m>& simplex = simplices_[at];
       if (std::find(simplex.begin(), simplex.end(), k) != simplex.end()) continue;
-      if (!is_far(k, at) && !has_other_height(k, simplex) && !is_beyond_a_facet(k, at)) return false;
+      // ω_σ and what it is at k.
+      const Interval around = Interval::exactly(displacement_) *
+                              (Interval::exactly(vertices_.unit(simplex)) + Interval::exactly(vertices_.unit(k)));
+      if (!is_far(k, at, around) && !has_other_height(k, simplex, around) && !is_beyond_a_facet(k, at)) return false;
     }
     return true;
   }
 
  private:
-  [[nodiscard]] bool is_far(std::uint32_t k, std::size_t at) const {
+  [[nodiscard]] bool is_far(std::uint32_t k, std::size_t at, const Interval& around) const {
     const Interval* here = vertices_.position(k);
     const Interval* there = vertices_.position(simplices_[at][0]);
     Interval squared(0);
-    for (std::size_t axis = 0; axis < vertices_.zero_set.ambient(); ++axis) squared += square(here[axis] - there[axis]);
-    return is_proved(less(square(Interval::exactly(measures_[at].edge) + around_), squared));
+    for (std::size_t axis = 0; axis < vertices_.manifold.ambient(); ++axis) squared += square(here[axis] - there[axis]);
+    return is_proved(less(square(Interval::exactly(measures_[at].edge) + around), squared));
   }
 
-  [[nodiscard]] bool has_other_height(std::uint32_t k, const LabelSimplex<m>& simplex) const {
-    for (std::size_t column = m; column < vertices_.zero_set.ambient(); ++column) {
+  [[nodiscard]] bool has_other_height(std::uint32_t k, const LabelSimplex<m>& simplex, const Interval& around) const {
+    for (std::size_t column = m; column < vertices_.manifold.ambient(); ++column) {
       const Interval height = check_.coordinate(simplex[0], k, column);
       bool is_above = true;
       bool is_below = true;
       for (const std::uint32_t v : simplex) {
         const Interval other = check_.coordinate(simplex[0], v, column);
-        is_above = is_above && is_proved(less(other + around_, height));
-        is_below = is_below && is_proved(less(height + around_, other));
+        is_above = is_above && is_proved(less(other + around, height));
+        is_below = is_below && is_proved(less(height + around, other));
       }
       if (is_above || is_below) return true;
     }
@@ -159,7 +145,7 @@ class ClearLabels {
   const GraphVertices& vertices_;
   const std::vector<LabelSimplex<m>>& simplices_;
   const std::vector<GraphSimplex<m>>& measures_;
-  Interval around_;  // 2ω
+  double displacement_;
   GraphSimplexCheck<m> check_;
   std::vector<double> shifts_;  // s_k: the least of the simplices at k
 };
@@ -181,7 +167,7 @@ std::vector<Label> unclear_components(const GraphVertices& vertices, const std::
   return result;
 }
 
-/// Rule 5i.embedded: its margin, label by label.
+/// Rules 5i.embedded, its margin, and 5i.lid, label by label.
 template <int m>
 class IsotopyMargins {
  public:
@@ -189,54 +175,74 @@ class IsotopyMargins {
                  const std::vector<GraphSimplex<m>>& measures, const Rational& displacement,
                  const Rational& contraction)
       : vertices_(vertices),
-        reach_(reach_of(measures, displacement)),
+        displacement_(scalar_from<Interval>(displacement)),
+        reach_(reach_of(vertices, simplices, measures, displacement)),
         rest_(scalar_from<Interval>((Rational(1) - contraction) / Rational(m + 1))),
-        grid_(vertices.zero_set.ambient(), reach_),
+        grid_(vertices.manifold.ambient(), 2 * reach_ * middle_unit(vertices.units)),
         shifts_(vertices.charts.size()),
-        altitudes_(vertices.charts.size(), std::numeric_limits<double>::infinity()) {
+        altitudes_(vertices.charts.size(), std::numeric_limits<double>::infinity()),
+        below_lid_(altitudes_) {
+    for (const double unit : vertices.units) greatest_unit_ = std::max(greatest_unit_, unit);
     for (std::uint32_t label = 0; label < shifts_.size(); ++label) grid_.insert(place(label).data());
     for (std::size_t at = 0; at < simplices.size(); ++at) {
       for (std::size_t v = 0; v <= m; ++v) {
         const std::uint32_t label = simplices[at][v];
         shifts_[label] = std::max(shifts_[label], measures[at].shift);
         altitudes_[label] = std::min(altitudes_[label], measures[at].altitudes[v]);
+        below_lid_[label] = std::min(below_lid_[label], measures[at].below_lid[v]);
       }
     }
   }
 
-  [[nodiscard]] double margin(const GraphSimplexCheck<m>& check, std::uint32_t i) const {
+  struct Found {
+    double margin;
+    bool is_under_lid;
+  };
+  [[nodiscard]] Found at(const GraphSimplexCheck<m>& check, std::uint32_t i) const {
     double side = 0;
     const RoundingGuard guard;
-    grid_.visit(place(i).data(), reach_, [&](std::uint32_t v, double) {
+    const Interval unit = Interval::exactly(vertices_.unit(i));
+    Interval around(0);  // the greatest unit of labels near
+    grid_.visit(place(i).data(), reach_ * (vertices_.unit(i) + greatest_unit_), [&](std::uint32_t v, double squared) {
+      const double reach = reach_ * (vertices_.unit(i) + vertices_.unit(v));
+      if (squared > reach * reach * (1 + 0x1p-20)) return false;
       side = std::max(side, (Interval::exactly(check.lateral(i, v)) * Interval::exactly(shifts_[v])).upper());
+      around = maximum(around, Interval::exactly(vertices_.unit(v)));
       return false;
     });
-    if (!(altitudes_[i] < std::numeric_limits<double>::infinity())) return -1;
-    return (rest_ * Interval::exactly(altitudes_[i]) - Interval(2) * Interval::exactly(side)).lower();
+    if (!(altitudes_[i] < std::numeric_limits<double>::infinity())) return {-1, true};
+    const Interval moved = displacement_ * (Interval(2) * unit + around);
+    return {((rest_ * Interval::exactly(altitudes_[i]) - Interval(2) * Interval::exactly(side)) / unit).lower(),
+            is_proved(less(moved, Interval::exactly(below_lid_[i])))};
   }
 
  private:
-  /// 2ℓ + 2ω, and a little more: places are rounded.
-  static double reach_of(const std::vector<GraphSimplex<m>>& measures, const Rational& displacement) {
+  /// ℓ + ω, in units, and a little more: places are rounded.
+  static double reach_of(const GraphVertices& vertices, const std::vector<LabelSimplex<m>>& simplices,
+                         const std::vector<GraphSimplex<m>>& measures, const Rational& displacement) {
     double edge = 0;
-    for (const GraphSimplex<m>& one : measures) edge = std::max(edge, one.edge);
-    return (Interval(2) * (Interval::exactly(edge) + scalar_from<Interval>(displacement)) *
-            Interval::exactly(1 + 0x1p-20))
-        .upper();
+    for (std::size_t at = 0; at < measures.size(); ++at) {
+      const Interval unit = Interval::exactly(vertices.unit(simplices[at]));
+      edge = std::max(edge, (Interval::exactly(measures[at].edge) / unit).upper());
+    }
+    return ((Interval::exactly(edge) + scalar_from<Interval>(displacement)) * Interval::exactly(1 + 0x1p-20)).upper();
   }
   [[nodiscard]] std::array<double, 9> place(std::uint32_t label) const {
     std::array<double, 9> result{};
-    for (std::size_t axis = 0; axis < vertices_.zero_set.ambient(); ++axis)
+    for (std::size_t axis = 0; axis < vertices_.manifold.ambient(); ++axis)
       result[axis] = vertices_.position(label)[axis].lower();
     return result;
   }
 
   const GraphVertices& vertices_;
+  Interval displacement_;
   double reach_;
+  double greatest_unit_ = 1;
   Interval rest_;  // (1 − γ)/(m + 1)
   AmbientGrid grid_;
   std::vector<double> shifts_;     // the greatest s_τ of the simplices at each label
   std::vector<double> altitudes_;  // a_i
+  std::vector<double> below_lid_;  // how far the star is below the lid of its label
 };
 
 template <int m>
@@ -255,13 +261,14 @@ void measure_isotopy(const GraphVertices& vertices, const std::vector<LabelSimpl
       [&](std::size_t first, std::size_t last) {
         const RoundingGuard guard;
         const GraphSimplexCheck<m> check(vertices);
-        std::vector<double> part;
-        for (std::size_t i = first; i < last; ++i)
-          part.push_back(margins->margin(check, static_cast<std::uint32_t>(i)));
+        std::vector<typename IsotopyMargins<m>::Found> part;
+        for (std::size_t i = first; i < last; ++i) part.push_back(margins->at(check, static_cast<std::uint32_t>(i)));
         return part;
       },
-      [&](const std::vector<double>& part) {
-        for (const double margin : part) {
+      [&](const auto& part) {
+        for (const auto& [margin, is_under_lid] : part) {
+          result.above_lid += is_under_lid ? 0 : 1;
+          if (!is_under_lid || !(margin > 0)) result.crowded.emplace_back(next);
           if (margin < result.margin) {
             result.margin = margin;
             result.tightest = Label(next);
@@ -269,14 +276,13 @@ void measure_isotopy(const GraphVertices& vertices, const std::vector<LabelSimpl
           ++next;
         }
       });
-  for (const GraphSimplex<m>& one : measures) result.above_lid += one.is_under_lid ? 0 : 1;
 }
 
 }  // namespace
 
 template <int m>
 GraphVertices graph_vertices(const SubmanifoldAtlas<m>& atlas, const PointSet<m>& points) {
-  GraphVertices result{atlas.zero_set(), atlas.charts(), {}, {}};
+  GraphVertices result{atlas.manifold(), atlas.charts(), {}, {}, atlas.radii().units()};
   for (std::uint32_t index = 0; index < atlas.size(); ++index) {
     const Label i(index);
     const Vector<Rational, m> home = points.exact(i);
@@ -297,6 +303,7 @@ GraphVertices graph_vertices(const SubmanifoldAtlas<m>& atlas, const PointSet<m>
   }
   return result;
 }
+template GraphVertices graph_vertices<1>(const SubmanifoldAtlas<1>&, const PointSet<1>&);
 template GraphVertices graph_vertices<2>(const SubmanifoldAtlas<2>&, const PointSet<2>&);
 template GraphVertices graph_vertices<3>(const SubmanifoldAtlas<3>&, const PointSet<3>&);
 
@@ -342,7 +349,7 @@ GraphTriangulation<m> check_graph_triangulation(const GraphVertices& vertices,
   }
   if (!result.failures.empty()) return result;
   result.contraction = contraction > 0 ? with_room_above(contraction) : Rational::power_of_two(-digits_of_bounds);
-  result.component = component_of_labels<m>(vertices.charts.size(), simplices);
+  result.component = component_of_labels(vertices.charts.size(), simplices);
   result.simplices = std::move(found.simplices);
   result.unclear = unclear_components<m>(vertices, simplices, result.simplices, result.component,
                                          approximate_double(result.displacement));

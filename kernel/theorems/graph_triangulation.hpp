@@ -21,11 +21,13 @@ struct GraphTriangulation {
   std::vector<GraphSimplexFailure<m>> failures;  ///< of 5.fibre and 5.contract, in the order of the simplices
   std::vector<Label>
       unclear;  ///< 5.clear: the least labels of components of which no label is certainly alone above its place
-  Rational displacement{};  ///< ω: every point of the complex is moved by no more; few binary digits, with a margin
+  /// ω: no point of a simplex is moved by more, times the least unit of its vertices; few binary digits, with a margin.
+  Rational displacement{};
   Rational contraction{};  ///< γ < 1: how far the map is from the identity in charts; few binary digits, with a margin
-  std::size_t above_lid = 0;               ///< simplices that do not pass 5i.lid
+  std::vector<Label> crowded;              ///< labels at which 5i fails
+  std::size_t above_lid = 0;               ///< labels that do not pass 5i.lid
   Label tightest{0};                       ///< where the margin of 5i is least
-  double margin = 0;                       ///< of 5i, a lower bound; 5i holds if it is above 0
+  double margin = 0;                       ///< of 5i, in units, a lower bound; 5i holds if it is above 0
   std::vector<GraphSimplex<m>> simplices;  ///< what was measured of each
   std::vector<std::uint32_t> component;    ///< of each label: the least label of its component
 

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "kernel/chart/ambient_grid.hpp"
-#include "kernel/manifold/submanifold/fibre_zero.hpp"
 #include "kernel/number/rounding_guard.hpp"
 #include "kernel/parallel/parts.hpp"
 
@@ -15,8 +14,9 @@ namespace {
 
 constexpr std::size_t labels_at_a_time = 64;
 constexpr long digits_of_density = 12;
-/// Readers bound the second derivative otherwise, and less well.
-const Interval room_for_readers = Interval::exactly(2);
+/// Readers bound the second derivative otherwise, and less well, above all on curves, whose patches are the widest.
+template <int m>
+const Interval room_for_readers = Interval::exactly(m == 1 ? 4 : 2);
 /// Boxes are halved so often.
 constexpr int most_halvings = 12;
 
@@ -50,6 +50,18 @@ struct Around {
   Interval power;                ///< |u_k|² − |u_i|²
 };
 
+/// Of the vertices, for lengths that are this for the unit 1.
+AmbientGrid grid_of(const GraphVertices& vertices, double length) {
+  AmbientGrid grid(vertices.manifold.ambient(), length * middle_unit(vertices.units));
+  for (std::uint32_t label = 0; label < vertices.charts.size(); ++label) {
+    std::array<double, most_ambient_dimensions> place{};
+    for (std::size_t axis = 0; axis < vertices.manifold.ambient(); ++axis)
+      place[axis] = vertices.position(label)[axis].lower();
+    grid.insert(place.data());
+  }
+  return grid;
+}
+
 /// The discs of labels, one after the other.
 template <int m>
 class DiscCover {
@@ -59,24 +71,27 @@ class DiscCover {
       : vertices_(vertices),
         stars_(stars),
         grid_(grid),
-        n_(vertices.zero_set.ambient()),
-        q_(vertices.zero_set.codimension()),
+        n_(vertices.manifold.ambient()),
+        q_(vertices.manifold.codimension()),
         slope_(scalar_from<Interval>(slope)),
-        radius_(scalar_from<Interval>(density)),
+        density_(scalar_from<Interval>(density)),
         stretch_(stretch_of(slope)),
         metric_(metric),
-        evaluation_(vertices.zero_set.map()),
+        evaluation_(vertices.manifold.evaluation()),
         check_(vertices) {}
 
   /// Whether the disc is certainly covered.
   bool covers(std::uint32_t i) {
     label_ = i;
+    radius_ = density_ * Interval::exactly(vertices_.unit(i));
     chart_ = &vertices_.charts[i].enclosed();
     patch_ = scalar_from<Interval>(vertices_.charts[i].data().radius);
     for (std::size_t column = 0; column < n_; ++column) own_[column] = check_.coordinate(i, i, column);
     if (!is_in_patch()) return false;
     bend_ = Interval(0);
     if (metric_ == GraphMetric::intrinsic && !find_bend()) return false;
+    // Where curves may be longer than their chords by more than this nothing is certain, and no label too far away.
+    if (!is_proved(less(excess(radius_), radius_))) return false;
     gather();
     std::vector<std::size_t> all(around_.size());
     for (std::size_t k = 0; k < all.size(); ++k) all[k] = k;
@@ -100,7 +115,7 @@ class DiscCover {
   }
 
   /// B ≥ |D²z| where segments run that `excess` is asked of: in the square of half a side 2r̂ about the own place,
-  /// divided into cells. D²z[e, e] = −(J·N)⁻¹·D²f[(E + N·Dz)e, (E + N·Dz)e].
+  /// divided into cells.
   bool find_bend() {
     constexpr unsigned parts = 4;
     const double side = (Interval(4) * radius_ / Interval(static_cast<int>(parts))).upper();
@@ -118,7 +133,7 @@ class DiscCover {
         if (!is_proved(less(from_zero, square(patch_)))) return false;
         const auto bend = bend_in(centre, side / 2 * (1 + 0x1p-30));
         if (!bend) return false;
-        bend_ = maximum(bend_, room_for_readers * *bend);
+        bend_ = maximum(bend_, room_for_readers<m> * *bend);
       }
       std::size_t row = 0;
       while (row < m && ++at[row] == parts) at[row++] = 0;
@@ -131,53 +146,7 @@ class DiscCover {
     for (std::size_t row = 0; row < m; ++row)
       place[row] = Interval::exactly(centre[row]) + Interval::between(-half, half);
     if (!heights(centre, half, place)) return std::nullopt;
-    std::vector<Interval> box(n_);
-    std::vector<Interval> middle(n_);
-    chart_->position(place.data(), box.data());
-    for (std::size_t axis = 0; axis < n_; ++axis)
-      middle[axis] = Interval::exactly(box[axis].lower() + (box[axis].upper() - box[axis].lower()) / 2);
-    std::vector<Interval> f(q_);
-    std::vector<Interval> first(q_ * n_);
-    std::vector<Interval> at_middle(q_ * n_);
-    std::vector<Interval> second(q_ * n_ * n_);
-    if (!evaluation_.first(middle.data(), f.data(), at_middle.data())) return std::nullopt;
-    if (!evaluation_.second(box.data(), f.data(), first.data(), second.data())) return std::nullopt;
-    std::array<Interval, 3> squares{};  // of both arguments in the plane, one of them, none
-    Interval defect(0);
-    for (std::size_t row = 0; row < q_; ++row) {
-      std::vector<Interval> bent(n_ * n_);  // Y·D²f
-      std::vector<Interval> sloped(n_);     // Y·J
-      for (std::size_t b = 0; b < q_; ++b) {
-        const Interval& weight = chart_->preconditioner[row * q_ + b];
-        for (std::size_t entry = 0; entry < n_ * n_; ++entry) bent[entry] += weight * second[b * n_ * n_ + entry];
-        for (std::size_t axis = 0; axis < n_; ++axis) {
-          Interval j = at_middle[b * n_ + axis];
-          for (std::size_t k = 0; k < n_; ++k) j += second[(b * n_ + axis) * n_ + k] * (box[k] - middle[k]);
-          sloped[axis] += weight * j;
-        }
-      }
-      for (std::size_t one = 0; one < n_; ++one) {
-        std::vector<Interval> turned(n_);
-        for (std::size_t axis = 0; axis < n_; ++axis) {
-          for (std::size_t k = 0; k < n_; ++k) turned[axis] += bent[axis * n_ + k] * chart_->at(k, one);
-        }
-        for (std::size_t other = 0; other < n_; ++other) {
-          Interval entry(0);
-          for (std::size_t axis = 0; axis < n_; ++axis) entry += turned[axis] * chart_->at(axis, other);
-          squares.at((one < m ? 0U : 1U) + (other < m ? 0U : 1U)) += square(entry);
-        }
-        if (one < m) continue;
-        Interval entry(one - m == row ? -1 : 0);
-        for (std::size_t axis = 0; axis < n_; ++axis) entry += sloped[axis] * chart_->at(axis, one);
-        defect += square(entry);
-      }
-    }
-    const Interval rest = Interval(1) - square_root(defect);
-    if (!is_proved(less(Interval(0), rest))) return std::nullopt;
-    // Mixed blocks are in `squares` twice.
-    return (square_root(squares[0]) + Interval(2) * slope_ * square_root(squares[1] / Interval(2)) +
-            square(slope_) * square_root(squares[2])) /
-           rest;
+    return evaluation_->bend(vertices_.charts[label_], place.data(), slope_);
   }
 
   /// The labels that may be as near to a point over the disc as its own.
@@ -246,7 +215,7 @@ class DiscCover {
   bool heights(const Vector<double, m>& centre, double half, std::array<Interval, most_ambient_dimensions>& x) {
     std::array<Interval, most_ambient_dimensions> y;
     for (std::size_t row = 0; row < m; ++row) y[row] = Interval::exactly(centre[row]);
-    const auto z = zero_on_fibre(evaluation_, *chart_, y.data());
+    const auto z = evaluation_->heights(vertices_.charts[label_], y.data());
     if (!z) return false;
     const double away = (slope_ * square_root(Interval(m)) * Interval::exactly(half)).upper();
     const Interval height = scalar_from<Interval>(vertices_.charts[label_].data().height);
@@ -302,14 +271,14 @@ class DiscCover {
   const AmbientGrid& grid_;
   std::size_t n_;
   std::size_t q_;
-  Interval slope_, radius_, stretch_;
+  Interval slope_, density_, stretch_;
   GraphMetric metric_;
-  FormulaEvaluation<Interval> evaluation_;
+  std::unique_ptr<GraphEvaluation> evaluation_;
   GraphSimplexCheck<m> check_;
   // Of the label at hand.
   std::uint32_t label_ = 0;
   const EnclosedChart<Interval>* chart_ = nullptr;
-  Interval patch_, bend_;
+  Interval patch_, bend_, radius_;
   std::array<Interval, most_ambient_dimensions> own_;
   std::vector<Around> around_;
   std::size_t boxes_ = 0;
@@ -323,7 +292,7 @@ bool is_alone(const GraphVertices& vertices, const GraphSimplexCheck<m>& check,
               std::uint32_t k, const Interval& reach) {
   const auto is_near = [&](std::uint32_t v) {
     Interval squared(0);
-    for (std::size_t axis = 0; axis < vertices.zero_set.ambient(); ++axis)
+    for (std::size_t axis = 0; axis < vertices.manifold.ambient(); ++axis)
       squared += square(vertices.position(v)[axis] - vertices.position(k)[axis]);
     return !is_proved(less(square(reach), squared));
   };
@@ -351,6 +320,10 @@ template <int m>
 Rational graph_density(const GraphVertices& vertices, const std::vector<LabelSimplex<m>>& simplices,
                        const GraphTriangulation<m>& triangulation, const Rational& slope) {
   double farthest = 0;
+  double edge = 0;
+  for (std::size_t s = 0; s < simplices.size(); ++s)
+    edge = std::max(edge, triangulation.simplices[s].edge / vertices.unit(simplices[s]));
+  const AmbientGrid grid = grid_of(vertices, 2 * edge);
   {
     const RoundingGuard guard;
     const GraphSimplexCheck<m> check(vertices);
@@ -361,7 +334,16 @@ Rational graph_density(const GraphVertices& vertices, const std::vector<LabelSim
         const Interval reach = reach_of_simplex<m>(check, simplices[s], at, triangulation.simplices[s].shift);
         least = std::min(least, (stretch * reach).upper());
       }
-      farthest = std::max(farthest, least);
+      // What is over the simplex may be nearest to labels that are not much farther from one of its vertices.
+      double unit = vertices.unit(simplices[s]);
+      const double around = ((Interval(1) + stretch) * Interval::exactly(least)).upper() * (1 + 0x1p-20);
+      for (std::size_t at = 0; !vertices.units.empty() && least < 0x1p100 && at <= m; ++at) {
+        grid.visit(grid[simplices[s][at]], around, [&](std::uint32_t k, double) {
+          unit = std::min(unit, vertices.unit(k));
+          return false;
+        });
+      }
+      farthest = std::max(farthest, (Interval::exactly(least) / Interval::exactly(unit)).upper());
     }
   }
   const Rational wider = Rational::exactly(farthest) * (Rational(65) / Rational(64));
@@ -378,13 +360,7 @@ RestrictedDelaunay check_restricted_delaunay(const GraphVertices& vertices,
   for (const LabelSimplex<m>& simplex : simplices) {
     for (const std::uint32_t v : simplex) stars[v].push_back(simplex);
   }
-  AmbientGrid grid(vertices.zero_set.ambient(), 2 * approximate_double(density));
-  for (std::uint32_t label = 0; label < n; ++label) {
-    std::array<double, most_ambient_dimensions> place{};
-    for (std::size_t axis = 0; axis < vertices.zero_set.ambient(); ++axis)
-      place[axis] = vertices.position(label)[axis].lower();
-    grid.insert(place.data());
-  }
+  const AmbientGrid grid = grid_of(vertices, 2 * approximate_double(density));
   struct Part {
     std::vector<Label> failures;
     std::size_t boxes;
@@ -413,7 +389,8 @@ RestrictedDelaunay check_restricted_delaunay(const GraphVertices& vertices,
   std::vector<bool> is_settled(n);
   for (std::uint32_t k = 0; k < n; ++k) {
     const std::uint32_t component = triangulation.component[k];
-    if (!is_settled[component] && is_alone<m>(vertices, check, simplices, triangulation.component, k, reach))
+    if (!is_settled[component] && is_alone<m>(vertices, check, simplices, triangulation.component, k,
+                                              reach * Interval::exactly(vertices.unit(k))))
       is_settled[component] = true;
   }
   for (std::uint32_t k = 0; k < n; ++k) {
@@ -428,6 +405,7 @@ RestrictedDelaunay check_restricted_delaunay(const GraphVertices& vertices,
   template RestrictedDelaunay check_restricted_delaunay<m>(const GraphVertices&, const std::vector<LabelSimplex<m>>&, \
                                                            const GraphTriangulation<m>&, const Rational&,             \
                                                            const Rational&, GraphMetric, const Progress&);
+DELCERT_INSTANTIATE(1)
 DELCERT_INSTANTIATE(2)
 DELCERT_INSTANTIATE(3)
 #undef DELCERT_INSTANTIATE

@@ -20,7 +20,8 @@ struct RestrictedDelaunay {
   [[nodiscard]] bool holds() const { return failures.empty() && unclear.empty(); }
 };
 
-/// r̂: every point of M is within this of a vertex, along M (4.density); few binary digits, with a margin. Precondition:
+/// r̂: every point of M is within this, times the unit of a nearest vertex, of that vertex, along M (4.density); few
+/// binary digits, with a margin. Precondition:
 /// the complex triangulates M.
 template <int m>
 [[nodiscard]] Rational graph_density(const GraphVertices& vertices, const std::vector<LabelSimplex<m>>& simplices,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <flint/fmpz.h>
 #include <flint/fmpz_mat.h>
 
 #include <cstddef>

@@ -1,12 +1,11 @@
 #include "proofs/certificate/byte_sink.hpp"
 
-#include <nettle/sha2.h>
 #include <zstd.h>
 
-#include <array>
 #include <stdexcept>
 #include <vector>
 
+#include "proofs/certificate/sha256.hpp"
 #include "support/atomic_file.hpp"
 
 namespace delcert {
@@ -23,7 +22,6 @@ struct ByteSink::State {
   };
 
   explicit State(const std::filesystem::path& path) : file(path) {
-    sha256_init(&hash);
     if (path.extension() == ".zst") {
       compressor.reset(ZSTD_createCCtx());
       if (!compressor) throw std::bad_alloc();
@@ -49,7 +47,7 @@ struct ByteSink::State {
   }
 
   AtomicFile file;
-  sha256_ctx hash{};
+  Sha256 hash;
   std::unique_ptr<ZSTD_CCtx, FreeCompressor> compressor;
   std::vector<char> output;
 };
@@ -58,7 +56,7 @@ ByteSink::ByteSink(const std::filesystem::path& path) : state_(std::make_unique<
 ByteSink::~ByteSink() = default;
 
 void ByteSink::write(std::string_view bytes) {
-  sha256_update(&state_->hash, bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
+  state_->hash.update(bytes);
   if (state_->compressor) {
     state_->compress(bytes, ZSTD_e_continue);
   } else {
@@ -66,17 +64,7 @@ void ByteSink::write(std::string_view bytes) {
   }
 }
 
-std::string ByteSink::digest() const {
-  sha256_ctx copy = state_->hash;
-  std::array<std::uint8_t, SHA256_DIGEST_SIZE> bytes{};
-  sha256_digest(&copy, bytes.size(), bytes.data());
-  std::string result;
-  for (const std::uint8_t byte : bytes) {
-    result += "0123456789abcdef"[byte >> 4U];
-    result += "0123456789abcdef"[byte & 15U];
-  }
-  return result;
-}
+std::string ByteSink::digest() const { return state_->hash.digest(); }
 
 void ByteSink::commit() {
   if (state_->compressor) state_->compress({}, ZSTD_e_end);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "kernel/manifold/submanifold/polyhedral_mesh.hpp"
 #include "kernel/simplex/dimensions.hpp"
 #include "proofs/certificate/document.hpp"
 
@@ -16,6 +17,10 @@ std::string matrix_text(const std::vector<std::vector<Rational>>& matrix) {
 std::string wave_text(const MetricFieldDescription::Term& wave) {
   return "{\"frequency\":" + listed(wave.frequency, [](int k) { return std::to_string(k); }) +
          ",\"cosine\":" + matrix_text(wave.cosine) + ",\"sine\":" + matrix_text(wave.sine) + "}";
+}
+
+std::string box_text(const Sides& box) {
+  return listed(box, [](const auto& side) { return listed(side, number); });
 }
 
 using Field = FieldElement::Field;
@@ -83,6 +88,10 @@ typename CertificateContent<m>::Numbers exactly(const PointSet<m>& points) {
   return [&points](Label at) { return numbers(points.exact(at)); };
 }
 
+std::string facet_text(const std::array<std::uint32_t, 3>& facet) {
+  return listed(facet, [](std::uint32_t vertex) { return std::to_string(vertex); });
+}
+
 /// s, A above the diagonal, Y, ϱ, ζ.
 std::vector<Rational> numbers(const ChartData& chart) {
   std::vector<Rational> result(chart.columns.begin(), chart.columns.end());
@@ -123,14 +132,37 @@ std::string manifold_object(const MetricFieldDescription& field, const ChartDist
       number(distortion.rounding), number(patch_radius), number(distortion.metric));
 }
 
-std::string manifold_object(const ZeroSet& zero_set, const Rational& slope, VerticesKind vertices) {
+std::string manifold_object(const FormulaAtlasDescription& atlas, const Rational& patch_radius) {
+  const auto chart_text = [](const FormulaAtlasDescription::Chart& chart) {
+    return fmt::format("{{\"name\":{},\"variables\":{},\"domain\":{},\"core\":{}}}", quoted(chart.name),
+                       listed(chart.variables, quoted), box_text(chart.domain), box_text(chart.core));
+  };
+  const auto transition_text = [](const FormulaAtlasDescription::Transition& transition) {
+    return fmt::format("{{\"from\":{},\"to\":{},\"map\":{},\"inverse\":{},\"where\":{}}}", transition.from,
+                       transition.to, listed(transition.map, quoted), listed(transition.inverse, quoted),
+                       listed(transition.where, quoted));
+  };
+  return fmt::format(
+      "{{\"name\":{},\"family\":\"atlas\",\"dimension\":{},\"charts\":{},\"transitions\":{},\"patch_radius\":{}}}",
+      quoted(atlas.name), atlas.dimension.value, listed(atlas.charts, chart_text),
+      listed(atlas.transitions, transition_text), number(patch_radius));
+}
+
+std::string manifold_object(const EmbeddedManifold& embedded, const Rational& slope, VerticesKind vertices) {
+  if (const auto* mesh = dynamic_cast<const PolyhedralMesh*>(&embedded)) {
+    return fmt::format(
+        "{{\"name\":{},\"family\":\"submanifold\",\"dimension\":2,\"mesh\":{},\"facets\":{},\"slope\":{},\"vertices\":"
+        "\"manifold\"}}",
+        quoted(mesh->name()), matrix_text(mesh->mesh().points), listed(mesh->mesh().triangles, facet_text),
+        number(slope));
+  }
+  const auto& zero_set = dynamic_cast<const ZeroSet&>(embedded);
   const SubmanifoldDescription& manifold = zero_set.description();
   return fmt::format(
       "{{\"name\":{},\"family\":\"submanifold\",\"dimension\":{},\"variables\":{},\"equations\":{},\"box\":{},"
       "\"slope\":{},\"vertices\":\"{}\"}}",
       quoted(manifold.name), manifold.dimension.value, listed(manifold.variables, quoted),
-      listed(zero_set.map().canonical_texts(), quoted),
-      listed(manifold.box, [](const auto& axis) { return listed(axis, number); }), number(slope),
+      listed(zero_set.map().canonical_texts(), quoted), box_text(manifold.box), number(slope),
       vertices == VerticesKind::on_manifold ? "manifold" : "given");
 }
 
@@ -138,15 +170,20 @@ template <int m>
 CertificateContent<m> content_of(const ManifoldDescription& manifold, const FlatAtlas<m>& atlas,
                                  std::span<const LiftedSimplex<m>> net_simplices, const RunParameters& parameters,
                                  const RunResult<m>& run, const Claims& claims) {
-  return {manifold_object(manifold),
-          parameters,
-          atlas.sampling_radius(),
-          claims,
-          atlas.size(),
-          exactly(atlas.net()),
-          exactly(run.points),
-          placed_complex<m>(atlas, run.points, run.complex),
-          net_simplices};
+  CertificateContent<m> result{manifold_object(manifold),
+                               parameters,
+                               atlas.sampling_radius(),
+                               claims,
+                               atlas.size(),
+                               exactly(atlas.net()),
+                               exactly(run.points),
+                               placed_complex<m>(atlas, run.points, run.complex),
+                               net_simplices};
+  if (atlas.radii().vary()) {
+    result.radii = [&atlas](Label at) { return atlas.sampling_radius(at); };
+    result.radius_variation = atlas.radius_variation();
+  }
+  return result;
 }
 
 template <int m>
@@ -179,30 +216,56 @@ CertificateContent<m> content_of(const MetricFieldAtlas<m>& atlas, const ChartDi
 }
 
 template <int m>
-CertificateContent<m> content_of(const SubmanifoldAtlas<m>& atlas, const RunParameters& parameters,
-                                 const ChartRun<m>& run, const Claims& claims) {
-  return {manifold_object(atlas.zero_set(), atlas.slope(), VerticesKind::on_manifold),
+CertificateContent<m> content_of(const FormulaAtlas<m>& atlas, const Rational& distortion,
+                                 const RunParameters& parameters, const ChartRun<m>& run, const Claims& claims) {
+  const auto chart_numbers = [&atlas](Label at) {
+    std::vector<Rational> result = upper_triangle<m>(atlas.chart(at));
+    result.insert(result.begin(), Rational(Integer(atlas.home_chart(at))));
+    return result;
+  };
+  return {manifold_object(atlas.gluing().description(), atlas.patch_radius()),
           parameters,
           atlas.sampling_radius(),
           claims,
           atlas.size(),
-          [&atlas](Label at) { return atlas.chart(at).data().centre; },
+          [&atlas](Label at) { return numbers(atlas.centre(at)); },
           exactly(run.points),
           placed_complex<m>(run.complex),
           {},
-          distortion_of_slope(atlas.slope()),
-          [&atlas](Label at) { return numbers(atlas.chart(at).data()); }};
+          distortion,
+          chart_numbers};
 }
 
 template <int m>
-CertificateContent<m> content_of(const ZeroSet& zero_set, const FittedCharts& charts, const Rational& sampling_radius,
-                                 const std::vector<LabelSimplex<m>>& simplices, const RunParameters& parameters,
-                                 const Claims& claims) {
+CertificateContent<m> content_of(const SubmanifoldAtlas<m>& atlas, const RunParameters& parameters,
+                                 const ChartRun<m>& run, const Claims& claims) {
+  CertificateContent<m> result{manifold_object(atlas.manifold(), atlas.slope(), VerticesKind::on_manifold),
+                               parameters,
+                               atlas.sampling_radius(),
+                               claims,
+                               atlas.size(),
+                               [&atlas](Label at) { return atlas.chart(at).data().centre; },
+                               exactly(run.points),
+                               placed_complex<m>(run.complex),
+                               {},
+                               distortion_of_slope(atlas.slope()),
+                               [&atlas](Label at) { return numbers(atlas.chart(at).data()); }};
+  if (atlas.radii().vary()) {
+    result.radii = [&atlas](Label at) { return atlas.sampling_radius(at); };
+    result.radius_variation = radius_variation(atlas.charts(), atlas.radii());
+  }
+  return result;
+}
+
+template <int m>
+CertificateContent<m> content_of(const EmbeddedManifold& manifold, const FittedCharts& charts,
+                                 const Rational& sampling_radius, const std::vector<LabelSimplex<m>>& simplices,
+                                 const RunParameters& parameters, const Claims& claims) {
   PlacedComplex<m> complex;
   for (const LabelSimplex<m>& simplex : simplices) {
     std::copy(simplex.begin(), simplex.end(), complex.simplices.emplace_back(PlacedSimplex<m>{}).begin());
   }
-  return {manifold_object(zero_set, charts.slope, VerticesKind::given),
+  return {manifold_object(manifold, charts.slope, VerticesKind::given),
           parameters,
           sampling_radius,
           claims,
@@ -226,7 +289,9 @@ DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
                                                const Claims&);                                                       \
   template CertificateContent<m> content_of<m>(const MetricFieldAtlas<m>&, const ChartDistortion&,                   \
                                                const RunParameters&, const ChartRun<m>&, const Claims&);             \
-  template CertificateContent<m> content_of<m>(const ZeroSet&, const FittedCharts&, const Rational&,                 \
+  template CertificateContent<m> content_of<m>(const FormulaAtlas<m>&, const Rational&, const RunParameters&,        \
+                                               const ChartRun<m>&, const Claims&);                                   \
+  template CertificateContent<m> content_of<m>(const EmbeddedManifold&, const FittedCharts&, const Rational&,        \
                                                const std::vector<LabelSimplex<m>>&, const RunParameters&,            \
                                                const Claims&);                                                       \
   template CertificateContent<m> content_of<m>(const SubmanifoldAtlas<m>&, const RunParameters&, const ChartRun<m>&, \
@@ -234,5 +299,7 @@ DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
 DELCERT_INSTANTIATE(2)
 DELCERT_INSTANTIATE(3)
 #undef DELCERT_INSTANTIATE
+template CertificateContent<1> content_of<1>(const SubmanifoldAtlas<1>&, const RunParameters&, const ChartRun<1>&,
+                                             const Claims&);
 
 }  // namespace delcert

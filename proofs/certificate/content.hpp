@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernel/manifold/gluing/chart_distortion.hpp"
+#include "kernel/manifold/gluing/formula_atlas.hpp"
 #include "kernel/manifold/gluing/metric_field_atlas.hpp"
 #include "kernel/manifold/manifold_file.hpp"
 #include "kernel/manifold/quotient/space_form_atlas.hpp"
@@ -18,10 +19,13 @@ namespace delcert {
 /// A metric, and how far the charts are from it on patches of this radius.
 [[nodiscard]] std::string manifold_object(const MetricFieldDescription& field, const ChartDistortion& distortion,
                                           const Rational& patch_radius);
+/// Charts and transitions of a file, and the radius of the patches of labels.
+[[nodiscard]] std::string manifold_object(const FormulaAtlasDescription& atlas, const Rational& patch_radius);
 /// Whether points of a submanifold are found over their coordinates in charts, or are given, on M or near it.
 enum class VerticesKind : unsigned char { on_manifold, given };
 /// Equations in a box, and a bound of how steep M is in the charts.
-[[nodiscard]] std::string manifold_object(const ZeroSet& zero_set, const Rational& slope, VerticesKind vertices);
+[[nodiscard]] std::string manifold_object(const EmbeddedManifold& manifold, const Rational& slope,
+                                          VerticesKind vertices);
 
 /// "spherical", "flat", "hyperbolic".
 [[nodiscard]] std::string_view family_of(Curvature curvature);
@@ -39,9 +43,13 @@ template <int m>
 [[nodiscard]] CertificateContent<m> content_of(const MetricFieldAtlas<m>& atlas, const ChartDistortion& distortion,
                                                const RunParameters& parameters, const ChartRun<m>& run,
                                                const Claims& claims);
+template <int m>
+[[nodiscard]] CertificateContent<m> content_of(const FormulaAtlas<m>& atlas, const Rational& distortion,
+                                               const RunParameters& parameters, const ChartRun<m>& run,
+                                               const Claims& claims);
 /// Of a complex that is given: its vertices are the centres of the charts.
 template <int m>
-[[nodiscard]] CertificateContent<m> content_of(const ZeroSet& zero_set, const FittedCharts& charts,
+[[nodiscard]] CertificateContent<m> content_of(const EmbeddedManifold& manifold, const FittedCharts& charts,
                                                const Rational& sampling_radius,
                                                const std::vector<LabelSimplex<m>>& simplices,
                                                const RunParameters& parameters, const Claims& claims);

@@ -264,10 +264,12 @@ GivenComplexClaims claims_of(const InvariantForm& form, const GivenComplex<m>& g
 
 template <int m>
 void write_given_complex(const std::filesystem::path& path, const ComplexDescription& description,
-                         const GivenComplex<m>& given, const GivenComplexClaims& claims, const Progress& progress) {
+                         const GivenComplex<m>& given, const GivenComplexClaims& claims, const Origin& origin,
+                         const Progress& progress) {
   const SpaceForm form{
       {description.name, description.form, description.generators, {}, {}}, true, {}, {}, {}, {}, {}, {}};
   RunParameters parameters;
+  parameters.origin = origin;
   parameters.mode = RunMode::none;
   parameters.algorithm.separation = Rational::power_of_two(-10);
   parameters.squared_flake_parameter = Rational::power_of_two(-120);
@@ -285,7 +287,8 @@ void write_given_complex(const std::filesystem::path& path, const ComplexDescrip
   template GivenComplexClaims claims_of<m>(const InvariantForm&, const GivenComplex<m>&, const LevelSelection&, \
                                            const Progress&);                                                    \
   template void write_given_complex<m>(const std::filesystem::path&, const ComplexDescription&,                 \
-                                       const GivenComplex<m>&, const GivenComplexClaims&, const Progress&);
+                                       const GivenComplex<m>&, const GivenComplexClaims&, const Origin&,        \
+                                       const Progress&);
 DELCERT_INSTANTIATE(2)
 DELCERT_INSTANTIATE(3)
 #undef DELCERT_INSTANTIATE

@@ -6,6 +6,7 @@
 
 #include "proofs/certificate/claims.hpp"
 #include "proofs/certificate/given_complex.hpp"
+#include "proofs/certificate/run_parameters.hpp"
 #include "support/progress.hpp"
 
 namespace delcert {
@@ -27,6 +28,7 @@ template <int m>
 /// Writes the certificate: of the group the generators, of the injectivity radius nothing.
 template <int m>
 void write_given_complex(const std::filesystem::path& path, const ComplexDescription& description,
-                         const GivenComplex<m>& given, const GivenComplexClaims& claims, const Progress& progress);
+                         const GivenComplex<m>& given, const GivenComplexClaims& claims, const Origin& origin,
+                         const Progress& progress);
 
 }  // namespace delcert

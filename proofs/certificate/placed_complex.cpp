@@ -288,5 +288,6 @@ DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
 DELCERT_INSTANTIATE(2)
 DELCERT_INSTANTIATE(3)
 #undef DELCERT_INSTANTIATE
+template PlacedComplex<1> placed_complex<1>(const ChartComplex<1>&);
 
 }  // namespace delcert

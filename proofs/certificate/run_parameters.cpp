@@ -35,17 +35,24 @@ Rational default_tolerance(Dimension dimension) {
 ForbiddenPropertiesParameters<Rational> RunParameters::forbidden(const Rational& sampling_radius) const {
   const Rational squared_hoop_bound =
       Rational::power_of_two(26) * squared_flake_parameter / power(algorithm.separation, 6);
-  return {squared_flake_parameter, squared_hoop_bound, sampling_radius, algorithm.edge_bound * sampling_radius};
+  return {squared_flake_parameter, squared_hoop_bound, (Rational(1) + algorithm.radius_variation) * sampling_radius,
+          algorithm.edge_bound * sampling_radius};
 }
 
-RunParameters parameters_for(Dimension dimension, const Rational& separation, const ParameterChoice& choice) {
-  const Rational most = separation / Rational(4);
-  const Rational perturbation = choice.perturbation.value_or(most);
+RunParameters parameters_for(Dimension dimension, const Rational& separation, const ParameterChoice& choice,
+                             const Rational& radius_variation) {
+  const Rational most = largest_perturbation(separation, radius_variation, Rational(0));
+  // A number of few digits.
+  const Rational few_digits = radius_variation > Rational(0) ? rounded_down(most, binary_exponent(most) - 11) : most;
+  const Rational perturbation = choice.perturbation.value_or(few_digits);
   if (perturbation <= Rational(0) || perturbation > most) {
-    throw InputError("perturbation " + exact_text(perturbation) +
-                     " is not in (0, μ₀/4], μ₀ = " + exact_text(separation));
+    throw InputError("perturbation " + exact_text(perturbation) + " is not in (0, " +
+                     (radius_variation > Rational(0) ? "μ₀/(4(1 + ε₀))" : "μ₀/4") +
+                     "], μ₀ = " + exact_text(separation) +
+                     (radius_variation > Rational(0) ? ", ε₀ = " + exact_text(radius_variation) : ""));
   }
-  const Ledger ledger = constants_for(dimension, separation, perturbation);
+  const Ledger ledger = constants_for(dimension, separation, perturbation, radius_variation);
+  const Rational factor = Rational(1) + radius_variation;
   RunParameters result;
   const bool chooses = dimension == Dimension(2) || dimension == Dimension(3);
   const PerturbationParameters usual = chooses ? measured_parameters(dimension, choice.seed) : PerturbationParameters();
@@ -54,7 +61,8 @@ RunParameters parameters_for(Dimension dimension, const Rational& separation, co
   result.algorithm.perturbation = perturbation;
   result.algorithm.candidates = choice.candidates;
   result.algorithm.seed = choice.seed;
-  result.algorithm.circumradius_bound = Rational(2);
+  result.algorithm.radius_variation = radius_variation;
+  result.algorithm.circumradius_bound = Rational(2) * factor;
   result.algorithm.clearance = choice.clearance.value_or(usual.clearance);
   result.algorithm.choices = choice.choices.value_or(usual.choices);
   if (result.algorithm.clearance < Rational(0) || result.algorithm.clearance >= Rational(1)) {
@@ -76,7 +84,7 @@ RunParameters parameters_for(Dimension dimension, const Rational& separation, co
     result.algorithm.tolerance = ledger.tolerance.rational();
     result.squared_flake_parameter = ledger.flake_parameter.squared();
   }
-  result.algorithm.edge_bound = edge_bound(dimension, separation, result.squared_flake_parameter);
+  result.algorithm.edge_bound = edge_bound(dimension, separation, result.squared_flake_parameter) * factor;
   if (choice.mode == RunMode::none) result.algorithm.perturbation = Rational(0);
   return result;
 }

@@ -84,7 +84,7 @@ double least_weight(const GraphVertices& vertices, const std::vector<LabelSimple
       const std::uint32_t one = triangle[apex == 0 ? 1 : 0];
       const std::uint32_t other = triangle[apex == 2 ? 1 : 2];
       Interval across(0), a_squared(0), b_squared(0);
-      for (std::size_t axis = 0; axis < vertices.zero_set.ambient(); ++axis) {
+      for (std::size_t axis = 0; axis < vertices.manifold.ambient(); ++axis) {
         const Interval a = vertices.position(one)[axis] - c[axis];
         const Interval b = vertices.position(other)[axis] - c[axis];
         across += a * b;
@@ -99,6 +99,22 @@ double least_weight(const GraphVertices& vertices, const std::vector<LabelSimple
   return least > 0 && least < std::numeric_limits<double>::infinity() ? least : 0;
 }
 
+/// Segments are looked at up to some sampling radii only, the least if they vary.
+template <int m>
+ReachBound reach_of(const ZeroSet& zero_set, const GraphVertices& vertices,
+                    const std::vector<LabelSimplex<m>>& simplices, const Rational& density,
+                    const SubmanifoldAtlas<m>& atlas, const Progress& progress) {
+  constexpr double most_radii = 12;
+  std::vector<double> densities;
+  double least = 1;
+  for (std::uint32_t label = 0; label < vertices.charts.size(); ++label) {
+    densities.push_back(approximate_double(density) * vertices.unit(label) * (1 + 0x1p-40));
+    least = std::min(least, vertices.unit(label));
+  }
+  return bound_reach<m>(zero_set, vertices, simplices, densities, atlas.slope(),
+                        most_radii * least * approximate_double(atlas.sampling_radius()), progress);
+}
+
 }  // namespace
 
 template <int m>
@@ -109,6 +125,7 @@ SubmanifoldMeasures<m> measure_submanifold(const SubmanifoldAtlas<m>& atlas, con
   const std::vector<LabelSimplex<m>> simplices = run.complex.simplices();
   SubmanifoldMeasures<m> result{check_stability<m>(atlas, run.points, geometry, run.complex, progress),
                                 check_graph_triangulation<m>(vertices, simplices, progress),
+                                {},
                                 {}};
   if (!result.triangulation.triangulates()) return result;
   if (selects(selection, "4")) {
@@ -117,6 +134,8 @@ SubmanifoldMeasures<m> measure_submanifold(const SubmanifoldAtlas<m>& atlas, con
       return check_restricted_delaunay<m>(vertices, simplices, result.triangulation, atlas.slope(), density, metric,
                                           progress);
     };
+    if (const auto* zero_set = dynamic_cast<const ZeroSet*>(&atlas.manifold()))
+      result.reach = reach_of<m>(*zero_set, vertices, simplices, density, atlas, progress);
     result.delaunay = typename SubmanifoldMeasures<m>::Delaunay{density, check(GraphMetric::extrinsic),
                                                                 check(GraphMetric::intrinsic)};
   }
@@ -140,7 +159,7 @@ void claim_graph(const GraphTriangulation<m>& triangulation, const Rational& uni
   if (triangulation.is_isotopic()) {
     claims.isotopy = IsotopyClaim{stated_below(triangulation.margin)};
   } else if (triangulation.above_lid > 0) {
-    reasons.push_back(fmt::format("level 5i: {} simplices are too near to the lids of cylinders of their labels",
+    reasons.push_back(fmt::format("level 5i: {} stars are too near to the lids of the cylinders of their labels",
                                   triangulation.above_lid));
   } else {
     reasons.push_back(
@@ -175,6 +194,7 @@ Claims derive_claims(const SubmanifoldAtlas<m>& atlas, const RunParameters& para
                                    const SubmanifoldMeasures<m>&, const LevelSelection&, std::vector<std::string>&); \
   template void claim_graph<m>(const GraphTriangulation<m>&, const Rational&, const LevelSelection&, Claims&,        \
                                std::vector<std::string>&);
+DELCERT_INSTANTIATE(1)
 DELCERT_INSTANTIATE(2)
 DELCERT_INSTANTIATE(3)
 #undef DELCERT_INSTANTIATE

@@ -8,6 +8,7 @@
 #include "kernel/run/chart_run.hpp"
 #include "kernel/stars/stable_stars.hpp"
 #include "kernel/theorems/graph_triangulation.hpp"
+#include "kernel/theorems/reach_bound.hpp"
 #include "kernel/theorems/restricted_delaunay.hpp"
 #include "proofs/certificate/claims.hpp"
 #include "proofs/certificate/run_parameters.hpp"
@@ -26,7 +27,8 @@ struct SubmanifoldMeasures {
     RestrictedDelaunay intrinsic;
   };
   std::optional<Delaunay> delaunay;
-  double weight = 0;  ///< of surfaces: a lower bound of the sums of the cotangents opposite to edges
+  std::optional<ReachBound> reach;  ///< of a zero set, with level 4: it is in no certificate
+  double weight = 0;                ///< of surfaces: a lower bound of the sums of the cotangents opposite to edges
 };
 
 /// Measures a certified run for those levels that are selected.

@@ -11,22 +11,24 @@ namespace delcert {
 
 namespace {
 
-std::string software_object() {
+std::string software_object(const RunParameters& parameters) {
   std::string result = fmt::format("{{\"delcert\":{}", quoted(version));
   for (const auto& [name, value] : library_versions()) result += fmt::format(",{}:{}", quoted(name), quoted(value));
+  for (const auto& [name, value] : parameters.origin) result += fmt::format(",{}:{}", quoted(name), quoted(value));
   return result + "}";
 }
 
-std::string parameters_object(const RunParameters& parameters, const Rational& sampling_radius,
-                              const Rational& distortion) {
+template <int m>
+std::string parameters_object(const CertificateContent<m>& content) {
+  const RunParameters& parameters = content.parameters;
   const PerturbationParameters& algorithm = parameters.algorithm;
   return fmt::format(
       "{{\"mode\":\"{}\",\"candidates\":\"{}\",\"seed\":\"{}\",\"sampling_radius\":{},\"separation\":{},"
-      "\"radius_variation\":\"0\",\"distortion\":{},\"perturbation\":{},\"flake_parameter_squared\":{},"
+      "\"radius_variation\":{},\"distortion\":{},\"perturbation\":{},\"flake_parameter_squared\":{},"
       "\"tolerance\":{}}}",
-      name_of(parameters.mode), name_of(algorithm.candidates), algorithm.seed, number(sampling_radius),
-      number(algorithm.separation), number(distortion), number(algorithm.perturbation),
-      number(parameters.squared_flake_parameter), number(algorithm.tolerance));
+      name_of(parameters.mode), name_of(algorithm.candidates), algorithm.seed, number(content.sampling_radius),
+      number(algorithm.separation), number(content.radius_variation), number(content.distortion),
+      number(algorithm.perturbation), number(parameters.squared_flake_parameter), number(algorithm.tolerance));
 }
 
 std::string levels_object(const Claims& claims) {
@@ -66,12 +68,14 @@ void write_certificate(const std::filesystem::path& path, const CertificateConte
   const auto add_numbers = [&](std::string_view key, const auto& row) {
     document.add_array(key, content.labels, [&](std::size_t at) { return listed(row(Label(at)), number); });
   };
-  document.add(R"({"format":"delcert-certificate","version":2,"software":)" + software_object());
+  document.add(R"({"format":"delcert-certificate","version":2,"software":)" + software_object(content.parameters));
   document.add(",\"manifold\":" + content.manifold);
-  document.add(",\"parameters\":" + parameters_object(content.parameters, content.sampling_radius, content.distortion));
+  document.add(",\"parameters\":" + parameters_object(content));
   document.add(",\"levels\":" + levels_object(content.claims));
   add_numbers("net", content.net);
   if (content.charts) add_numbers("charts", content.charts);
+  if (content.radii)
+    document.add_array("radii", content.labels, [&](std::size_t at) { return number(content.radii(Label(at))); });
   document.add_array("net_simplices", net_simplices, [&](std::size_t at) {
     return listed(content.net_simplices[at], [](const Lift<m>& lift) { return std::to_string(lift.index); });
   });

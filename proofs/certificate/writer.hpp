@@ -33,6 +33,9 @@ struct CertificateContent {
   Rational distortion = Rational(0);
   /// Of a metric field the entries of the matrix of the chart of a label; of a submanifold all that a chart is made of.
   Numbers charts = {};
+  /// Of labels, where they vary: ε_i. And ε₀ of the parameters.
+  std::function<Rational(Label)> radii = {};
+  Rational radius_variation = Rational(0);
 };
 
 /// Writes a certificate as docs/certificate-format.md specifies, compressed if the name ends in ".zst". The file

@@ -1,6 +1,10 @@
 #pragma once
 
+#if __has_include(<flint/arb.h>)  // FLINT 3
+#include <flint/arb.h>
+#else
 #include <arb.h>
+#endif
 
 #include <cfenv>
 

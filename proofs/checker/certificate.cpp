@@ -26,11 +26,14 @@ Certificate::Certificate(std::string_view text) {
   if (!submanifold) net = PointSet(metric, torus, net_text);
   points = PointSet(metric, torus, points_text);
   for (Label i = 0; i < n; ++i) interior.push_back(is_interior(i));
+  take_radii();
   require_parameters();
   require_mode();
   require_levels();
   if (space_form) require_space_form();
+  if (metric_field || gluing) require_affine_charts();
   if (metric_field) require_metric_field();
+  if (gluing) require_gluing();
   if (submanifold) require_submanifold();
   require_elements();
   require_loops();
@@ -60,6 +63,8 @@ void Certificate::require_lengths() const {
       "net and points have different lengths");
   require("form.lengths", chart_size() == 0 || chart_text.size() / chart_size() == points_text.size() / m_size(),
           "charts and points have different lengths");
+  require("form.lengths", radii_text.empty() || radii_text.size() == points_text.size() / m_size(),
+          "radii and points have different lengths");
   for (const std::vector<Label>* labels : {&net_simplices, &simplex_labels}) {
     for (const Label j : *labels)
       require("form.labels", j < n, "label " + std::to_string(j) + " is not below " + std::to_string(n));
@@ -73,11 +78,13 @@ void Certificate::require_parameters() const {
   require(!has_boundary() || positive(radius), "radius is not positive");
   require(positive(epsilon), "sampling_radius is not positive");
   require(positive(mu) && at_most(mu.exact, Rational(1)), "separation is not in (0, 1]");
-  require(radius_variation.exact.sign() == 0, "radius_variation is not 0");
+  require(radius_variation.exact.sign() == 0 || (!units.empty() && positive(radius_variation)),
+          "radius_variation is not 0, nor positive and with radii");
   const bool undistorted = distortion.exact.sign() == 0;
-  require(undistorted || ((metric_field || submanifold) && positive(distortion) &&
-                          less(distortion.exact, Rational(1)) == Verdict::proved),
-          "distortion is not 0, nor, on a metric field or a submanifold, in (0, 1)");
+  require(undistorted || (gluing && positive(distortion)) ||
+              ((metric_field || submanifold) && positive(distortion) &&
+               less(distortion.exact, Rational(1)) == Verdict::proved),
+          "distortion is not 0, nor, on a metric field or a submanifold, in (0, 1), nor, on an atlas, positive");
   require(rho.exact.sign() >= 0 && at_most(rho.exact * Rational(4), mu.exact),
           "perturbation is not in [0, separation/4]");
   require(positive(flake_squared) && at_most(flake_squared.exact, Rational(1)),
@@ -86,6 +93,26 @@ void Certificate::require_parameters() const {
   require(!claimed[level_1] || positive(protection), "protection is not positive");
   require(!claimed[level_1] || positive(thickness), "thickness is not positive");
   require(!claimed[level_1] || positive(circumradius), "circumradius is not positive");
+}
+
+/// Without them no length is known: no switch leaves them out.
+void Certificate::take_radii() {
+  for (const std::string_view text : radii_text) {
+    const Rational value = exact_value(text);
+    if (value.sign() <= 0 || epsilon.exact.sign() <= 0) throw Malformed("form.ranges", "a radius is not positive");
+    if (torus && less(epsilon.exact, value) == Verdict::proved)
+      throw Malformed("form.ranges", "a radius exceeds sampling_radius");
+    units.emplace_back(value / epsilon.exact);
+    greatest_unit_ =
+        units.size() == 1 ? units[0].filter.upper() : std::max(greatest_unit_, units.back().filter.upper());
+  }
+}
+
+Quantity Certificate::at_least(const Label* begin, const Label* end, const Quantity& length) const {
+  if (units.empty()) return length;
+  const Label* least = std::min_element(
+      begin, end, [&](Label i, Label j) { return less(units[i].exact, units[j].exact) == Verdict::proved; });
+  return at(*least, length);
 }
 
 void Certificate::require_mode() const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "proofs/checker/cursor.hpp"
+#include "proofs/checker/gluing.hpp"
 #include "proofs/checker/metric_field.hpp"
 #include "proofs/checker/point_set.hpp"
 #include "proofs/checker/space_form.hpp"
@@ -28,7 +29,7 @@ enum Level : std::size_t {
 };
 
 /// What rules there are depends on which kind of manifold it is.
-enum class Kind { ball, torus, space_form, metric_field, submanifold, given_complex };
+enum class Kind { ball, torus, space_form, metric_field, atlas, submanifold, given_complex };
 /// Whether the core decides levels 2, 4, 5 and 6 (docs/levels/core.md). On other kinds levels 1, of given
 /// complexes 1f, and 2 are one.
 constexpr bool has_core(Kind kind) { return kind == Kind::torus || kind == Kind::space_form; }
@@ -53,6 +54,7 @@ struct Certificate {
   bool torus = false;
   std::unique_ptr<SpaceForm> space_form;      // of its families; otherwise none
   std::unique_ptr<MetricField> metric_field;  // of its family; otherwise none
+  std::unique_ptr<Gluing> gluing;             // of the family "atlas"; otherwise none
   std::unique_ptr<Submanifold> submanifold;   // of its family; otherwise none
   int m = 0;
   Label n = 0;
@@ -71,7 +73,7 @@ struct Certificate {
   Quantity reach_2s;                                     // level 2s on a space form
   Quantity empty_margin, ball_radius;                    // level 4 on a space form
   Quantity edge, stability_margin;                       // level 4 on a metric field
-  Quantity contraction, displacement, embedding_margin;  // levels 5 and 5i on a submanifold
+  Quantity contraction, displacement, embedding_margin;  // levels 5 and 5i on a submanifold, 5 on an atlas
   bool riemannian_simplices = false;                     // level 5: whether the two that follow are there
   Quantity riemannian_thickness, riemannian_radius;
   bool self_delaunay = true;  // level 6
@@ -80,6 +82,7 @@ struct Certificate {
   Quantity normal;                            // level 6 on a submanifold
   std::vector<std::string_view> net_text, points_text;  // m to a point; in net_text, on a submanifold, N
   std::vector<std::string_view> chart_text;             // chart_size() to a point
+  std::vector<std::string_view> radii_text;             // on a torus or a submanifold: one to a point, or none
   std::vector<Label> net_simplices;                     // m + 1 to a simplex
   std::vector<std::int32_t> element_entries;            // element_size() to an element; the identity is not among them
   std::vector<Label> simplex_labels;                    // m + 1 to a simplex, increasing
@@ -91,11 +94,13 @@ struct Certificate {
 
   Metric metric;
   PointSet net, points;
+  std::vector<Quantity> units;  // see `at`; none: all are 1. On a torus none exceeds 1
   std::vector<bool> interior;
 
   Kind kind() const {
     return space_form     ? Kind::space_form
            : metric_field ? Kind::metric_field
+           : gluing       ? Kind::atlas
            : submanifold  ? (submanifold->given ? Kind::given_complex : Kind::submanifold)
            : torus        ? Kind::torus
                           : Kind::ball;
@@ -104,22 +109,45 @@ struct Certificate {
   std::size_t m_size() const { return static_cast<std::size_t>(m); }
   /// How many numbers describe a chart; 0 where the file has none.
   std::size_t chart_size() const {
-    return metric_field ? m_size() * (m_size() + 1) / 2 : submanifold ? submanifold->chart_size() : 0;
+    if (submanifold) return submanifold->chart_size();
+    return metric_field || gluing ? (gluing ? 1 : 0) + m_size() * (m_size() + 1) / 2 : 0;
   }
   /// How many numbers describe a point of the net.
   std::size_t net_size() const { return submanifold ? submanifold->N : m_size(); }
-  /// On a space form, a metric field and a submanifold `points` are what the net points are moved by.
-  bool points_are_moves() const { return space_form || metric_field || submanifold; }
-  /// On a metric field: the entries on and above the diagonal of the chart of a label, row by row.
+  /// On all but flat tori and balls `points` are what the net points are moved by.
+  bool points_are_moves() const { return space_form || metric_field || gluing || submanifold; }
+  /// Lengths are claimed for epsilon: at label i, with the radius epsilon_i, they count epsilon_i/epsilon times.
+  Quantity at(Label i, const Quantity& length) const {
+    return units.empty() ? length : Quantity(length.exact * units[i].exact);
+  }
+  /// The same of labels: the least that it is at one of them.
+  Quantity at_least(const Label* begin, const Label* end, const Quantity& length) const;
+  Quantity at_simplex(std::size_t s, const Quantity& length) const {
+    return at_least(simplex(s), simplex(s) + m + 1, length);
+  }
+  /// 1 + epsilon_0: on a torus no radius in a patch is more than this times another. 1 if they are all the same.
+  Quantity radius_factor() const {
+    return Quantity(Rational(1) + (units.empty() ? Rational(0) : radius_variation.exact));
+  }
+  /// What a summary adds to lengths.
+  const char* of_lengths() const {
+    return units.empty() ? "" : " (lengths, of the greatest radius; elsewhere in proportion)";
+  }
+  Interval unit(Label i) const { return units.empty() ? Interval(1) : units[i].filter; }
+  Interval least_unit(std::size_t s) const { return at_simplex(s, Quantity(Rational(1))).filter; }
+  double greatest_unit() const { return greatest_unit_; }
+  /// Of an affine chart: the entries on and above the diagonal of the matrix of a label, row by row.
   std::vector<Rational> chart_entries(Label i) const;
-  /// On a space form, a metric field or a submanifold: within rho epsilon + 2 (circumradius) + protection of p_i is
-  /// what level 1 looks at.
+  /// On an atlas: the number of the chart in which the chart of a label is; as many as there are charts if it is none.
+  std::size_t home_chart(Label i) const;
+  /// On a space form, a metric field, an atlas or a submanifold: within rho epsilon + 2 (circumradius) + protection of
+  /// p_i is what level 1 looks at.
   Rational reach_1() const;
   /// How far from p_i any level looks; 0 if none does.
   Rational reach() const;
 
   /// How many integers describe an element: a vector, or parent and letter; none where there is no group.
-  std::size_t element_size() const { return space_form ? 2 : has_boundary() || submanifold ? 0 : m_size(); }
+  std::size_t element_size() const { return space_form ? 2 : has_boundary() || gluing || submanifold ? 0 : m_size(); }
   /// The identity, element 0, is counted.
   std::size_t element_count() const { return 1 + (element_size() == 0 ? 0 : element_entries.size() / element_size()); }
   /// What describes element number e > 0.
@@ -138,6 +166,9 @@ struct Certificate {
     return k == 0 ? 0 : simplex_elements[s * m_size() + k - 1];
   }
 
+  /// The component of the complex in which each label is, as one of its labels.
+  std::vector<Label> components() const;
+
   std::size_t star_size(Label i) const { return star_begin[i + 1] - star_begin[i]; }
   /// The m labels other than i of simplex number s of star(i), increasing.
   const Label* star_simplex(Label i, std::size_t s) const {
@@ -145,6 +176,7 @@ struct Certificate {
   }
 
  private:
+  double greatest_unit_ = 1;
   void parse(Cursor& cursor);
   void parse_manifold(Cursor& cursor);
   void parse_parameters(Cursor& cursor);
@@ -157,10 +189,14 @@ struct Certificate {
   void require_mode() const;
   void require_levels() const;
   void require_space_form() const;
+  void require_affine_charts() const;
   void require_metric_field() const;
+  void require_gluing() const;
+  void parse_atlas_level(Cursor& cursor, std::size_t level);
   void parse_submanifold_level(Cursor& cursor, std::size_t level);
   void parse_stretch(Cursor& cursor);
   void require_submanifold() const;
+  void take_radii();
   void require_elements() const;
   void require_loops() const;
   void require_simplices() const;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numeric>
 
 #include "proofs/checker/certificate.hpp"
 #include "proofs/checker/report.hpp"
@@ -128,6 +129,20 @@ void Certificate::require_simplices() const {
             s == 0 || std::lexicographical_compare(labels - corners, labels, labels, labels + corners),
             " is out of order");
   }
+}
+
+std::vector<Label> Certificate::components() const {
+  std::vector<Label> parent(n);
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto root = [&](Label k) {
+    while (parent[k] != k) k = parent[k] = parent[parent[k]];
+    return k;
+  };
+  for (std::size_t s = 0; s < simplex_count(); ++s) {
+    for (int k = 1; k <= m; ++k) parent[root(simplex(s)[k])] = root(simplex(s)[0]);
+  }
+  for (Label k = 0; k < n; ++k) parent[k] = root(k);
+  return parent;
 }
 
 }  // namespace delcert::checker

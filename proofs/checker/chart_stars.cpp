@@ -114,16 +114,17 @@ class StarsInCharts {
       : charts_(charts), c_(charts.certificate()), report_(report) {}
 
   void check(Label i) {
+    const Quantity most = c_.at(i, shift_);
     const bool near = decide_by<E>([&]<class N>(In<N>) {
       const Vector<N> home = charts_.home(i, In<N>{});
-      return less_equal(dot(home, home, c_.m_size()), square(c_.rho.as<N>() * c_.epsilon.as<N>()));
+      return less_equal(dot(home, home, c_.m_size()), square(most.as<N>()));
     });
     if (!near) {
       report_.reject("1.perturbation",
                      [&] { return "label " + std::to_string(i) + " is moved by more than perturbation epsilon"; });
     }
     if (!has_core(c_.kind())) check_facets(c_, i, report_);
-    const ShownPoints<E> chart = charts_.shown(i, reach_);
+    const ShownPoints<E> chart = charts_.shown(i, c_.at(i, reach_));
     for (std::size_t s = 0; s < c_.star_size(i); ++s) {
       const Label* others = c_.star_simplex(i, s);
       if (charts_.are_isometric() && std::any_of(others, others + c_.m, [&](Label k) { return k < i; })) continue;
@@ -137,7 +138,7 @@ class StarsInCharts {
     std::set<Label> centres;
     for (std::size_t s = 0; s < c_.star_size(j); ++s)
       centres.insert(c_.star_simplex(j, s), c_.star_simplex(j, s) + c_.m);
-    const ShownPoints<E> chart = charts_.shown(j, c_.reach_2s);
+    const ShownPoints<E> chart = charts_.shown(j, c_.at(j, c_.reach_2s));
     for (const Label i : centres) {
       for (std::size_t s = 0; s < c_.star_size(i); ++s) {
         const Label* others = c_.star_simplex(i, s);
@@ -160,8 +161,9 @@ class StarsInCharts {
     }
     const StarSimplex<E> simplex(c_, chart, std::move(vertices));
     if (simplex.is_degenerate()) return report_.reject("1.vertices", [&] { return which + " is degenerate"; });
-    const bool small = simplex.holds(
-        [&]<class N>(const Simplex<N>& t) { return less_equal(t.radius_squared, square(c_.circumradius.as<N>())); });
+    const Quantity most = c_.at(i, c_.circumradius);
+    const bool small =
+        simplex.holds([&]<class N>(const Simplex<N>& t) { return less_equal(t.radius_squared, square(most.as<N>())); });
     if (!small) {
       report_.reject("1.radius", [&] {
         return which + " has a squared circumradius of about " + about(simplex.filter().radius_squared);
@@ -172,7 +174,7 @@ class StarsInCharts {
     });
     if (!thick)
       report_.reject("1.thickness", [&] { return which + " is thinner than " + rounded_up(c_.thickness.exact); });
-    check_protection(chart, simplex, c_.protection, report_, "1.protection", which);
+    check_protection(chart, simplex, c_.at(i, c_.protection), report_, "1.protection", which);
   }
 
   void check_stable_simplex(const ShownPoints<E>& chart, Label i, const Label* others, Label j) {
@@ -183,9 +185,10 @@ class StarsInCharts {
       return report_.reject("2s.reach", [&] { return which + " has no label " + std::to_string(missing); });
     const StarSimplex<E> simplex(c_, chart, std::move(vertices));
     if (simplex.is_degenerate()) return report_.reject("2s.protection", [&] { return which + " is degenerate"; });
+    const Quantity reach = c_.at(j, c_.reach_2s);
     const bool within = simplex.holds([&]<class N>(const Simplex<N>& t) {
       const Vector<N> centre = add(chart.template position<N>(simplex.vertices()[0]), N(1), t.centre);
-      return is_ball_within(dot(centre, centre, c_.m_size()), t.radius_squared, c_.reach_2s.as<N>());
+      return is_ball_within(dot(centre, centre, c_.m_size()), t.radius_squared, reach.as<N>());
     });
     if (!within) report_.reject("2s.reach", [&] { return which + " has a ball beyond reach"; });
     check_protection(chart, simplex, none_, report_, "2s.protection", which);
@@ -194,7 +197,7 @@ class StarsInCharts {
   const StarCharts<E>& charts_;
   const Certificate& c_;
   Report& report_;
-  const Quantity reach_{c_.reach_1()}, none_{Rational(0)};
+  const Quantity shift_{c_.rho.exact * c_.epsilon.exact}, reach_{c_.reach_1()}, none_{Rational(0)};
 };
 
 }  // namespace
@@ -211,7 +214,8 @@ std::string check_stars(const StarCharts<E>& charts, Report& report) {
   for (Label i = 0; i < c.n; ++i) checker.check(i);
   return std::to_string(checker.simplices) +
          " simplices in the charts of their vertices, protection >= " + rounded_down(c.protection.exact) +
-         ", thickness >= " + rounded_down(c.thickness.exact) + ", circumradius <= " + rounded_up(c.circumradius.exact);
+         ", thickness >= " + rounded_down(c.thickness.exact) + ", circumradius <= " + rounded_up(c.circumradius.exact) +
+         c.of_lengths();
 }
 
 template <class E>

@@ -94,6 +94,22 @@ std::string check_stars(const StarCharts<E>& charts, Report& report);
 template <class E>
 std::string check_stable_stars(const StarCharts<E>& charts, Report& report);
 
+/// The rule is that each component has a label k of which is_clear(k, c.components()) holds.
+template <class Predicate>
+void require_clear_labels(const Certificate& c, const char* rule, const Predicate& is_clear, Report& report) {
+  const std::vector<Label> component = c.components();
+  std::vector<bool> found(c.n);
+  for (Label k = 0; k < c.n; ++k) {
+    if (!found[component[k]] && is_clear(k, component)) found[component[k]] = true;
+  }
+  for (Label k = 0; k < c.n; ++k) {
+    if (found[component[k]]) continue;
+    report.reject(
+        rule, [&] { return "no label of the component of label " + std::to_string(k) + " is clear of the others"; });
+    return;
+  }
+}
+
 /// "simplex {3, 17, 90} in the star of 5".
 std::string simplex_of_star(const Certificate& c, Label i, const Label* others);
 

@@ -116,6 +116,25 @@ class FormulaReader {
   int depth_ = 0;
 };
 
+namespace {
+
+bool is_variable(std::string_view name) {
+  const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
+  return !name.empty() && name.size() <= 16 && is_letter(name.front()) &&
+         std::all_of(name.begin(), name.end(),
+                     [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; }) &&
+         name != "sqrt" && name != "exp" && name != "sin" && name != "cos";
+}
+
+}  // namespace
+
+void require_names(const std::vector<std::string_view>& variables) {
+  for (std::size_t k = 0; k < variables.size(); ++k) {
+    if (!is_variable(variables[k]) || std::count(variables.begin(), variables.end(), variables[k]) != 1)
+      throw Malformed("form.formula", "variable " + std::to_string(k) + " has no name of its own");
+  }
+}
+
 FormulaMap::FormulaMap(const std::vector<std::string_view>& variables, const std::vector<std::string_view>& formulas)
     : variables_(variables.size()) {
   for (const std::string_view formula : formulas) results_.push_back(FormulaReader(*this, variables, formula).read());

@@ -8,6 +8,9 @@
 
 namespace delcert::checker {
 
+/// Throws Malformed (form.formula) unless these are names of variables, each another one.
+void require_names(const std::vector<std::string_view>& variables);
+
 /// A map from R^n to R^q by formulas, as one list of operations.
 class FormulaMap {
  public:

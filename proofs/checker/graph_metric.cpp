@@ -15,10 +15,11 @@ std::string bound_text(double x) { return about(Interval::between(x, x)); }
 void GraphTriangulation::check_stretch(std::size_t s, Report& report) {
   constexpr double unbounded = std::numeric_limits<double>::infinity();
   const Label* labels = c_.simplex(s);
-  const Estimate known = estimate(s);
-  const double blur = known.bend * displacement_;
+  const std::vector<Estimate> all = estimates(s);
   double least = 0, greatest = unbounded, turn = unbounded, thinnest = unbounded;
   for (int k = 0; k <= c_.m; ++k) {
+    const Estimate& known = all[all.size() == 1 ? 0 : static_cast<std::size_t>(k)];
+    const double blur = known.bend * known.around;
     const TangentChart<Interval>& chart = charts_.chart(labels[k]);
     const Matrix<Interval> rising = lifted(labels[k], s);
     const double contraction = contraction_in(labels[k], s, known);

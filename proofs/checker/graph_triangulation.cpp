@@ -2,7 +2,7 @@
 #include <limits>
 #include <numeric>
 
-#include "proofs/checker/tangent_charts.hpp"
+#include "proofs/checker/polyhedron.hpp"
 
 namespace delcert::checker {
 namespace {
@@ -27,9 +27,11 @@ GraphTriangulation::GraphTriangulation(const TangentCharts& charts)
       c_(charts.certificate()),
       values_(charts.manifold().map),
       middle_values_(charts.manifold().map),
-      displacement_(c_.displacement.filter.upper()),
       least_climb_(c_.n, unbounded),
-      most_climb_(c_.n, 0) {}
+      most_climb_(c_.n, 0) {
+  for (std::size_t s = 0; s < c_.simplex_count(); ++s)
+    displacement_.push_back(c_.at_simplex(s, c_.displacement).filter);
+}
 
 double GraphTriangulation::lateral(Label i, Label v) const {
   return norm_above(transposed_times(charts_.chart(i).tangent, charts_.chart(v).W));
@@ -52,6 +54,37 @@ bool GraphTriangulation::is_below_lid(Label i, Label v, double margin) const {
   return result == Verdict::proved;
 }
 
+std::vector<GraphTriangulation::Estimate> GraphTriangulation::estimates(std::size_t s) {
+  if (charts_.polyhedron() != nullptr) return estimates_of_mesh(s);
+  return {estimate(s)};
+}
+
+std::vector<GraphTriangulation::Estimate> GraphTriangulation::estimates_of_mesh(std::size_t s) const {
+  const Label* labels = c_.simplex(s);
+  const std::size_t corners = c_.m_size() + 1;
+  Estimate common;
+  double height = 0;
+  std::vector<Estimate> result;
+  for (std::size_t v = 0; v < corners; ++v) {
+    Polyhedron::Hull hull = charts_.polyhedron()->hull(labels[v], s, displacement_[s].upper());
+    height = std::max(height, hull.height);
+    for (std::size_t w = 0; w < corners; ++w) {
+      const Matrix<Interval>& W = charts_.chart(labels[w]).W;
+      for (const Matrix<Interval>& slope : hull.slopes)
+        common.theta = std::max(common.theta, norm_above(one_less(slope * W)));
+      common.longest = std::max(common.longest, norm_above(charts_.point(labels[v]) - charts_.point(labels[w])));
+    }
+    result.emplace_back().slopes = std::move(hull.slopes);
+  }
+  for (Estimate& one : result) {
+    one.around = displacement_[s].upper();
+    one.theta = common.theta;
+    one.longest = common.longest;
+    one.climb = height * reciprocal_of_rest(common.theta);
+  }
+  return result;
+}
+
 /// On the displacement-neighbourhood of the simplex Df is a convex combination of what it is at the vertices, by one
 /// and the same value of D^2 f there, and at most |D^2 f| displacement away from it.
 GraphTriangulation::Estimate GraphTriangulation::estimate(std::size_t s) {
@@ -70,10 +103,11 @@ GraphTriangulation::Estimate GraphTriangulation::estimate(std::size_t s) {
   }
   values_.evaluate(box, 2);
   const double above = height_between(s, longest);
-  for (std::size_t k = 0; k < N; ++k) box[k] = box[k] + Interval::between(-displacement_, displacement_);
+  Estimate result;
+  result.around = displacement_[s].upper();
+  for (std::size_t k = 0; k < N; ++k) box[k] = box[k] + Interval::between(-result.around, result.around);
   values_.evaluate(box, 2);
   middle_values_.evaluate(middle, 1);
-  Estimate result;
   Interval bend(0);
   for (std::size_t f = 0; f < q; ++f) {
     for (std::size_t k = 0; k < N; ++k) {
@@ -101,7 +135,7 @@ GraphTriangulation::Estimate GraphTriangulation::estimate(std::size_t s) {
     const Matrix<Interval>& W = charts_.chart(labels[v]).W;
     double error = 0;
     for (const Matrix<Interval>& slope : result.slopes) error = std::max(error, norm_above(one_less(slope * W)));
-    result.theta = std::max(result.theta, error + result.bend * displacement_ * norm_above(W));
+    result.theta = std::max(result.theta, error + result.bend * result.around * norm_above(W));
   }
   result.longest = longest;
   result.climb = (above + greatest) * reciprocal_of_rest(result.theta);
@@ -154,7 +188,7 @@ double GraphTriangulation::contraction_in(Label i, std::size_t s, const Estimate
     rise = std::max(rise, norm_above(at * rising));
     slope = std::max(slope, norm_above(at));
   }
-  const double blur = estimate.bend * displacement_;
+  const double blur = estimate.bend * estimate.around;
   rise += blur * norm_above(rising);
   slope += blur;
   for (std::size_t l = 0; l < m; ++l) {
@@ -201,7 +235,8 @@ Matrix<Interval> GraphTriangulation::lifted(Label i, std::size_t s) const {
 
 void GraphTriangulation::check_simplex(std::size_t s, Report& report) {
   const Label* labels = c_.simplex(s);
-  const Estimate known = estimate(s);
+  const std::vector<Estimate> all = estimates(s);
+  const Estimate& known = all[0];
   longest_.push_back(known.longest);
   climb_.push_back(known.climb);
   const auto reject = [&](const char* rule, const std::string& what) {
@@ -218,18 +253,18 @@ void GraphTriangulation::check_simplex(std::size_t s, Report& report) {
     for (int v = 0; v <= c_.m; ++v) {
       const Matrix<Interval> place =
           transposed_times(charts_.chart(i).tangent, charts_.point(labels[v]) - charts_.chart(i).centre);
-      inside = inside && norm_above(place) + displacement_ < charts_.patch(i).radius.filter.lower() &&
-               is_below_lid(i, labels[v], displacement_);
+      inside = inside && norm_above(place) + known.around < charts_.patch(i).radius.filter.lower() &&
+               is_below_lid(i, labels[v], known.around);
     }
     if (!inside) reject("5.fibre", " is not within displacement of the patch of label " + std::to_string(i));
-    const double contraction = contraction_in(i, s, known);
+    const double contraction = contraction_in(i, s, all[all.size() == 1 ? 0 : static_cast<std::size_t>(k)]);
     if (!(contraction <= c_.contraction.filter.lower())) {
       reject("5.contract", ": in the chart of label " + std::to_string(i) + " the contraction may be " +
                                about(Interval::between(contraction, contraction)));
     }
   }
   const double moved = widest * climb_[s];
-  if (!(moved <= c_.displacement.filter.lower()))
+  if (!(moved <= displacement_[s].lower()))
     reject("5.fibre", " may be moved by " + about(Interval::between(moved, moved)));
 }
 
@@ -239,7 +274,8 @@ bool GraphTriangulation::is_clear_of(Label k, std::size_t s) const {
   const Label* labels = c_.simplex(s);
   const Label j = labels[0];
   const Matrix<Interval> offset = charts_.point(k) - charts_.point(j);
-  if (square_root(squared_norm(offset)).lower() > longest_[s] + 2 * displacement_) return true;
+  const double around = displacement_[s].upper() + (c_.displacement.filter * c_.unit(k)).upper();
+  if (square_root(squared_norm(offset)).lower() > longest_[s] + around) return true;
   const TangentChart<Interval>& chart = charts_.chart(j);
   const Matrix<Interval> height = transposed_times(chart.normal, offset);
   for (std::size_t a = 0; a < height.size(); ++a) {
@@ -249,7 +285,7 @@ bool GraphTriangulation::is_clear_of(Label k, std::size_t s) const {
       low = -maximum(-low, -at);
       high = maximum(high, at);
     }
-    const Interval margin = Interval::between(0, 2 * displacement_);
+    const Interval margin = Interval::between(0, around);
     if ((height[a] - high - margin).lower() > 0 || (low - margin - height[a]).lower() > 0) return true;
   }
   double moved = greatest_lateral(j, s) * climb_[s];
@@ -272,24 +308,10 @@ bool GraphTriangulation::is_beside(Label i, Label k, std::size_t s, double by) c
   return false;
 }
 
-std::vector<Label> GraphTriangulation::components() const {
-  std::vector<Label> parent(c_.n);
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](Label k) {
-    while (parent[k] != k) k = parent[k] = parent[parent[k]];
-    return k;
-  };
-  for (std::size_t s = 0; s < c_.simplex_count(); ++s) {
-    for (int k = 1; k <= c_.m; ++k) parent[root(c_.simplex(s)[k])] = root(c_.simplex(s)[0]);
-  }
-  for (Label k = 0; k < c_.n; ++k) parent[k] = root(k);
-  return parent;
-}
-
 std::string GraphTriangulation::check(Report& report) {
   for (std::size_t s = 0; s < c_.simplex_count(); ++s) check_simplex(s, report);
   require_clear_labels(
-      "5.clear",
+      c_, "5.clear",
       [&](Label k, const std::vector<Label>&) {
         for (std::size_t s = 0; s < c_.simplex_count(); ++s) {
           Budget::spend(5);
@@ -303,8 +325,21 @@ std::string GraphTriangulation::check(Report& report) {
 }
 
 std::string GraphTriangulation::check_embedding(Report& report) {
-  const double longest = *std::max_element(longest_.begin(), longest_.end());
+  double widest = 0;                              // longest edge and displacement, of label i unit(i) times that
   std::vector<double> altitude(c_.n, unbounded);  // the least at the label, in its chart
+  for (std::size_t s = 0; s < c_.simplex_count(); ++s) {
+    const Interval longest = Interval::between(longest_[s], longest_[s]) / c_.least_unit(s);
+    widest = std::max(widest, (longest + c_.displacement.filter).upper());
+  }
+  std::vector<double> moved(c_.n), around(c_.n);  // of the labels near: what they are moved by, displacement there
+  for (Label i = 0; i < c_.n; ++i) {
+    charts_.points().visit(charts_.point(i), widest * (c_.unit(i).upper() + c_.greatest_unit()), [&](Label v) {
+      const double near = widest * (c_.unit(i).upper() + c_.unit(v).upper());
+      if (!c_.units.empty() && square_root(squared_norm(charts_.point(v) - charts_.point(i))).lower() > near) return;
+      moved[i] = std::max(moved[i], lateral(i, v) * most_climb_[v]);
+      around[i] = std::max(around[i], (c_.displacement.filter * c_.unit(v)).upper());
+    });
+  }
   for (std::size_t s = 0; s < c_.simplex_count(); ++s) {
     for (std::size_t k = 0; k <= c_.m_size(); ++k) {
       const Label i = c_.simplex(s)[k];
@@ -313,7 +348,8 @@ std::string GraphTriangulation::check_embedding(Report& report) {
       for (std::size_t a = 0; a < c_.m_size(); ++a) steepness = steepness + square(slopes(k, a));
       altitude[i] = std::min(altitude[i], (Interval(1) / square_root(steepness)).lower());
       for (int v = 0; v <= c_.m; ++v) {
-        if (is_below_lid(i, c_.simplex(s)[v], 3 * displacement_)) continue;
+        const double own = (c_.displacement.filter * c_.unit(i)).upper();
+        if (is_below_lid(i, c_.simplex(s)[v], 2 * own + around[i])) continue;
         report.reject("5i.lid", [&] {
           return simplex_text(c_, s) + " is not 3 displacement below the lid of label " + std::to_string(i);
         });
@@ -322,18 +358,16 @@ std::string GraphTriangulation::check_embedding(Report& report) {
   }
   const Interval rest = Interval(1) - c_.contraction.filter;
   for (Label i = 0; i < c_.n; ++i) {
-    double moved = 0;
-    charts_.points().visit(charts_.point(i), 2 * longest + 2 * displacement_,
-                           [&](Label v) { moved = std::max(moved, lateral(i, v) * most_climb_[v]); });
     const Interval room =
-        rest * Interval::between(altitude[i], altitude[i]) / Interval(c_.m + 1) - Interval::between(0, 2 * moved);
-    if (room.lower() >= c_.embedding_margin.filter.upper()) continue;
+        rest * Interval::between(altitude[i], altitude[i]) / Interval(c_.m + 1) - Interval::between(0, 2 * moved[i]);
+    if (room.lower() >= c_.at(i, c_.embedding_margin).filter.upper()) continue;
     report.reject("5i.embedded", [&] {
       return "at label " + std::to_string(i) + " the margin may be " +
              about(Interval::between(room.lower(), room.lower()));
     });
   }
-  return "the complex is embedded, and isotopic to the manifold; margin >= " + rounded_down(c_.embedding_margin.exact);
+  return "the complex is embedded, and isotopic to the manifold; margin >= " + rounded_down(c_.embedding_margin.exact) +
+         c_.of_lengths();
 }
 
 }  // namespace delcert::checker

@@ -15,15 +15,36 @@ LabelSet without(LabelSet face, std::size_t omitted) {
   return face;
 }
 
+/// Where the faces of each first label begin; one more at the end. Faces that begin alike stand together.
+std::vector<std::size_t> beginnings(const std::vector<LabelSet>& faces, std::size_t labels) {
+  std::vector<std::size_t> result(labels + 1, 0);
+  for (const LabelSet& face : faces) ++result[face[0] + 1];
+  for (std::size_t label = 0; label < labels; ++label) result[label + 1] += result[label];
+  return result;
+}
+
+/// In order, each once.
+void sort(std::vector<LabelSet>& faces, std::size_t labels) {
+  std::vector<std::size_t> next = beginnings(faces, labels);
+  const std::vector<std::size_t> begin = next;
+  std::vector<LabelSet> sorted(faces.size());
+  for (const LabelSet& face : faces) sorted[next[face[0]]++] = face;
+  for (std::size_t label = 0; label < labels; ++label)
+    std::sort(sorted.begin() + std::ptrdiff_t(begin[label]), sorted.begin() + std::ptrdiff_t(begin[label + 1]));
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  faces = std::move(sorted);
+}
+
 }  // namespace
 
 FaceComplex::FaceComplex(int m, std::vector<LabelSet> simplices) : m_(m), faces_(static_cast<std::size_t>(m) + 1) {
+  for (const LabelSet& simplex : simplices)
+    labels_ = std::max<std::size_t>(labels_, *std::max_element(simplex.begin(), simplex.end()) + 1);
   const auto dimension = static_cast<std::size_t>(m);
   faces_[dimension] = std::move(simplices);
   for (std::size_t k = dimension + 1; k-- > 0;) {
     std::vector<LabelSet>& faces = faces_[k];
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    sort(faces, labels_);
     for (std::size_t omitted = 0; k > 0 && omitted <= k; ++omitted) {
       for (const LabelSet& face : faces) faces_[k - 1].push_back(without(face, omitted));
     }
@@ -47,12 +68,17 @@ std::vector<std::string> FaceComplex::homology() const {
     // them so. So has the matrix for k = 1 as it is.
     const bool transposed = k == m;
     std::vector<Column> columns(faces_[transposed ? k - 1 : k].size());
+    const std::vector<std::size_t> begin = beginnings(faces_[k - 1], labels_);
+    const auto number_of = [&](const LabelSet& face) {
+      const auto first = faces_[k - 1].begin();
+      const auto place =
+          std::lower_bound(first + std::ptrdiff_t(begin[face[0]]), first + std::ptrdiff_t(begin[face[0] + 1]), face);
+      return static_cast<std::uint32_t>(place - first);
+    };
     for (std::size_t face = faces_[k].size(); face-- > 0;) {
       if (used[k][face]) continue;
       for (std::size_t omitted = 0; omitted <= k; ++omitted) {
-        const auto place =
-            std::lower_bound(faces_[k - 1].begin(), faces_[k - 1].end(), without(faces_[k][face], omitted));
-        const auto at = static_cast<std::uint32_t>(place - faces_[k - 1].begin());
+        const std::uint32_t at = number_of(without(faces_[k][face], omitted));
         if (used[k - 1][at]) continue;
         const std::int64_t sign = omitted % 2 == 0 ? 1 : -1;
         if (transposed) {

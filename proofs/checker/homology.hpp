@@ -24,6 +24,7 @@ class FaceComplex {
 
  private:
   int m_;
+  std::size_t labels_ = 0;                    // all are less
   std::vector<std::vector<LabelSet>> faces_;  // by dimension, sorted
 };
 

@@ -33,6 +33,12 @@ Identity identify(const Certificate& c) {
     result.family = c.space_form->K > 0 ? "spherical" : c.space_form->K == 0 ? "flat" : "hyperbolic";
     return result;
   }
+  if (c.gluing) {
+    result.family = "atlas";
+    result.size = std::to_string(c.gluing->charts.size()) + " charts, " + std::to_string(c.gluing->transitions.size()) +
+                  " transitions";
+    return result;
+  }
   if (c.submanifold) {
     result.family = "submanifold";
     result.size = "in R^" + std::to_string(c.submanifold->N);

@@ -19,6 +19,10 @@ constexpr std::size_t largest_document = std::size_t{1} << 32;
 
 [[noreturn]] void malformed(const std::string& what) { throw Malformed("form.bytes", what); }
 
+struct Close {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
 }  // namespace
 
 std::string decompressed(std::string bytes) {
@@ -45,7 +49,7 @@ std::string decompressed(std::string bytes) {
 }
 
 std::string read_bytes(const std::string& path) {
-  const std::unique_ptr<std::FILE, decltype(&std::fclose)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+  const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
   if (!file) throw Unreadable(path + ": cannot be read");
   std::string bytes;
   std::array<char, 1 << 16> block;

@@ -6,26 +6,53 @@
 namespace delcert::checker {
 namespace {
 
-/// Every non-zero lattice vector has length >= 24 epsilon; on a Euclidean ball some label is interior.
+/// Patches have a radius of 9 (1 + epsilon_0) epsilon_i. Every non-zero lattice vector has length >= 2 (9 (1 +
+/// epsilon_0)) epsilon + 6 epsilon; on a Euclidean ball some label is interior.
 void check_patch_size(const Certificate& c, Report& report) {
   if (std::find(c.interior.begin(), c.interior.end(), true) == c.interior.end()) {
     report.reject("0.patch", [] { return "no label is interior"; });
   }
-  const Lift shorter = c.net.lattice_vector_within(Quantity(Rational(24) * c.epsilon.exact), false);
+  const Rational factor = Rational(18) * c.radius_factor().exact + Rational(6);
+  const Lift shorter = c.net.lattice_vector_within(Quantity(factor * c.epsilon.exact), false);
   if (shorter == Lift{}) return;
   report.reject("0.patch", [&] {
-    return "label " + to_string({0, shorter}, c.m) + " is at distance < 24 epsilon from label 0";
+    return "label " + to_string({0, shorter}, c.m) +
+           " is at distance < (24 + 18 radius_variation) epsilon from label 0";
   });
 }
 
-/// |p_i + lift - p_j| >= mu epsilon for different lifts of the net.
-void check_separation(const Certificate& c, Report& report) {
+/// Of lifts of the net closer than 9 (1 + epsilon_0) times the greater radius, that is at most 1 + epsilon_0 times the
+/// lesser one.
+void check_radii(const Certificate& c, Report& report) {
   const Grid grid(c.net);
-  const Quantity least(c.mu.exact * c.epsilon.exact);
+  const Quantity factor = c.radius_factor();
   for (Label i = 0; i < c.n; ++i) {
     const Vertex base{i, {}};
-    grid.visit(c.net.position<Interval>(base), least.filter.upper(), [&](const Vertex& q) {
+    const Quantity reach = c.at(i, Quantity(Rational(9) * factor.exact * c.epsilon.exact));
+    const Quantity& own = c.units[i];
+    grid.visit(c.net.position<Interval>(base), reach.filter.upper(), [&](const Vertex& q) {
+      const Quantity& other = c.units[q.label];
+      if (decide([&]<class N>(In<N>) { return less_equal(own.as<N>(), factor.as<N>() * other.as<N>()); })) return;
+      if (!decide([&]<class N>(In<N>) { return less(c.net.between<N>(base, q), square(reach.as<N>())); })) return;
+      report.reject("0.radii", [&] {
+        return "the radius of label " + std::to_string(i) + " is more than 1 + radius_variation times that of " +
+               to_string(q, c.m);
+      });
+    });
+  }
+}
+
+/// |p_i + lift - p_j| >= mu (1 + epsilon_0) times the lesser radius for different lifts of the net.
+void check_separation(const Certificate& c, Report& report) {
+  const Grid grid(c.net);
+  const Quantity apart(c.mu.exact * c.radius_factor().exact * c.epsilon.exact);
+  for (Label i = 0; i < c.n; ++i) {
+    const Vertex base{i, {}};
+    const Quantity farthest = c.at(i, apart);
+    grid.visit(c.net.position<Interval>(base), farthest.filter.upper(), [&](const Vertex& q) {
       if (q.label < i || q == base) return;
+      const std::array<Label, 2> both{i, q.label};
+      const Quantity least = c.at_least(both.data(), both.data() + 2, apart);
       if (decide([&]<class N>(In<N>) { return less_equal(square(least.as<N>()), c.net.between<N>(base, q)); })) return;
       report.reject("0.separation", [&] {
         return "net points " + std::to_string(i) + " and " + to_string(q, c.m) + " have a squared distance of about " +
@@ -35,10 +62,13 @@ void check_separation(const Certificate& c, Report& report) {
   }
 }
 
-/// |p'_i - p_i| <= rho epsilon, at the lifts that are written.
+/// |p'_i - p_i| <= rho epsilon_i, at the lifts that are written; (1 + epsilon_0) rho <= mu/4.
 void check_perturbation(const Certificate& c, Report& report) {
-  const Quantity largest(c.rho.exact * c.epsilon.exact);
+  if (!c.units.empty() && less(c.mu.exact, Rational(4) * c.radius_factor().exact * c.rho.exact) == Verdict::proved)
+    report.reject("0.perturbation", [] { return "(1 + radius_variation) perturbation exceeds separation/4"; });
+  const Quantity shift(c.rho.exact * c.epsilon.exact);
   for (Label i = 0; i < c.n; ++i) {
+    const Quantity largest = c.at(i, shift);
     const auto near = [&]<class N>(In<N>) {
       const Vector<N> offset = c.points.position<N>({i, {}}) - c.net.position<N>({i, {}});
       return less_equal(c.metric.squared_length(offset), square(largest.as<N>()));
@@ -50,8 +80,9 @@ void check_perturbation(const Certificate& c, Report& report) {
   }
 }
 
-/// The parameters are those of Hypotheses 2 at distortion and radius variation 0. With e = 4m^2 + 5m + 21 they say
-/// m^3 Gamma_0^2 = (rho (mu/2)^e)^2, so that m^(3/2) drops out of 2 alpha~_0 = 2^17 m^(3/2) Gamma_0 / mu^3.
+/// The parameters are those of Hypotheses 2 at distortion 0; 0.perturbation has another part of them. With e = 4m^2 +
+/// 5m + 21 they say m^3 Gamma_0^2 = (rho (mu/2)^e)^2, so that m^(3/2) drops out of 2 alpha~_0 = 2^17 m^(3/2) Gamma_0 /
+/// mu^3.
 void check_hypotheses_2(const Certificate& c, Report& report) {
   const auto require = [&](bool holds, const char* what) {
     if (!holds) report.reject("0.hypotheses-2", [&] { return what; });
@@ -59,6 +90,7 @@ void check_hypotheses_2(const Certificate& c, Report& report) {
   const Rational root = c.rho.exact * power(c.mu.exact / Rational(2), 4 * c.m * c.m + 5 * c.m + 21);
   const Rational least = Rational(1 << 17) * root / power(c.mu.exact, 3);
   require(c.theory, "mode is not theory");
+  require(less_equal(c.radius_variation.exact, Rational(1)) == Verdict::proved, "radius_variation exceeds 1");
   require(power(Rational(c.m), 3) * c.flake_squared.exact == square(root), "flake_parameter_squared is not (rho/C)^2");
   require(less_equal(least, c.tolerance.exact) == Verdict::proved, "tolerance is less than 2 alpha~_0");
 }
@@ -68,14 +100,15 @@ void check_hypotheses_2(const Certificate& c, Report& report) {
 std::string check_level_0(const Certificate& c, Report& report) {
   check_patch_size(c, report);
   if (!report.findings.empty()) return "";  // of lifts there may be any number
+  if (!c.units.empty()) check_radii(c, report);
   check_separation(c, report);
   check_perturbation(c, report);
   if (c.hypotheses_2) check_hypotheses_2(c, report);
   check_cycle(c, report);
   check_density(c, report);
-  return std::to_string(c.n) + " points, sampling radius " + rounded_up(c.epsilon.exact) +
-         ", separation >= " + rounded_down(c.mu.exact) + ", perturbation <= " + rounded_up(c.rho.exact) +
-         (c.hypotheses_2 ? ", Hypotheses 1 and 2" : ", Hypotheses 1");
+  return std::to_string(c.n) + " points, sampling radius " + (c.units.empty() ? "" : "at most ") +
+         rounded_up(c.epsilon.exact) + ", separation >= " + rounded_down(c.mu.exact) +
+         ", perturbation <= " + rounded_up(c.rho.exact) + (c.hypotheses_2 ? ", Hypotheses 1 and 2" : ", Hypotheses 1");
 }
 
 }  // namespace delcert::checker

@@ -28,27 +28,27 @@ void for_each_net_simplex(const Certificate& c, const F& f) {
   }
 }
 
-/// All vertices are at distance < epsilon from the circumcentre of the face; refuted if the face is degenerate.
+/// All vertices are at distance < radius from the circumcentre of the face; refuted if the face is degenerate.
 template <class N>
-Verdict in_ball_about(const Certificate& c, const Vertices& vertices, const Vertices& face) {
+Verdict in_ball_about(const Certificate& c, const Vertices& vertices, const Vertices& face, const Quantity& radius) {
   const std::vector<Vector<N>> corners = c.net.positions<N>(face);
   const Simplex<N> simplex(c.metric, corners);
   Verdict result = simplex.complete;
   for (const Vector<N>& x : c.net.positions<N>(vertices)) {
     if (result == Verdict::proved)
-      result = less(simplex.power(x - corners[0]) + simplex.radius_squared, square(c.epsilon.as<N>()));
+      result = less(simplex.power(x - corners[0]) + simplex.radius_squared, square(radius.as<N>()));
   }
   return result;
 }
 
 /// For some face, the simplex itself first.
-bool is_in_open_ball(const Certificate& c, const Vertices& vertices) {
+bool is_in_open_ball(const Certificate& c, const Vertices& vertices, const Quantity& radius) {
   for (unsigned subset = (1u << vertices.size()) - 1; subset > 0; --subset) {
     Vertices face;
     for (std::size_t k = 0; k < vertices.size(); ++k) {
       if ((subset >> k & 1) != 0) face.push_back(vertices[k]);
     }
-    if (decide([&]<class N>(In<N>) { return in_ball_about<N>(c, vertices, face); })) return true;
+    if (decide([&]<class N>(In<N>) { return in_ball_about<N>(c, vertices, face, radius); })) return true;
   }
   return false;
 }
@@ -125,11 +125,12 @@ void check_degree_on_ball(const Certificate& c, Report& report) {
 }  // namespace
 
 void check_density(const Certificate& c, Report& report) {
+  const Quantity greatest(c.epsilon.exact / c.radius_factor().exact);
   for_each_net_simplex(c, [&](const Label* labels, const std::optional<Vertices>& vertices) {
-    if (vertices && is_in_open_ball(c, *vertices)) return;
+    if (vertices && is_in_open_ball(c, *vertices, c.at_least(labels, labels + c.m + 1, greatest))) return;
     report.reject("0.ball", [&] {
       return "net simplex " + label_set(labels, labels + c.m + 1) +
-             (vertices ? " is in no open ball of radius epsilon"
+             (vertices ? " is in no open ball of the radius of its vertices"
                        : " has a vertex with no lift or several within 2 epsilon");
     });
   });

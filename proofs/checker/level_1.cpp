@@ -11,12 +11,12 @@ namespace {
 /// One simplex of a star after the other; what they share is kept.
 class StarChecker {
  public:
-  StarChecker(const Certificate& certificate, Report& report)
-      : c_(certificate), report_(report), grid_(c_.points), reach_(Rational(2) * c_.circumradius.exact) {}
+  StarChecker(const Certificate& certificate, Report& report) : c_(certificate), report_(report), grid_(c_.points) {}
 
   void check(Label i) {
     ++stars;
     lifts_.clear();
+    reach_ = c_.at(i, Quantity(Rational(2) * c_.circumradius.exact));
     if (c_.has_boundary()) check_facets(c_, i, report_);  // else core.facets
     for (std::size_t s = 0; s < c_.star_size(i); ++s) {
       const Label* labels = c_.star_simplex(i, s);
@@ -36,6 +36,10 @@ class StarChecker {
                describe();
       });
     };
+    std::array<Label, 5> all{i};
+    const Label* end = std::copy_n(labels, c_.m, all.begin() + 1);
+    const Quantity circumradius = c_.at_least(all.data(), end, c_.circumradius);
+    const Quantity protection = c_.at_least(all.data(), end, c_.protection);
     Vertices vertices{{i, {}}};
     for (int k = 0; k < c_.m; ++k) {
       if (!lifts_.contains(labels[k])) lifts_[labels[k]] = c_.points.lifts_within({i, {}}, labels[k], reach_, true);
@@ -56,7 +60,7 @@ class StarChecker {
       filter = Simplex<Interval>(known);
     }
     const auto small = [&]<class N>(In<N>) {
-      return less_equal(choose<N>(filter, exact).radius_squared, square(c_.circumradius.as<N>()));
+      return less_equal(choose<N>(filter, exact).radius_squared, square(circumradius.as<N>()));
     };
     if (!decide(small))
       reject("1.radius", [&] { return "has a squared circumradius of about " + about(filter.radius_squared); });
@@ -66,16 +70,16 @@ class StarChecker {
     if (!decide(thick)) reject("1.thickness", [&] { return "is thinner than " + rounded_up(c_.thickness.exact); });
 
     const Vector<Interval> origin = c_.points.position<Interval>(vertices[0]);
-    const double reach = (Interval::between(0, upper_root(filter.radius_squared)) + c_.protection.filter).upper();
+    const double reach = (Interval::between(0, upper_root(filter.radius_squared)) + protection.filter).upper();
     grid_.visit(add(origin, Interval(1), filter.centre), reach, [&](const Vertex& q) {
       if (std::find(vertices.begin(), vertices.end(), q) != vertices.end()) return;
       const auto clear = [&]<class N>(In<N>) {
         return is_clear<N>(choose<N>(filter, exact), c_.points.position<N>(q) - c_.points.position<N>(vertices[0]),
-                           c_.protection.as<N>());
+                           protection.as<N>());
       };
       if (decide(clear)) return;
       reject("1.protection", [&] {
-        return "has " + to_string(q, c_.m) + " within circumradius + " + rounded_up(c_.protection.exact) +
+        return "has " + to_string(q, c_.m) + " within circumradius + " + rounded_up(protection.exact) +
                " of its circumcentre";
       });
     });
@@ -93,7 +97,7 @@ class StarChecker {
   const Certificate& c_;
   Report& report_;
   const Grid grid_;
-  const Quantity reach_;
+  Quantity reach_;
   std::map<Label, std::vector<Lift>> lifts_;  // within 2 circumradius of the centre of the star at hand
 };
 
@@ -143,7 +147,8 @@ std::string check_level_1(const Certificate& c, Report& report) {
   }
   return std::to_string(checker.simplices) + " simplices of " + std::to_string(checker.stars) +
          " stars, protection >= " + rounded_down(c.protection.exact) +
-         ", thickness >= " + rounded_down(c.thickness.exact) + ", circumradius <= " + rounded_up(c.circumradius.exact);
+         ", thickness >= " + rounded_down(c.thickness.exact) + ", circumradius <= " + rounded_up(c.circumradius.exact) +
+         c.of_lengths();
 }
 
 }  // namespace delcert::checker

@@ -29,13 +29,16 @@ class Search {
  public:
   Search(const Certificate& certificate, Report& report)
       : c_(certificate), report_(report), grid_(c_.points), bounds_(c_), m_(static_cast<std::size_t>(c_.m)) {
-    const Interval t = Interval::between(0, upper_root(bounds_.mu_delta_squared.filter));
-    longest_squared_ = (bounds_.edge_unit.filter * square(Interval(1) + t / Interval(2))).upper();
     const Interval alpha = Interval::between(0, upper_root(bounds_.alpha_squared.filter));
     power_factor_ = alpha * (Interval(2) + alpha);
   }
 
   void from(Label first) {
+    // No label of a set counts for more than this one.
+    const Interval squared_unit = square(c_.unit(first));
+    const Interval t = Interval::between(0, upper_root(bounds_.mu_delta_squared.filter));
+    longest_squared_ = (bounds_.edge_unit.filter * squared_unit * square(Interval(1) + t / Interval(2))).upper();
+    four_epsilon_squared_ = (bounds_.four_epsilon_squared.filter * squared_unit).upper();
     chosen_.assign(1, {first, {}});
     collect(first);
     Bits all((candidates_.size() + 63) / 64, ~std::uint64_t{0});
@@ -105,8 +108,7 @@ class Search {
       added = exact.complete;
       if (added == Verdict::proved) simplex = Simplex<Interval>(exact);
     }
-    if (added == Verdict::proved && simplex.radius_squared.lower() < bounds_.four_epsilon_squared.filter.upper())
-      extend(simplex, allowed);
+    if (added == Verdict::proved && simplex.radius_squared.lower() < four_epsilon_squared_) extend(simplex, allowed);
   }
 
   void decide_configuration() {
@@ -124,7 +126,7 @@ class Search {
   const Grid grid_;
   const ConfigurationBounds bounds_;
   const std::size_t m_;
-  double longest_squared_ = 0;
+  double longest_squared_ = 0, four_epsilon_squared_ = 0;  // of the first label
   Interval power_factor_{0};
   std::vector<Candidate> candidates_;
   std::vector<Bits> later_;  // later_[a]: the candidates after a with another label that are not too far from it

@@ -168,27 +168,4 @@ SquareMatrix<Interval> enclosure(const SquareMatrix<Rational>& a) {
   return result;
 }
 
-SquareMatrix<Rational> upper_triangle(std::size_t m, const std::vector<Rational>& entries) {
-  SquareMatrix<Rational> result(m);
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < m; ++i) {
-    for (std::size_t k = i; k < m; ++k) result(i, k) = entries[next++];
-  }
-  return result;
-}
-
-SquareMatrix<Rational> inverse_of_triangle(const SquareMatrix<Rational>& a) {
-  const std::size_t m = a.order();
-  SquareMatrix<Rational> result(m);
-  for (std::size_t k = 0; k < m; ++k) {
-    result(k, k) = Rational(1) / a(k, k);
-    for (std::size_t i = k; i-- > 0;) {
-      Rational sum(0);
-      for (std::size_t j = i + 1; j <= k; ++j) sum = sum + a(i, j) * result(j, k);
-      result(i, k) = -sum / a(i, i);
-    }
-  }
-  return result;
-}
-
 }  // namespace delcert::checker

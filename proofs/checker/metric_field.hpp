@@ -49,9 +49,4 @@ SquareMatrix<Interval> enclosure(const SquareMatrix<Rational>& a);
 
 /// B = A^T A of the chart of a label, A upper triangular.
 SquareMatrix<Rational> gram_of_chart(const Certificate& c, std::uint32_t label);
-/// The matrix with these entries on and above the diagonal, row by row.
-SquareMatrix<Rational> upper_triangle(std::size_t m, const std::vector<Rational>& entries);
-/// The inverse of an upper triangular matrix without zeros on its diagonal.
-SquareMatrix<Rational> inverse_of_triangle(const SquareMatrix<Rational>& a);
-
 }  // namespace delcert::checker

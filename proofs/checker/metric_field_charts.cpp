@@ -37,46 +37,24 @@ TorusCells::TorusCells(std::size_t m, const std::vector<Vector<Interval>>& point
   for (std::size_t j = 0; j < points.size(); ++j) vertices_[next[cell_of[j]]++] = {static_cast<Label>(j), lifts[j]};
 }
 
-AffineCharts::AffineCharts(const Certificate& c) : StarCharts(c) {
-  const std::size_t m = c.m_size();
-  for (Label i = 0; i < c.n; ++i) {
-    matrices_.push_back(upper_triangle(m, c.chart_entries(i)));
-    const SquareMatrix<Rational> inverse = inverse_of_triangle(matrices_.back());
-    SquareMatrix<Interval> filter(m);
-    std::array<double, 4> stretch{};
-    Vector<Rational> x = c.net.position<Rational>({i, {}});
-    const Vector<Rational> home = c.points.position<Rational>({i, {}});
-    for (std::size_t row = 0; row < m; ++row) {
-      Rational squared(0);
-      for (std::size_t k = row; k < m; ++k) {
-        filter(row, k) = enclosure(matrices_.back()(row, k));
-        squared = squared + square(inverse(row, k));
-        x[row] = x[row] + inverse(row, k) * home[k];
-      }
-      stretch[row] = upper_root(enclosure(squared));
-    }
-    filters_.push_back(std::move(filter));
-    stretches_.push_back(stretch);
-    enclosed_.push_back({enclosure(x[0]), enclosure(x[1]), enclosure(x[2]), enclosure(x[3])});
-    points_.push_back(std::move(x));
-    originals_.push_back(c.net.position<Interval>({i, {}}));
-  }
-  cells_.emplace_back(m, enclosed_, cell_widths());
-  cells_.emplace_back(m, originals_, cell_widths());
+FieldCharts::FieldCharts(const Certificate& c) : AffineCharts(c) {
+  for (Label i = 0; i < c.n; ++i) originals_.push_back(c.net.position<Interval>({i, {}}));
+  cells_.emplace_back(c.m_size(), enclosed_points(), cell_widths());
+  cells_.emplace_back(c.m_size(), originals_, cell_widths());
 }
 
-std::array<double, 4> AffineCharts::cell_widths() const {
+std::array<double, 4> FieldCharts::cell_widths() const {
   std::array<double, 4> sum{};
-  for (const auto& stretch : stretches_) {
-    for (std::size_t k = 0; k < 4; ++k) sum[k] += stretch[k];
+  for (Label i = 0; i < c_.n; ++i) {
+    for (std::size_t k = 0; k < 4; ++k) sum[k] += stretch(i)[k];
   }
   for (double& width : sum) width = std::max(2 * c_.epsilon.filter.upper() * width / c_.n, 0x1p-10);
   return sum;
 }
 
-Vertices AffineCharts::within(const TorusCells& cells, Label i, double radius, bool perturbed) const {
+Vertices FieldCharts::within(const TorusCells& cells, Label i, double radius, bool perturbed) const {
   std::array<double, 4> half_widths{};
-  for (std::size_t k = 0; k < c_.m_size(); ++k) half_widths[k] = radius * stretches_[i][k];
+  for (std::size_t k = 0; k < c_.m_size(); ++k) half_widths[k] = radius * stretch(i)[k];
   const double most = radius * radius;
   Vertices found;
   cells.visit(originals_[i], half_widths, [&](const Vertex& v) {
@@ -87,10 +65,10 @@ Vertices AffineCharts::within(const TorusCells& cells, Label i, double radius, b
   return found;
 }
 
-Vertices AffineCharts::around(Label i, double radius) const { return within(cells_[0], i, radius, true); }
-Vertices AffineCharts::originals_around(Label i, double radius) const { return within(cells_[1], i, radius, false); }
+Vertices FieldCharts::around(Label i, double radius) const { return within(cells_[0], i, radius, true); }
+Vertices FieldCharts::originals_around(Label i, double radius) const { return within(cells_[1], i, radius, false); }
 
-ShownPoints<Rational> AffineCharts::shown(Label i, const Quantity& radius) const {
+ShownPoints<Rational> FieldCharts::shown(Label i, const Quantity& radius) const {
   ShownPoints<Rational> result(c_.m_size());
   Vertices vertices = around(i, radius.filter.upper());
   for (const Vertex& v : vertices) result.add(v.label, seen<Interval>(i, v));
@@ -98,7 +76,7 @@ ShownPoints<Rational> AffineCharts::shown(Label i, const Quantity& radius) const
   return result;
 }
 
-std::string AffineCharts::fault_of_patches(Level level) const {
+std::string FieldCharts::fault_of_patches(Level level) const {
   const Rational reach =
       level == level_1 ? c_.reach_1() + c_.rho.exact * c_.epsilon.exact : Rational(c_.reach_2s.exact);
   if (less(reach, c_.metric_field->patch_radius.exact) == Verdict::proved) return "";

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "proofs/checker/chart_stars.hpp"
+#include "proofs/checker/affine_charts.hpp"
 
 namespace delcert::checker {
 
@@ -27,30 +27,20 @@ class TorusCells {
   std::vector<Vertex> vertices_;    // each at the lift that is in the unit cube
 };
 
-/// The affine charts of a metric field: x -> A_i (x - p_i).
-class AffineCharts : public StarCharts<Rational> {
+/// The affine charts of a metric field, with all lifts of points.
+class FieldCharts : public AffineCharts {
  public:
-  explicit AffineCharts(const Certificate& c);
+  explicit FieldCharts(const Certificate& c);
 
-  const SquareMatrix<Rational>& matrix(Label i) const { return matrices_[i]; }
-  /// p_i + A_i^-1 y_i: the perturbed point in R^m.
-  template <class N>
-  const Vector<N>& point(Label j) const {
-    if constexpr (std::is_same_v<N, Interval>) {
-      return enclosed_[j];
-    } else {
-      return points_[j];
-    }
-  }
   /// A_i (p'_j + lift - p_i).
   template <class N>
   Vector<N> seen(Label i, const Vertex& v) const {
-    return applied<N>(i, point<N>(v.label), v);
+    return in_chart<N>(i, lifted<N>(point<N>(v.label), v));
   }
   /// A_i (p_j + lift - p_i).
   template <class N>
   Vector<N> seen_original(Label i, const Vertex& v) const {
-    return applied<N>(i, c_.net.position<N>({v.label, {}}), v);
+    return in_chart<N>(i, c_.net.position<N>(v));
   }
 
   /// The perturbed points, the original ones, at distance <= radius of p_i in chart i, perhaps some that are a little
@@ -59,37 +49,18 @@ class AffineCharts : public StarCharts<Rational> {
   Vertices originals_around(Label i, double radius) const;
 
   ShownPoints<Rational> shown(Label i, const Quantity& radius) const override;
-  Vector<Interval> home(Label i, In<Interval>) const override { return c_.points.position<Interval>({i, {}}); }
-  Vector<Rational> home(Label i, In<Rational>) const override { return c_.points.position<Rational>({i, {}}); }
   std::string fault_of_patches(Level level) const override;
 
  private:
   template <class N>
-  Vector<N> applied(Label i, const Vector<N>& x, const Vertex& v) const {
-    const Vector<N> centre = c_.net.position<N>({i, {}});
-    Vector<N> offset{}, result{};
-    for (std::size_t k = 0; k < c_.m_size(); ++k) offset[k] = x[k] - centre[k] + N(v.lift[k]);
-    for (std::size_t row = 0; row < c_.m_size(); ++row) {
-      N sum(0);
-      for (std::size_t k = row; k < c_.m_size(); ++k) {
-        if constexpr (std::is_same_v<N, Interval>) {
-          sum = sum + filters_[i](row, k) * offset[k];
-        } else {
-          sum = sum + matrices_[i](row, k) * offset[k];
-        }
-      }
-      result[row] = sum;
-    }
-    return result;
+  Vector<N> lifted(Vector<N> x, const Vertex& v) const {
+    for (std::size_t k = 0; k < c_.m_size(); ++k) x[k] = x[k] + N(v.lift[k]);
+    return x;
   }
   std::array<double, 4> cell_widths() const;
   Vertices within(const TorusCells& cells, Label i, double radius, bool perturbed) const;
 
-  std::vector<SquareMatrix<Rational>> matrices_;
-  std::vector<SquareMatrix<Interval>> filters_;
-  std::vector<std::array<double, 4>> stretches_;  // upper bounds of sqrt((B_i^-1)_kk)
-  std::vector<Vector<Rational>> points_;
-  std::vector<Vector<Interval>> originals_, enclosed_;
+  std::vector<Vector<Interval>> originals_;
   std::vector<TorusCells> cells_;  // of perturbed and of original points
 };
 

@@ -26,7 +26,7 @@ Verdict has_edge(const Metric& metric, const std::vector<Vector<N>>& vertices, c
 
 }  // namespace
 
-std::string check_delaunay_of_metric_field(const AffineCharts& charts, Report& report) {
+std::string check_delaunay_of_metric_field(const FieldCharts& charts, Report& report) {
   const Certificate& c = charts.certificate();
   if (less_equal(c.stability_margin.exact, stability(c)) != Verdict::proved)
     report.reject("4.stability", [] { return "the metric may change powers of points by too much for this margin"; });

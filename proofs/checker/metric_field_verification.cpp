@@ -45,7 +45,7 @@ class ChartChecker {
     }
   }
 
-  void check(const AffineCharts& charts, Label i) {
+  void check(const FieldCharts& charts, Label i) {
     const Vector<Rational> position = c_.net.position<Rational>({i, {}});
     const std::vector<Rational> centre(position.begin(), position.begin() + c_.m);
     const auto reject = [&](const char* rule, const char* what) {
@@ -58,7 +58,7 @@ class ChartChecker {
     if (!rounded) reject("field.chart", "the chart is not that of the metric, up to rounding");
     const Rational squared_radius = square(field_.patch_radius.exact);
     Box patch;
-    const SquareMatrix<Rational> inverse = inverse_of_triangle(charts.matrix(i));
+    const SquareMatrix<Rational>& inverse = charts.inverse(i);
     bool small = true;
     for (std::size_t k = 0; k < c_.m_size(); ++k) {
       Rational squared_stretch(0);
@@ -109,7 +109,7 @@ SquareMatrix<Rational> gram_of_chart(const Certificate& c, std::uint32_t label) 
   return a.transposed() * a;
 }
 
-std::string check_metric_field(const AffineCharts& charts, Report& report) {
+std::string check_metric_field(const FieldCharts& charts, Report& report) {
   const Certificate& c = charts.certificate();
   ChartChecker checker(c, report);
   for (Label i = 0; i < c.n; ++i) checker.check(charts, i);

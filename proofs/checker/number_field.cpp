@@ -1,5 +1,6 @@
 #include "proofs/checker/number_field.hpp"
 
+#include <flint/fmpz_poly.h>
 #include <flint/fmpz_poly_factor.h>
 
 #include <stdexcept>

@@ -46,8 +46,8 @@ void Certificate::parse_manifold(Cursor& cursor) {
   cursor.expect("{\"name\":");
   name = cursor.string();
   cursor.expect(",\"family\":");
-  const std::size_t family = parse_word(
-      cursor, {"flat-torus", "euclidean-ball", "spherical", "flat", "hyperbolic", "metric-field", "submanifold"});
+  const std::size_t family = parse_word(cursor, {"flat-torus", "euclidean-ball", "spherical", "flat", "hyperbolic",
+                                                 "metric-field", "submanifold", "atlas"});
   torus = family == 0;
   cursor.expect(",\"dimension\":");
   m = static_cast<int>(cursor.count(4));
@@ -58,6 +58,8 @@ void Certificate::parse_manifold(Cursor& cursor) {
     metric_field = std::make_unique<MetricField>(m, cursor);
   } else if (family == 6) {
     submanifold = std::make_unique<Submanifold>(m, cursor);
+  } else if (family == 7) {
+    gluing = std::make_unique<Gluing>(m, cursor);
   } else if (family > 1) {
     space_form = std::make_unique<SpaceForm>(3 - static_cast<int>(family), m, cursor);
   } else if (torus) {
@@ -103,7 +105,9 @@ void Certificate::parse_levels(Cursor& cursor) {
     separator = ",";
     if ((level == level_1f || level == level_5i) && !submanifold)
       cursor.fail("form.family", "a level for this family before this");
-    if (submanifold && level != level_1 && level != level_2) {
+    if (gluing && level != level_1 && level != level_2) {
+      parse_atlas_level(cursor, level);
+    } else if (submanifold && level != level_1 && level != level_2) {
       parse_submanifold_level(cursor, level);
     } else if (metric_field && level != level_1 && level != level_2) {
       parse_metric_field_level(cursor, level);
@@ -154,6 +158,21 @@ void Certificate::parse_metric_field_level(Cursor& cursor, std::size_t level) {
     cursor.expect("{\"route\":\"affine-charts\"");
   } else {
     cursor.fail("form.family", "a level for metric fields before this");
+  }
+}
+
+/// Without the brace at its end.
+void Certificate::parse_atlas_level(Cursor& cursor, std::size_t level) {
+  if (level == level_2s) {
+    cursor.expect("{\"reach\":");
+    reach_2s = parse_quantity(cursor);
+  } else if (level == level_5) {
+    cursor.expect("{\"route\":\"blended-charts\",\"contraction\":");
+    contraction = parse_quantity(cursor);
+    cursor.expect(",\"displacement\":");
+    displacement = parse_quantity(cursor);
+  } else {
+    cursor.fail("form.family", "a level for atlases before this");
   }
 }
 
@@ -248,6 +267,10 @@ void Certificate::parse(Cursor& cursor) {
   if (chart_size() != 0) {
     cursor.expect(",\"charts\":");
     parse_points(chart_text, chart_size());
+  }
+  if ((submanifold || torus) && cursor.accept(",\"radii\":")) {
+    cursor.array([&] { radii_text.push_back(cursor.number()); });
+    if (radii_text.empty()) cursor.fail("form.lengths", "a radius before this");
   }
   cursor.expect(",\"net_simplices\":");
   parse_labels(net_simplices, m + 1);

@@ -2,8 +2,8 @@
 #include <array>
 #include <limits>
 
+#include "proofs/checker/polyhedron.hpp"
 #include "proofs/checker/simplex.hpp"
-#include "proofs/checker/tangent_charts.hpp"
 
 namespace delcert::checker {
 namespace {
@@ -49,7 +49,7 @@ class CoveredDisc {
         m_(charts.manifold().m),
         q_(charts.manifold().q),
         values_(values),
-        radius_(c_.density.filter),
+        radius_(c_.at(i, c_.density).filter),
         slope_(charts.manifold().slope.filter.upper()),
         stretch_(upper_root(Interval(1) + square(charts.manifold().slope.filter))),
         height_(transposed_times(charts.chart(i).normal, charts.point(i) - charts.chart(i).centre)),
@@ -254,7 +254,8 @@ class CoveredDisc {
     }
     const Matrix<Interval> foot = charts_.point(i_) + chart.tangent * place;
     for (std::size_t a = 0; a < q_; ++a) z[a] = exactly_at(box.anchor.height[a]);
-    for (int step = 0;; ++step) {
+    if (charts_.polyhedron() != nullptr) find_height_of_mesh(box, place, z[0], anchor);
+    for (int step = 0; charts_.polyhedron() == nullptr; ++step) {
       values_.evaluate(foot + chart.normal * z, 0);
       const Matrix<Interval> error = chart.Y * values_.value();
       if (step == 3) {
@@ -270,6 +271,19 @@ class CoveredDisc {
       anchor.height[a] = z[a].upper();
     }
     if (anchor.error < std::numeric_limits<double>::infinity()) box.anchor = anchor;
+  }
+
+  /// As far from that of the last anchor as the slope allows, at most.
+  void find_height_of_mesh(const DiscBox& box, const Matrix<Interval>& place, Interval& z, Anchor& anchor) const {
+    const TangentChart<Interval>& chart = charts_.chart(i_);
+    Interval off(0);
+    for (std::size_t a = 0; a < m_; ++a) off = off + square(place[a] - exactly_at(box.anchor.place[a]));
+    const double reach = box.anchor.error + slope_ * upper_root(off);
+    const Matrix<Interval> from_centre = transposed_times(chart.tangent, charts_.point(i_) - chart.centre) + place;
+    const Interval found = charts_.polyhedron()->height_over(i_, from_centre, height_[0] + z, reach) - height_[0];
+    z = exactly_at(NearPoints::middle(found));
+    const Interval error = found - z;
+    anchor.error = std::max(error.upper(), -error.lower());
   }
 
   [[noreturn]] void undecided(const DiscBox& box) const {
@@ -297,6 +311,9 @@ class CoveredDisc {
 void check_dense(const TangentCharts& charts, const GraphTriangulation& triangulation, Report& report) {
   const Certificate& c = charts.certificate();
   const Interval stretch = square_root(Interval(1) + square(charts.manifold().slope.filter));
+  double smallest = std::numeric_limits<double>::infinity();  // density, where it is least
+  for (Label i = 0; i < (c.units.empty() ? 1 : c.n); ++i)
+    smallest = std::min(smallest, (c.density.filter * c.unit(i)).lower());
   for (std::size_t s = 0; s < c.simplex_count(); ++s) {
     const Label* labels = c.simplex(s);
     double least = std::numeric_limits<double>::infinity();
@@ -312,7 +329,18 @@ void check_dense(const TangentCharts& charts, const GraphTriangulation& triangul
       const double moved = triangulation.movement_in(labels[k], s);
       least = std::min(least, (stretch * Interval::between(0, upper_root(simplex.radius_squared) + moved)).upper());
     }
-    if (least <= c.density.filter.lower()) continue;
+    if (least <= smallest) continue;
+    // What is over the simplex may be nearest to these.
+    const Interval reach = (Interval(1) + stretch) * exactly_at(least);
+    bool small = least < std::numeric_limits<double>::infinity();
+    for (int k = 0; k <= c.m && small; ++k) {
+      charts.points().visit(charts.point(labels[k]), reach.upper(), [&](Label i) {
+        if (least <= c.at(i, c.density).filter.lower()) return;
+        const Matrix<Interval> offset = charts.point(i) - charts.point(labels[k]);
+        small = small && square_root(squared_norm(offset)).lower() > reach.upper();
+      });
+    }
+    if (small) continue;
     report.reject("4.density", [&] {
       return "points over simplex " + label_set(labels, labels + c.m + 1) + " may be " + about(exactly_at(least)) +
              " away from its vertices";
@@ -324,12 +352,13 @@ void check_dense(const TangentCharts& charts, const GraphTriangulation& triangul
 void check_patch(const TangentCharts& charts, Label i, Report& report) {
   const Certificate& c = charts.certificate();
   const TangentChart<Interval>& chart = charts.chart(i);
+  const Interval density = c.at(i, c.density).filter;
   const Matrix<Interval> offset = charts.point(i) - chart.centre;
-  Verdict inside = less(square_root(squared_norm(transposed_times(chart.tangent, offset))) + c.density.filter,
-                        charts.patch(i).radius.filter);
+  Verdict inside =
+      less(square_root(squared_norm(transposed_times(chart.tangent, offset))) + density, charts.patch(i).radius.filter);
   const Matrix<Interval> heights = transposed_times(chart.normal, offset);
   for (std::size_t a = 0; c.extrinsic && a < heights.size(); ++a) {
-    const Interval room = charts.patch(i).height.filter - c.density.filter;
+    const Interval room = charts.patch(i).height.filter - density;
     inside = conjunction(inside, conjunction(less(heights[a], room), less(-heights[a], room)));
   }
   if (inside == Verdict::proved) return;
@@ -343,7 +372,8 @@ bool is_clear(const TangentCharts& charts, const GraphTriangulation& triangulati
   const Certificate& c = charts.certificate();
   const double stretch = upper_root(Interval(1) + square(charts.manifold().slope.filter));
   std::vector<bool> near(c.n);
-  charts.points().visit(charts.point(k), (1 + stretch) * c.density.filter.upper(), [&](Label v) { near[v] = true; });
+  charts.points().visit(charts.point(k), (1 + stretch) * c.at(k, c.density).filter.upper(),
+                        [&](Label v) { near[v] = true; });
   for (std::size_t s = 0; s < c.simplex_count(); ++s) {
     const Label *begin = c.simplex(s), *end = begin + c.m + 1;
     Budget::spend(1);
@@ -363,8 +393,8 @@ std::string check_restricted_delaunay(const TangentCharts& charts, const GraphTr
   std::size_t boxes = 0;
   check_dense(charts, triangulation, report);
   for (Label i = 0; i < c.n; ++i) check_patch(charts, i, report);
-  triangulation.require_clear_labels(
-      "4.clear",
+  require_clear_labels(
+      c, "4.clear",
       [&](Label k, const std::vector<Label>& component) { return is_clear(charts, triangulation, k, component); },
       report);
   for (Label i = 0; i < c.n; ++i) {
@@ -377,7 +407,7 @@ std::string check_restricted_delaunay(const TangentCharts& charts, const GraphTr
                    : c.intrinsic ? "distances in R^N, and in the manifold"
                                  : "distances in R^N";
   return "the complex is the Delaunay complex of the points by " + std::string(of) + ", in " + std::to_string(boxes) +
-         " boxes; density <= " + rounded_up(c.density.exact);
+         " boxes; density <= " + rounded_up(c.density.exact) + c.of_lengths();
 }
 
 }  // namespace delcert::checker

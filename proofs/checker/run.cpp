@@ -7,6 +7,7 @@
 
 #include "proofs/checker/core/core.hpp"
 #include "proofs/checker/expectation.hpp"
+#include "proofs/checker/glued_charts.hpp"
 #include "proofs/checker/group.hpp"
 #include "proofs/checker/metric_field_levels.hpp"
 #include "proofs/checker/space_form_charts.hpp"
@@ -70,6 +71,13 @@ class Run {
       }));
       if (outcome_.levels.back().status != 0) return list_levels();
     }
+    if (c_.gluing) {
+      outcome_.levels.push_back(run_check("atlas", [&](Report& report) {
+        glued_charts_.emplace(c_);
+        return glued_charts_->check(report);
+      }));
+      if (outcome_.levels.back().status != 0) return list_levels();
+    }
     if (c_.submanifold) {
       outcome_.levels.push_back(run_check("charts", [&](Report& report) {
         tangent_charts_.emplace(c_);
@@ -89,7 +97,7 @@ class Run {
 
   Identity identity() const {
     Identity result = identify(c_);
-    if (c_.submanifold && holds_[level_5] && !c_.homology.empty()) {
+    if ((c_.submanifold || c_.gluing) && holds_[level_5] && !c_.homology.empty()) {
       // The top group has a Z for each component that is orientable, the first one for each that there is.
       result.orientability = c_.homology.back() == c_.homology.front() ? "orientable" : "not orientable";
       result.first_homology = c_.homology[1];
@@ -179,6 +187,11 @@ class Run {
              : level == level_1  ? check_stars(*tangent_charts_, report)
                                  : check_stable_stars(*tangent_charts_, report);
     }
+    if (glued_charts_) {
+      return level == level_1    ? check_stars(*glued_charts_, report)
+             : level == level_2s ? check_stable_stars(*glued_charts_, report)
+                                 : check_blended_triangulation(*glued_charts_, report);
+    }
     if (charts_) {
       return level == level_1    ? check_stars(*charts_, report)
              : level == level_2s ? check_stable_stars(*charts_, report)
@@ -202,7 +215,8 @@ class Run {
   bool group_holds_ = false;
   std::optional<core::Core> core_;
   std::optional<Lifts> lifts_;
-  std::optional<AffineCharts> charts_;
+  std::optional<FieldCharts> charts_;
+  std::optional<GluedCharts> glued_charts_;
   std::optional<TangentCharts> tangent_charts_;
   std::optional<GraphTriangulation> triangulation_;
 };

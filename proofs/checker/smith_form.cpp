@@ -80,8 +80,10 @@ SmithForm reduce(std::vector<Column> columns, std::size_t rows, std::vector<bool
   SmithForm form;
   const auto eliminate = [&](Column& column, bool whole) {
     for (std::size_t at = 0; at < column.size();) {
-      const Column& by = owner[column[at].face];
+      Column& by = owner[column[at].face];
       if (!by.empty()) {
+        // Columns of two entries lead to each other in long chains: this halves them.
+        if (by.size() == 2 && owner[by[1].face].size() == 2) subtract(by, 1, owner[by[1].face], memory);
         subtract(column, at, by, memory);
       } else if (whole) {
         ++at;

@@ -7,14 +7,6 @@
 namespace delcert::checker {
 namespace {
 
-bool is_variable(std::string_view name) {
-  const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
-  return !name.empty() && name.size() <= 16 && is_letter(name.front()) &&
-         std::all_of(name.begin(), name.end(),
-                     [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; }) &&
-         name != "sqrt" && name != "exp" && name != "sin" && name != "cos";
-}
-
 /// The numbers of a chart, one after the other.
 class ChartNumbers {
  public:
@@ -29,6 +21,45 @@ class ChartNumbers {
 }  // namespace
 
 Submanifold::Submanifold(int dimension, Cursor& cursor) : m(static_cast<std::size_t>(dimension)) {
+  if (cursor.accept(",\"mesh\":")) {
+    parse_mesh(cursor);
+  } else {
+    parse_zero_set(cursor);
+  }
+  cursor.expect(",\"slope\":");
+  slope = Quantity(exact_value(cursor.number()));
+  Report::require("form.ranges", slope.exact.sign() > 0, "slope is not positive");
+  cursor.expect(",\"vertices\":");
+  given = !is_mesh() && cursor.accept("\"given\"");
+  if (!given) cursor.expect("\"manifold\"");
+}
+
+void Submanifold::parse_mesh(Cursor& cursor) {
+  if (m != 2) cursor.fail("form.family", "the dimension 2 before a mesh");
+  N = 3;
+  q = 1;
+  cursor.array([&] {
+    vertices.emplace_back(N, 1);
+    std::size_t axis = 0;
+    cursor.row(3, [&] { vertices.back()[axis++] = exact_value(cursor.number()); });
+  });
+  cursor.expect(",\"facets\":");
+  cursor.array([&] {
+    facets.emplace_back();
+    std::size_t corner = 0;
+    cursor.row(3, [&] { facets.back()[corner++] = static_cast<std::uint32_t>(cursor.count(UINT32_MAX)); });
+  });
+  if (facets.empty()) throw Malformed("form.ranges", "the mesh has no facets");
+  for (const auto& facet : facets) {
+    for (const std::uint32_t vertex : facet) {
+      if (vertex >= vertices.size())
+        throw Malformed("form.ranges",
+                        "a facet has the vertex " + std::to_string(vertex) + " of " + std::to_string(vertices.size()));
+    }
+  }
+}
+
+void Submanifold::parse_zero_set(Cursor& cursor) {
   const auto quantity = [&] { return Quantity(exact_value(cursor.number())); };
   std::vector<std::string_view> variables, equations;
   cursor.expect(",\"variables\":");
@@ -39,10 +70,7 @@ Submanifold::Submanifold(int dimension, Cursor& cursor) : m(static_cast<std::siz
   q = equations.size();
   if (N > FormulaMap::most_variables || q == 0 || N != m + q)
     throw Malformed("form.formula", "there are not as many equations as variables less the dimension");
-  for (std::size_t k = 0; k < N; ++k) {
-    if (!is_variable(variables[k]) || std::count(variables.begin(), variables.end(), variables[k]) != 1)
-      throw Malformed("form.formula", "variable " + std::to_string(k) + " has no name of its own");
-  }
+  require_names(variables);
   map = FormulaMap(variables, equations);
   cursor.expect(",\"box\":");
   cursor.row(static_cast<int>(N), [&] {
@@ -54,12 +82,6 @@ Submanifold::Submanifold(int dimension, Cursor& cursor) : m(static_cast<std::siz
     if (less(lower.exact, box.back()[1].exact) != Verdict::proved)
       throw Malformed("form.ranges", "a side of the box is empty");
   });
-  cursor.expect(",\"slope\":");
-  slope = quantity();
-  Report::require("form.ranges", slope.exact.sign() > 0, "slope is not positive");
-  cursor.expect(",\"vertices\":");
-  given = cursor.accept("\"given\"");
-  if (!given) cursor.expect("\"manifold\"");
 }
 
 TangentChart<Rational> tangent_chart(const Certificate& c, Label i) {
@@ -128,6 +150,8 @@ void Certificate::require_submanifold() const {
   Report::require("form.family", !theory, "the mode theory is not for submanifolds");
   Report::require("form.family", !claimed[level_1f] || submanifold->given, "level 1f is for vertices that are given");
   if (claimed[level_0] || claimed[level_3]) throw Malformed("form.family", "levels 0 and 3 are not for submanifolds");
+  Report::require("form.family", !claimed[level_4] || !intrinsic || !submanifold->is_mesh(),
+                  "level 4 of a mesh is for the distance in space");
   if (claimed[level_4] && submanifold->given) throw Malformed("form.family", "level 4 is for vertices on the manifold");
   for (Label i = 0; i < n; ++i) {
     const auto require_chart = [&](bool holds, const char* what) {

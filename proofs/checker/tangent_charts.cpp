@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "proofs/checker/polyhedron.hpp"
+
 namespace delcert::checker {
 namespace {
 
@@ -45,14 +47,18 @@ TangentCharts::TangentCharts(const Certificate& c) : StarCharts(c), M_(*c.subman
     Budget::spend(2000 * M_.N);
     charts_.push_back(as_chart_of<Interval>(tangent_chart(c, i)));
     patches_.push_back(tangent_patch(c, i));
-    for (const double size : {norm_above(charts_.back().Y), patches_.back().radius.filter.upper(),
-                              patches_.back().height.filter.upper(), c.displacement.filter.upper()}) {
+    for (const double size :
+         {norm_above(charts_.back().Y), patches_.back().radius.filter.upper(), patches_.back().height.filter.upper(),
+          c.displacement.filter.upper(), c.unit(i).upper()}) {
       if (!(size < 0x1p100)) throw Undecided("numbers of label " + std::to_string(i) + " are too large");
     }
     centres.push_back(charts_.back().centre);
   }
   near_centres_ = NearPoints(centres);
+  if (M_.is_mesh()) polyhedron_ = std::make_unique<Polyhedron>(*this);
 }
+
+TangentCharts::~TangentCharts() = default;
 
 template <class N>
 TangentChart<N> TangentCharts::chart_as(Label i) const {
@@ -82,6 +88,11 @@ template <class N>
 Matrix<N> TangentCharts::point_as(Label j) const {
   const TangentChart<N> chart = chart_as<N>(j);
   if (M_.given) return chart.centre;
+  if (polyhedron_) {
+    Matrix<N> z(1, 1);
+    z[0] = polyhedron_->home_height(j, chart);
+    return chart.centre + chart.tangent * chart.home + chart.normal * z;
+  }
   constexpr bool filter = std::is_same_v<N, Interval>;
   Matrix<N> z = height_over(chart, chart.home, filter ? 4 : 10);
   FormulaValues<N> values(M_.map);
@@ -99,13 +110,26 @@ Matrix<N> TangentCharts::point_as(Label j) const {
 std::string TangentCharts::check(Report& report) {
   if (less(square(Rational(1) + c_.distortion.exact), Rational(1) + square(M_.slope.exact)) == Verdict::proved)
     report.reject("sub.distortion", [] { return "(1 + distortion)^2 is below 1 + slope^2"; });
+  if (polyhedron_) polyhedron_->check_closed(report);
   for (Label i = 0; i < c_.n; ++i) {
+    if (!c_.units.empty()) check_radii(i, report);
+    if (polyhedron_) {
+      polyhedron_->check_graph(i, report);
+      theta_.push_back(0);
+      lid_.push_back(polyhedron_->lid(i));
+      continue;
+    }
     check_box(i, report);
     check_graph(i, report);
   }
   if (!report.findings.empty()) return "";
   for (Label i = 0; i < c_.n; ++i) points_.push_back(point_as<Interval>(i));
   near_points_ = NearPoints(points_);
+  if (polyhedron_) {
+    parts_ = polyhedron_->check_cover(report);
+    return std::to_string(c_.n) + " graphs, of slope <= " + rounded_up(M_.slope.exact) + "; they cover " +
+           std::to_string(M_.facets.size()) + " facets in " + std::to_string(parts_) + " parts";
+  }
   check_cover(report);
   return std::to_string(c_.n) + " graphs, of slope <= " + rounded_up(M_.slope.exact) + ", in " +
          std::to_string(cells_) + " cells; they cover the manifold in " + std::to_string(parts_) + " parts of the box";
@@ -128,6 +152,23 @@ void TangentCharts::check_box(Label i, Report& report) const {
   });
   if (!inside)
     report.reject("sub.box", [&] { return "the cylinder of label " + std::to_string(i) + " is not inside the box"; });
+}
+
+/// sub.radii: those of labels within 6 epsilon_i of i differ by radius_variation at most, as part of the lesser.
+void TangentCharts::check_radii(Label i, Report& report) const {
+  const Rational reach = Rational(6) * c_.at(i, c_.epsilon).exact;
+  near_centres_.visit(charts_[i].centre, enclosure(reach).upper(), [&](Label j) {
+    const Rational& one = c_.units[i].exact;
+    const Rational& other = c_.units[j].exact;
+    const Rational most = c_.radius_variation.exact + Rational(1);
+    if (less_equal(one, most * other) == Verdict::proved && less_equal(other, most * one) == Verdict::proved) return;
+    const Matrix<Rational> offset = tangent_chart(c_, j).centre - tangent_chart(c_, i).centre;
+    if (less(square(reach), squared_norm(offset)) == Verdict::proved) return;
+    report.reject("sub.radii", [&] {
+      return "those of labels " + std::to_string(i) + " and " + std::to_string(j) +
+             " differ by more than radius_variation";
+    });
+  });
 }
 
 ShownPoints<Ball> TangentCharts::shown(Label i, const Quantity& radius) const {
@@ -170,9 +211,9 @@ ShownPoints<Ball> TangentCharts::shown(Label i, const Quantity& radius) const {
 }
 
 std::string TangentCharts::fault_of_patches(Level level) const {
-  const Rational reach = level == level_1 ? c_.reach_1() : Rational(c_.reach_2s.exact);
+  const Quantity reach = level == level_1 ? Quantity(c_.reach_1()) : c_.reach_2s;
   for (Label i = 0; i < c_.n; ++i) {
-    if (less(reach, patches_[i].radius.exact) == Verdict::proved) continue;
+    if (less(c_.at(i, reach).exact, patches_[i].radius.exact) == Verdict::proved) continue;
     return std::string(level == level_1 ? "perturbation + 2 circumradius + protection" : "reach") +
            " is not below the patch radius of label " + std::to_string(i);
   }

@@ -9,10 +9,13 @@
 
 namespace delcert::checker {
 
+class Polyhedron;
+
 /// The charts of a submanifold M: U_i, what is in the cylinder of a chart, is a graph over its disc.
 class TangentCharts : public StarCharts<Ball> {
  public:
   explicit TangentCharts(const Certificate& c);
+  ~TangentCharts() override;
 
   /// The rules sub.*, whatever level is looked at. All else presumes that they hold.
   std::string check(Report& report);
@@ -24,6 +27,8 @@ class TangentCharts : public StarCharts<Ball> {
   const Matrix<Interval>& point(Label j) const { return points_[j]; }
   const NearPoints& points() const { return near_points_; }
   const NearPoints& centres() const { return near_centres_; }
+  /// Of a mesh; otherwise none.
+  const Polyhedron* polyhedron() const { return polyhedron_.get(); }
   /// A bound below 1 of |1 - Y Df N| in the cylinder.
   double theta(Label i) const { return theta_[i]; }
 
@@ -50,6 +55,7 @@ class TangentCharts : public StarCharts<Ball> {
   bool clip_to_disc(Label i, Matrix<Interval>& place) const;
   bool is_middle_in_disc(Label i, const Matrix<Interval>& place) const;
   void check_box(Label i, Report& report) const;
+  void check_radii(Label i, Report& report) const;
   void check_cover(Report& report);
   struct Cover;
   template <class N>
@@ -60,6 +66,7 @@ class TangentCharts : public StarCharts<Ball> {
   Matrix<N> point_as(Label j) const;
 
   const Submanifold& M_;
+  std::unique_ptr<Polyhedron> polyhedron_;
   mutable FormulaValues<Interval> values_;
   std::vector<TangentChart<Interval>> charts_;
   std::vector<TangentPatch> patches_;
@@ -83,35 +90,22 @@ class GraphTriangulation {
   double movement_in(Label i, std::size_t s) const { return greatest_lateral(i, s) * climb_[s]; }
   /// Whether in chart i the place of label k is farther than `by` beyond the hyperplane of a facet of the simplex.
   bool is_beside(Label i, Label k, std::size_t s, double by) const;
-  /// The component of the complex in which each label is, as one of its labels.
-  std::vector<Label> components() const;
-  /// The rule is that each component has a label of which the predicate holds.
-  template <class Predicate>
-  void require_clear_labels(const char* rule, const Predicate& is_clear, Report& report) const {
-    const std::vector<Label> component = components();
-    std::vector<bool> found(c_.n);
-    for (Label k = 0; k < c_.n; ++k) {
-      if (!found[component[k]] && is_clear(k, component)) found[component[k]] = true;
-    }
-    for (Label k = 0; k < c_.n; ++k) {
-      if (found[component[k]]) continue;
-      report.reject(
-          rule, [&] { return "no label of the component of label " + std::to_string(k) + " is clear of the others"; });
-      return;
-    }
-  }
 
  private:
-  /// What is known of f and W on a simplex. All numbers are upper bounds.
+  /// What is known of f and W on a simplex, in the chart of one of its vertices. All numbers are upper bounds.
   struct Estimate {
-    std::vector<Matrix<Interval>> slopes;  // Df at the vertices, by the second derivatives
+    std::vector<Matrix<Interval>> slopes;  // Df at the vertices, by the second derivatives; or of facets
     double bend = 0;                       // |D^2 f|
+    double around = 0;                     // displacement: how far from the simplex that is
     double theta = 0;                      // |1 - Df W|
     double longest = 0;                    // edge in R^N
     double climb = 0;                      // |s|
   };
 
+  /// For a mesh, one for each vertex, with the greatest theta and climb; otherwise one.
+  std::vector<Estimate> estimates(std::size_t s);
   Estimate estimate(std::size_t s);
+  std::vector<Estimate> estimates_of_mesh(std::size_t s) const;
   double height_between(std::size_t s, double longest) const;
   void check_simplex(std::size_t s, Report& report);
   double contraction_in(Label i, std::size_t s, const Estimate& estimate) const;
@@ -131,7 +125,7 @@ class GraphTriangulation {
   const TangentCharts& charts_;
   const Certificate& c_;
   FormulaValues<Interval> values_, middle_values_;
-  double displacement_;
+  std::vector<Interval> displacement_;            // of each simplex: what the claim is there
   std::vector<double> climb_, longest_;           // of each simplex: what |s| is at most; its longest edge in R^N
   std::vector<double> least_climb_, most_climb_;  // of the simplices of each label
 };

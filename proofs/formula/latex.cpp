@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "kernel/number/exact_text.hpp"
+#include "support/latex_text.hpp"
 
 namespace delcert {
 
@@ -229,27 +230,19 @@ Piece piece_of(const Expression& expression) {
   }
 }
 
-/// Text with what LaTeX takes for commands taken for itself.
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '\\') {
-      result += "\\textbackslash{}";
-    } else if (c == '~' || c == '^') {
-      result += std::string("\\") + c + "{}";
-    } else {
-      if (std::string_view("#$%&_{}").find(c) != std::string_view::npos) result += '\\';
-      result += c;
-    }
-  }
-  return result;
+/// A formula that may not fit a line is a paragraph, broken after relations and signs.
+std::string display_line(const std::string& formula) {
+  constexpr std::size_t longest = 110;
+  if (formula.size() <= longest) return formula;
+  return "\\parbox{0.98\\linewidth}{\\centering$\\displaystyle " + formula + "$}";
 }
 
 template <class Statements>
 std::string displayed(const Statements& statements) {
   std::string result = "\\begin{gather*}\n";
   for (std::size_t at = 0; at < statements.size(); ++at) {
-    result += "  " + latex_of(*statements[at].formula) + (at + 1 < statements.size() ? " \\\\" : "") + "\n";
+    result +=
+        "  " + display_line(latex_of(*statements[at].formula)) + (at + 1 < statements.size() ? " \\\\" : "") + "\n";
   }
   return result + "\\end{gather*}\n";
 }
@@ -298,7 +291,7 @@ std::string latex_name(const std::string& name) {
   if (is_greek(symbol)) {
     symbol = "\\" + symbol;
   } else if (symbol.size() != 1 || symbol == "_") {
-    symbol = "\\mathrm{" + escaped(symbol) + "}";
+    symbol = "\\mathrm{" + latex_text(symbol) + "}";
   }
   if (!wrapped_by.empty()) symbol = wrapped_by + "{" + symbol + "}";
   if (!subscript.empty()) symbol += subscript.size() == 1 ? "_" + subscript : "_{" + subscript + "}";
@@ -308,8 +301,8 @@ std::string latex_name(const std::string& name) {
 std::string latex_of(const Expression& expression) { return piece_of(expression).text; }
 
 std::string latex_of(const Step& step) {
-  std::string result = "\\subparagraph{" + escaped(step.name) + "}";
-  if (!step.lines.empty()) result += " (lines " + escaped(step.lines) + ")";
+  std::string result = "\\subparagraph{" + latex_text(step.name) + "}";
+  if (!step.lines.empty()) result += " (lines " + latex_text(step.lines) + ")";
   result += "\n";
   std::string separator = "For all ";
   for (const auto& [name, range] : step.parameters) {
@@ -332,14 +325,14 @@ std::string latex_of(const Step& step) {
 }
 
 std::string latex_of(const Claim& claim) {
-  std::string result = "\\paragraph{" + escaped(claim.title.empty() ? claim.name : claim.title) + "}";
-  if (!claim.source.empty()) result += " (\\texttt{" + escaped(claim.source) + "})";
+  std::string result = "\\paragraph{" + latex_text(claim.title.empty() ? claim.name : claim.title) + "}";
+  if (!claim.source.empty()) result += " (\\texttt{" + latex_text(claim.source) + "})";
   result += "\n";
   if (claim.instance.empty()) {
     for (const Step& step : claim.steps) result += latex_of(step);
     return result;
   }
-  result += "For every instance of the class \\texttt{" + escaped(claim.instance) + "}";
+  result += "For every instance of the class \\texttt{" + latex_text(claim.instance) + "}";
   for (const auto& [name, range] : claim.parameters) result += ", all $" + range_latex(name, range) + "$";
   if (!claim.hypotheses.empty()) result += " with\n" + displayed(claim.hypotheses) + "there holds\n";
   if (claim.hypotheses.empty()) result += " there holds\n";

@@ -7,6 +7,7 @@
 
 #include "kernel/number/decimal_bounds.hpp"
 #include "kernel/number/exact_text.hpp"
+#include "proofs/publication/latex_table.hpp"
 #include "proofs/tables/hole.hpp"
 #include "support/error.hpp"
 
@@ -191,13 +192,13 @@ equality occurs, rounded downwards. This page is what
 
 std::string constant_table_latex(const std::vector<ConstantEntry>& entries) {
   const auto math = [](const std::string& number) { return number.empty() ? "--" : "$" + number + "$"; };
-  std::string text =
-      "\\begin{tabular}{llrrrr}\n\\toprule\nlemma & statement & paper & provable & necessary & ratio \\\\\n\\midrule\n";
-  for (const ConstantEntry& entry : entries)
-    text +=
-        fmt::format("{} & ${}$ & {} & {} & {} & {} \\\\\n", entry.row.label, entry.row.latex, math(paper_text(entry)),
-                    math(provable_text(entry)), math(refuted_text(entry, "> ", "< ")), math(worst_text(entry)));
-  return text + "\\bottomrule\n\\end{tabular}\n";
+  std::vector<std::vector<std::string>> rows;
+  for (const ConstantEntry& entry : entries) {
+    rows.push_back({latex_label(entry.row.label), "$" + entry.row.latex + "$", math(paper_text(entry)),
+                    math(provable_text(entry)), math(refuted_text(entry, "> ", "< ")), math(worst_text(entry))});
+  }
+  return latex_table(
+      {{"lemma", 62}, {"statement", 106}, {"paper", 26}, {"provable", 34}, {"necessary", 46}, {"ratio", 40}}, rows);
 }
 
 }  // namespace delcert

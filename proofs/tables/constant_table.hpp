@@ -44,7 +44,7 @@ struct ConstantEntry {
 /// The page docs/tables/constants.md.
 [[nodiscard]] std::string constant_table_markdown(const std::vector<ConstantEntry>& entries,
                                                   const std::vector<LemmaWithoutConstant>& without);
-/// The same columns as a tabular of LaTeX's booktabs.
+/// The same columns as a longtable of LaTeX with the rules of booktabs, at most 345 pt wide.
 [[nodiscard]] std::string constant_table_latex(const std::vector<ConstantEntry>& entries);
 
 }  // namespace delcert

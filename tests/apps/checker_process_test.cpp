@@ -26,6 +26,14 @@ TEST(CheckerProcess, tells_what_was_printed_and_the_status) {
   EXPECT_EQ(run.status, 3);
 }
 
+TEST(CheckerProcess, passes_other_arguments_on) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "checker") << "#!/bin/sh\necho \"$#: $1\"\n";
+  fs::permissions(folder / "checker", fs::perms::owner_all);
+  EXPECT_EQ(run_checker_with(folder / "checker", {"--version"}).output, "1: --version\n");
+  EXPECT_EQ(run_checker_with(folder / "checker", {}).output, "0: \n");
+}
+
 TEST(CheckerProcess, reads_more_than_a_pipe_holds) {
   const CheckerRun run =
       run_of("i=0; while [ $i -lt 3000 ]; do echo 0123456789012345678901234567890123456789; i=$((i+1)); done");

@@ -129,8 +129,7 @@ TEST(LedgerText, lists_the_ledgers_of_a_sweep_as_json) {
 
 TEST(LedgerText, sets_a_sweep_as_a_latex_longtable) {
   const std::string latex = sweep_latex(sweep());
-  EXPECT_EQ(latex.rfind("\\begin{longtable}{rllll}\n\\toprule\n", 0), 0U);
-  EXPECT_NE(latex.find("\\end{longtable}\n% Hypotheses 2"), std::string::npos);
+  EXPECT_NE(latex.find("\\end{longtable}}\n% Hypotheses 2"), std::string::npos);
   std::istringstream lines(latex);
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("%") || !line.ends_with("\\\\")) continue;
@@ -141,9 +140,10 @@ TEST(LedgerText, sets_a_sweep_as_a_latex_longtable) {
 
 TEST(LedgerText, is_a_latex_table_with_five_columns) {
   const std::string latex = ledger_latex(ledger_of(3));
-  EXPECT_EQ(latex.rfind("\\begin{tabular}{lllll}\n\\toprule\n", 0), 0U);
-  EXPECT_NE(latex.find("\\bottomrule\n\\end{tabular}\n"), std::string::npos);
-  EXPECT_NE(line_with(latex, "flake parameter &").find("$\\Gamma_0$ & flake parameter & $2^{-74} \\cdot 3^{-3/2}$ & "),
+  EXPECT_NE(latex.find("\\end{longtable}}\n"), std::string::npos);
+  EXPECT_NE(line_with(latex, "flake parameter\\par} &")
+                .find("{\\raggedright $\\Gamma_0$\\par} & {\\raggedright flake parameter\\par} & {\\raggedright "
+                      "$2^{-74} \\cdot 3^{-3/2}$\\par} & "),
             std::string::npos);
   std::istringstream lines(latex);
   std::size_t rows = 0;

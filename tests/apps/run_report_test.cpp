@@ -71,9 +71,25 @@ TEST(RunReport, has_the_bounds_of_every_level_with_their_units) {
   EXPECT_EQ(levels["6"]["bilipschitz"][1]["bound"], "upper");
 }
 
+TEST(RunReport, of_an_atlas_says_what_was_verified) {
+  RunReport report = sample();
+  report.gluing = RunReport::Gluing{3, 4, {10, 20, 30}, Rational(1) / Rational(4)};
+  const std::string text = report_text(report);
+  EXPECT_TRUE(mentions(text,
+                       "gluing       verified: 3 charts, 4 transitions; cocycles in 10 cells, limits in 20, cores in "
+                       "30\n"))
+      << text;
+  EXPECT_TRUE(mentions(text, "charts       ξ₀ ≤ 2.500e-01 of each other\n")) << text;
+  const Json json = Json::parse(report_json(report))["measures"]["gluing"];
+  EXPECT_EQ(json["transitions"], 4);
+  EXPECT_EQ(json["hausdorff_cells"], 20);
+  EXPECT_EQ(json["distortion"]["bound"], "upper");
+  EXPECT_FALSE(Json::parse(report_json(sample()))["measures"].contains("gluing"));
+}
+
 TEST(RunReport, of_a_submanifold_says_how_steep_charts_are_and_how_far_points_move) {
   RunReport report = sample();
-  report.graphs = RunReport::Graphs{3, Rational(3) / Rational(4), Rational(1) / Rational(4), 17, -0.5};
+  report.graphs = RunReport::Graphs{3, Rational(3) / Rational(4), Rational(1) / Rational(4), 17, -0.5, {}};
   report.claims.full_stars.emplace();
   report.claims.triangulation =
       TriangulationClaim{"graph", {}, TriangulationClaim::Graph{Rational(1) / Rational(8), Rational(1) / Rational(80)}};
@@ -94,8 +110,14 @@ TEST(RunReport, of_a_submanifold_says_how_steep_charts_are_and_how_far_points_mo
   EXPECT_EQ(json["measures"]["graphs"]["isotopy_margin"]["value"], -0.5);
   EXPECT_EQ(json["measures"]["graphs"]["cover_parts"], 17);
   EXPECT_EQ(json["levels"]["5"]["displacement"]["in_sampling_radii"], 0.125);
+  EXPECT_FALSE(mentions(text, "reach"));
   report.graphs->margin.reset();
-  EXPECT_FALSE(Json::parse(report_json(report))["measures"]["graphs"].contains("isotopy_margin"));
+  report.graphs->reach = ReachBound{2, 1.5, 0.5};
+  const Json other = Json::parse(report_json(report));
+  EXPECT_FALSE(other["measures"]["graphs"].contains("isotopy_margin"));
+  EXPECT_EQ(other["measures"]["graphs"]["reach"]["least"]["value"], 0.5);
+  EXPECT_TRUE(
+      mentions(report_text(report), "reach        ≥ 5.000e-01: curvature ≤ 2.000e+00, bottlenecks ≥ 1.500e+00 long\n"));
 }
 
 }  // namespace DELCERT_THIS_FILE

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/checker/support/graded_torus.hpp"
 #include "tests/checker/support/run_checker.hpp"
-#include "tests/checker/support/samples.hpp"
 #include "tests/checker/support/space_form_samples.hpp"
 
 namespace delcert::checker_tests {
@@ -176,6 +176,25 @@ TEST(Malformed, lengths_and_labels_fit_together) {
     return sealed(document);
   };
   const Json ball = disc().document();
+  const Json graded = graded_document(graded_torus());
+  const auto with_radii = [](Json document, auto change) {
+    change(document);
+    return sealed(document);
+  };
+  Json of_a_ball = Json::object();
+  for (const auto& [key, value] : ball.items()) {
+    of_a_ball[key] = value;
+    if (key == "net") of_a_ball["radii"] = Json(std::vector<std::string>(value.size(), "1"));
+  }
+  expect_malformed(
+      {{"a radius too few", "form.lengths", with_radii(graded, [](Json& d) { d["radii"].erase(4); })},
+       {"no radii", "form.lengths", with_radii(graded, [](Json& d) { d["radii"] = Json::array(); })},
+       {"a radius of 0", "form.ranges", with_radii(graded, [](Json& d) { d["radii"][4] = "0"; })},
+       {"a radius above the sampling radius", "form.ranges", with_radii(graded, [](Json& d) { d["radii"][4] = "1"; })},
+       {"a radius that is no number", "form.numbers", with_radii(graded, [](Json& d) { d["radii"][4] = "0.1"; })},
+       {"radii of a ball", "form.keys", sealed(of_a_ball)},
+       {"a radius variation without radii", "form.ranges",
+        with_radii(circle().document(), [](Json& d) { d["parameters"]["radius_variation"] = "1/8"; })}});
   Json without_net = disc().claiming({"1", "2"}).document();
   without_net["net"] = Json::array();
   expect_malformed(
@@ -275,25 +294,6 @@ TEST(Malformed, numbers_too_large_for_the_filter_end_undecided_and_never_crash) 
     document["points"][0][0] = number;
     EXPECT_GT(run_checker(sealed(document)).status, 0) << number;
   }
-}
-
-TEST(Malformed, the_command_line_is_checked) {
-  const std::string file = temporary_file(valid());
-  EXPECT_EQ(run_checker_with("").status, 64);
-  EXPECT_EQ(run_checker_with(file + " " + file).status, 64);
-  EXPECT_EQ(run_checker_with("--without-rule seal " + file).status, 64) << "the real program leaves out no rule";
-  EXPECT_EQ(run_checker_with(file + " --levels 7").status, 64);
-  EXPECT_EQ(run_checker_with(file + ".absent").status, 3);
-  EXPECT_EQ(run_checker_with("--help").status, 0);
-  EXPECT_EQ(run_checker_with("--quiet " + file).output, "");
-  EXPECT_EQ(run_checker_with("--quiet " + file).status, 0);
-  EXPECT_EQ(run_checker_with("--levels 3,0 " + file).status, 0);
-  const CheckerRun some = run_checker_with(file + " --levels 3");
-  EXPECT_EQ(some.status, 0);
-  EXPECT_NE(some.output.find("verified: levels 0 3; claimed but not checked: 1 2 2s 4 5 6"), std::string::npos)
-      << some.output;
-  const std::string part = temporary_file(sealed(circle().claiming({"0"}).document()));
-  EXPECT_EQ(run_checker_with(part + " --levels 1").status, 64) << "a level that is not claimed is not verified";
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <ctime>
 #include <iostream>
 #include <map>
@@ -10,8 +11,10 @@
 #include "tests/checker/circle_oracle.hpp"
 #include "tests/checker/support/samples.hpp"
 #include "tests/checker/support/space_form_samples.hpp"
+#include "tests/checker/support/submanifold_model.hpp"
 #include "tests/checker/upwards.hpp"
 #include "tests/checker/weaker_claims.hpp"
+#include "tests/checker/zero_set_oracle.hpp"
 
 namespace delcert::checker_tests {
 namespace {
@@ -158,6 +161,52 @@ TEST_F(Mutations, that_the_checker_rejects_the_oracle_finds_false) {
   }
   std::cout << rejected << " rejected, as by the oracle\n";
   EXPECT_GT(rejected, 100);
+}
+
+/// A zero set: the circle, with all levels. Its oracle finds false what is false at a sample.
+class MutationsOfZeroSets : public testing::Test {
+ protected:
+  const test::Upwards upwards;
+  std::string text_ = sealed(certificate(circle_model(40, 1), {"1", "2", "2s", "4", "5", "5i", "6"}));
+
+  /// So many mutations; by how many of the rejected ones the oracle says why.
+  void mutate_and_ask(int times, std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    std::map<int, int> count;
+    int found_false = 0;
+    for (int k = 0; k < times; ++k) {
+      std::string other = text_;
+      if (k % 2 == 0) {
+        other = mutated(text_, random);
+      } else {
+        for (std::size_t changes = 1 + random() % 2; changes > 0;) {
+          char& c = other[random() % other.size()];
+          if (c < '0' || c > '9') continue;
+          c = static_cast<char>('0' + random() % 10);
+          --changes;
+        }
+      }
+      if (other.find(",\"sha256\":\"") != std::string::npos) other = resealed(other);
+      const int status = soon_status_of(other);
+      ++count[status];
+      if (status == 0) {
+        EXPECT_EQ(fault_of_zero_set_circle(other), "") << other;
+      } else if (status == 1 && !fault_of_zero_set_circle(other).empty()) {
+        ++found_false;
+      }
+    }
+    print_count(std::to_string(times) + " mutations of a zero set", count);
+    std::cout << "of " << count[1] << " that are rejected the oracle finds " << found_false << " false\n";
+    for (const int status : {0, 1, 3}) EXPECT_GT(count[status], 0) << status;
+    EXPECT_GT(2 * found_false, count[1]);
+  }
+};
+
+TEST_F(MutationsOfZeroSets, sealed_anew_are_accepted_only_if_nothing_false_is_found) {
+  ASSERT_EQ(status_of(text_), 0);
+  ASSERT_EQ(fault_of_zero_set_circle(text_), "");
+  const char* many = std::getenv("DELCERT_MUTATIONS");
+  mutate_and_ask(many == nullptr ? 2000 : std::atoi(many), 7);
 }
 
 /// In the manifold block, the parameters and the levels, and the first points.

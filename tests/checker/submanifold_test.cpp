@@ -35,8 +35,39 @@ const Json& polygon_document() {
   return document;
 }
 
+/// A sphere by 1280 triangles, on one by 5120.
+SubmanifoldModel remeshed(const SubmanifoldModel& polyhedron = sphere_model(4)) {
+  SubmanifoldModel model = on_mesh(sphere_model(3), polyhedron);
+  model.displacement *= 1.25;
+  return model;
+}
+
+const Json& remeshed_document() {
+  static const Json document = certificate(remeshed(), all);
+  return document;
+}
+
 /// As the numbers of charts are written.
 std::string text_of(double x) { return std::to_string(static_cast<long long>(x * 0x1p30)) + "/1073741824"; }
+
+/// The same with radii: the sampling radius times what this says of a label.
+template <class Units>
+Json with_radii(const Json& document, const char* variation, const Units& unit_of) {
+  Json result;
+  const std::string radius = document["parameters"]["sampling_radius"];
+  const double whole = std::stod(radius.substr(0, radius.find('/'))) /
+                       (radius.find('/') == std::string::npos ? 1 : std::stod(radius.substr(radius.find('/') + 1)));
+  for (const auto& [key, value] : document.items()) {
+    result[key] = value;
+    if (key != "charts") continue;
+    for (std::size_t i = 0; i < document["points"].size(); ++i) result["radii"].push_back(text_of(whole * unit_of(i)));
+  }
+  result["parameters"]["radius_variation"] = variation;
+  return result;
+}
+
+/// Every second radius is a little less than the others.
+double every_second(std::size_t label) { return label % 2 == 0 ? 1 : 31.0 / 32; }
 
 void expect_verified(const Json& document) {
   const CheckerRun run = run_checker(sealed(document));
@@ -96,6 +127,44 @@ TEST(Submanifold, a_place_as_near_to_one_label_as_to_others_ends_undecided_at_a_
   const CheckerRun run = run_with(half_edge + 0x1p-21);
   EXPECT_EQ(run.status, 2) << run.output;
   EXPECT_NE(run.output.find("which labels are nearest in the chart of label"), std::string::npos) << run.output;
+}
+
+TEST(Submanifold, a_mesh_is_verified_as_the_manifold) {
+  expect_verified(remeshed_document());
+  // On other facets, over whose edges and vertices no points are.
+  SubmanifoldModel turned = sphere_model(4);
+  for (auto& x : turned.points) x = {0.8 * x[0] - 0.6 * x[1], 0.6 * x[0] + 0.8 * x[1], x[2]};
+  expect_verified(certificate(remeshed(turned), all));
+}
+
+TEST(Submanifold, a_mesh_that_is_not_one_is_malformed) {
+  const auto rules = [](const std::function<void(Json&)>& change) {
+    Json document = remeshed_document();
+    change(document);
+    const CheckerRun run = run_checker(sealed(document));
+    EXPECT_EQ(run.status, 3) << run.output;
+    return run.rules;
+  };
+  using Rules = std::set<std::string>;
+  EXPECT_EQ(rules([](Json& j) { j["manifold"]["facets"][7][1] = 2562; }), Rules{"form.ranges"});
+  EXPECT_EQ(rules([](Json& j) { j["manifold"]["facets"] = Json::array(); }), Rules{"form.ranges"});
+  EXPECT_EQ(rules([](Json& j) { j["manifold"]["vertices"] = "given"; }).size(), 1U);
+  EXPECT_EQ(rules([](Json& j) { j["manifold"]["dimension"] = 3; }).size(), 1U);
+}
+
+TEST(Submanifold, lengths_of_radii_that_vary_are_said_to_be_in_proportion) {
+  constexpr const char* words = "(lengths, of the greatest radius; elsewhere in proportion)";
+  const auto says_so = [&](const Json& document) {
+    return run_checker(sealed(document)).output.find(words) != std::string::npos;
+  };
+  EXPECT_TRUE(says_so(with_radii(circle_document(), "1/16", every_second)));
+  EXPECT_FALSE(says_so(circle_document()));
+}
+
+TEST(Submanifold, with_radii_that_vary_are_verified) {
+  expect_verified(with_radii(circle_document(), "1/16", every_second));
+  expect_verified(with_radii(polygon_document(), "1/16", every_second));
+  expect_verified(with_radii(sphere_document(), "1/16", every_second));
 }
 
 TEST(Submanifold, in_higher_codimension_are_verified) {
@@ -216,6 +285,17 @@ TEST(Submanifold, the_document_has_its_form) {
   malformed("form.ranges", [](Json& j) { j["levels"]["5i"]["margin"] = "0"; });
   malformed("form.ranges", [](Json& j) { j["levels"]["2s"]["reach"] = "0"; });
   malformed("form.ranges", [](Json& j) { j["parameters"]["distortion"] = "1"; });
+  malformed("form.ranges", [](Json& j) { j["parameters"]["radius_variation"] = "1/16"; });
+  malformed("form.ranges", [](Json& j) { j = with_radii(j, "0", [](std::size_t i) { return i == 3 ? 0 : 1; }); });
+  malformed("form.ranges", [](Json& j) { j = with_radii(j, "-1", every_second); });
+  malformed("form.lengths", [](Json& j) {
+    j = with_radii(j, "1/16", every_second);
+    j["radii"].erase(3);
+  });
+  malformed("form.lengths", [](Json& j) {
+    j = with_radii(j, "1/16", every_second);
+    j["radii"] = Json::array();
+  });
   malformed("form.family", [](Json& j) { j["parameters"]["mode"] = "theory"; });
   malformed("form.keys", [](Json& j) { j["manifold"]["vertices"] = "both"; });
   malformed("form.keys", [](Json& j) { j["manifold"]["box"].erase(1); });
@@ -321,11 +401,73 @@ std::vector<Forgery> submanifold_forgeries() {
   wound.slope = 0.5;
   wound.height = 0.125;
   const Json& round = circle_document();
+  const Json& meshed = remeshed_document();
+  const auto crack = [](Json& j) {  // of a unit in the last place
+    Json& vertices = j["manifold"]["mesh"];
+    Json& corner = j["manifold"]["facets"][100][0];
+    const Json twin = vertices[corner.get<std::size_t>()];
+    vertices.push_back(twin);
+    const std::string x = vertices.back()[0].get<std::string>();
+    std::string other = x == "0" ? "0x1p-53" : x;
+    if (x != "0") other[x.find('p') - 1] = x[x.find('p') - 1] == '1' ? '2' : '1';
+    vertices.back()[0] = other;
+    corner = vertices.size() - 1;
+  };
+  Forgery reversed = forged("a facet that shows its other side", "mesh.closed", meshed, [](Json& j) {
+    Json& facet = j["manifold"]["facets"][100];
+    std::swap(facet[0], facet[1]);
+  });
+  reversed.others = {"sub.graph"};
+  Forgery flat = forged("a facet without an area", "mesh.closed", meshed, [](Json& j) {
+    j["manifold"]["facets"].push_back({5, 5, 6});
+  });
+  flat.others = {"sub.graph"};
+  SubmanifoldModel first = on_mesh(first_component(doubled(sphere_model(3))), sphere_model(4));
+  first.mesh.clear();
+  first.facets.clear();
+  {
+    const SubmanifoldModel one = on_mesh(sphere_model(3), sphere_model(4));
+    for (const double at : {2.0, -2.0}) {
+      for (auto facet : one.facets) {
+        for (int& vertex : facet) vertex += static_cast<int>(first.mesh.size());
+        first.facets.push_back(facet);
+      }
+      for (auto x : one.mesh) {
+        x[0] += at;
+        first.mesh.push_back(x);
+      }
+    }
+  }
+  SubmanifoldModel steep = remeshed();
+  steep.slope *= 0.75;
   Forgery near = forged("two circles nearer to each other than their points", "4.cover",
                         certificate(near_circles("extrinsic", 0.0065), {"1", "2", "4", "5"}), as_it_is);
   near.others = {"4.patch"};
+  const auto with_one_radius = [](double unit) {
+    return [=](Json& j) { j = with_radii(j, "100", [=](std::size_t i) { return i == 5 ? unit : 1; }); };
+  };
   return {
       near,
+      reversed,
+      forged("a crack in a mesh, of a unit in the last place", "mesh.closed", meshed, crack),
+      forged("a mesh with a facet less", "mesh.closed", meshed, [](Json& j) { j["manifold"]["facets"].erase(5); }),
+      forged("a facet of a mesh twice", "mesh.closed", meshed,
+             [](Json& j) {
+               const Json twin = j["manifold"]["facets"][5];
+               j["manifold"]["facets"].push_back(twin);
+             }),
+      flat,
+      forged("a mesh that goes around its poles twice", "sub.graph",
+             certificate(on_mesh(sphere_model(3), branched_sphere_model(25, 81)), {"1", "2"}), as_it_is),
+      forged("a mesh steeper than stated", "sub.graph", certificate(steep, {"1", "2"}), as_it_is),
+      forged("a lid below facets", "sub.graph", certificate(remeshed(), {"1", "2"}),
+             [&](Json& j) { j["charts"][3].back() = text_of(0.5 * steep.patch_radius * steep.patch_radius); }),
+      forged("a chart without a preconditioner", "sub.graph", certificate(remeshed(), {"1", "2"}),
+             [](Json& j) { j["charts"][3][6] = "0"; }),
+      forged("one of two components of a mesh left out", "sub.cover", certificate(first, {"1", "2"}), as_it_is),
+      forged("a mesh farther away than stated", "5.fibre", meshed, claim("5", "displacement", "1/4096")),
+      forged("a mesh more turned than stated", "5.contract", meshed, claim("5", "contraction", "1/4096")),
+      forged("angles to facets too small", "6.normal", meshed, claim("6", "normal", "1/4096")),
       forged("a box whose rim cuts the circle", "sub.box", round, [](Json& j) { j["manifold"]["box"][0][1] = "1"; }),
       forged("a slope too small", "sub.graph", round,
              [&](Json& j) { j["manifold"]["slope"] = text_of(circle.slope * 0.75); }),
@@ -386,6 +528,18 @@ std::vector<Forgery> submanifold_forgeries() {
       forged("a weight that no angles have", "6.self-delaunay", sphere_document(), claim("6", "weight", "2")),
       forged("a displacement that leaves the patches", "5i.lid", round, claim("5", "displacement", "3/64")),
       forged("a margin too large", "5i.embedded", round, claim("5i", "margin", "1/16")),
+      forged("radii that differ by more than stated", "sub.radii", round,
+             [](Json& j) { j = with_radii(j, "1/64", every_second); }),
+      forged("radii exchanged between two circles", "sub.radii", certificate(doubled(circle_model(60, 1)), {"1", "2"}),
+             [](Json& j) {
+               j = with_radii(j, "1/1024", [](std::size_t i) { return (i < 60) == (i % 60 != 5) ? 1 : 31.0 / 32; });
+             }),
+      forged("a radius too small at one label", "1.radius", certificate(circle, {"1", "2"}), with_one_radius(0.875)),
+      forged("a radius that is four times too large", "1.patch", certificate(circle, {"1", "2"}), with_one_radius(4)),
+      forged("a radius for which points move too far", "5.fibre",
+             certificate(given(circle_model(60, 1)), {"1f", "2", "5"}), with_one_radius(1.0 / 64)),
+      forged("a radius too small for the density", "4.density", certificate(circle, {"1", "2", "4", "5"}),
+             with_one_radius(0.92)),
       forged("another Euler characteristic", "2.count", round,
              [](Json& j) { j["levels"]["2"]["euler_characteristic"] = 2; }),
   };

@@ -99,6 +99,14 @@ delcert_cli_test(complexes-are-made STATUS 0 OUTPUT "^$" ERROR "^$"
   COMMAND sh -c "rm -rf made && mkdir made && '${Python3_EXECUTABLE}' -B ${complexes}/make.py made && diff -r --exclude=make.py ${complexes} made")
 
 # Meshes of a surface in space, against its equation.
+add_executable(surface-mesh ${CMAKE_CURRENT_LIST_DIR}/surface_mesh.cpp)
+target_compile_features(surface-mesh PRIVATE cxx_std_20)
+target_link_libraries(surface-mesh PRIVATE CGAL::CGAL Eigen3::Eigen)
 add_test(NAME cli.mesh COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/mesh.py
+  $<TARGET_FILE:delcert> $<TARGET_FILE:delcert-check> $<TARGET_FILE:surface-mesh>)
+add_test(NAME cli.mesh_manifold COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/mesh_manifold.py
   $<TARGET_FILE:delcert> $<TARGET_FILE:delcert-check>)
-set_tests_properties(cli.mesh PROPERTIES TIMEOUT 600)
+set_tests_properties(cli.mesh cli.mesh_manifold PROPERTIES TIMEOUT 600)
+# Files of manifolds that are none, or are written wrongly.
+add_test(NAME cli.wrong-manifolds COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/wrong_manifolds.py $<TARGET_FILE:delcert>)
+set_tests_properties(cli.wrong-manifolds PROPERTIES TIMEOUT 1200)

@@ -8,9 +8,9 @@ delcert_cli_test(constants-table COMMAND ${constants} ${surface} STATUS 0 ERROR 
 delcert_cli_test(constants-json COMMAND ${constants} ${surface} --json STATUS 0 ERROR "^$"
   OUTPUT "^{\n.*\"log2_lower\": \"-50.5\".*\"hypotheses_2\": true\n}\n$")
 delcert_cli_test(constants-latex COMMAND ${constants} ${surface} --latex STATUS 0 ERROR "^$"
-  OUTPUT "^.begin{tabular}.*.toprule.*.bottomrule\n.end{tabular}\n")
+  OUTPUT "^{.footnotesize.*.begin{longtable}.*.toprule.*.bottomrule.*.end{longtable}}\n")
 delcert_cli_test(constants-dimension-three STATUS 0 ERROR "^$"
-  COMMAND ${constants} --dim 3 --separation 1/2 --perturbation 1/10 --latex OUTPUT "tabular")
+  COMMAND ${constants} --dim 3 --separation 1/2 --perturbation 1/10 --latex OUTPUT "longtable")
 delcert_cli_test(constants-with-distortion STATUS 0 ERROR "^$"
   COMMAND ${constants} --dim 2 --separation 1 --perturbation 1/5 --distortion 1/100 --radius-variation 0x1p-10
   OUTPUT "radius variation +1/1024.*do not hold: the distortion 1/100 is above its bound")
@@ -52,7 +52,7 @@ delcert_cli_test(constants-sweep-json STATUS 0 ERROR "^$"
   COMMAND ${constants} --dim 2,3 --separation 1/4,1 --perturbation 1/16,1/4 --json --only flake_parameter
   OUTPUT "^{\n  \"ledgers\": .*\"exact\": \"2.[(]-293/2[)]\".*\"left_out\": .*perturbation is 1/4")
 delcert_cli_test(constants-sweep-latex STATUS 0 ERROR "^$" COMMAND ${constants} --dim 2,3 --separation 1 --latex
-  OUTPUT "^.begin{longtable}.*.toprule.*.end{longtable}\n")
+  OUTPUT "^{.footnotesize.*.begin{longtable}.*.toprule.*.end{longtable}}\n")
 delcert_cli_test(constants-default-perturbation STATUS 0 ERROR "^$" COMMAND ${constants} --dim 2 --separation 1/2
   OUTPUT "ρ₀ +perturbation +1/8 ")
 delcert_cli_test(constants-only STATUS 0 ERROR "^$" COMMAND ${constants} ${surface} --only tolerance

@@ -4,7 +4,12 @@ set(delcert $<TARGET_FILE:delcert>)
 delcert_cli_test(version COMMAND ${delcert} --version STATUS 0 OUTPUT "^delcert [0-9]+[.][0-9]+[.][0-9]+\n$" ERROR "^$")
 delcert_cli_test(help COMMAND ${delcert} --help STATUS 0 OUTPUT "constants.*check.*Exit status.*Examples:" ERROR "^$")
 delcert_cli_test(no-subcommand COMMAND ${delcert} STATUS 64 OUTPUT "^$" ERROR "^delcert: error: .*see delcert --help")
-delcert_cli_test(unknown-subcommand COMMAND ${delcert} certfy STATUS 64 OUTPUT "^$" ERROR "^delcert: error: ")
+delcert_cli_test(unknown-subcommand COMMAND ${delcert} certfy STATUS 64 OUTPUT "^$" ERROR "^delcert: error: there is no subcommand certfy, did you mean certify[?]")
+delcert_cli_test(manifolds COMMAND ${delcert} manifolds STATUS 0 OUTPUT "torus-2 +2 +flat +The square torus.*bolza-surface +2 +space form.*tanglecube" ERROR "^$")
+delcert_cli_test(manifolds-word COMMAND ${delcert} manifolds lens --names STATUS 0 OUTPUT "^lens-space-5-2\nlens-space-7-2\n$" ERROR "^$")
+delcert_cli_test(manifolds-none COMMAND ${delcert} manifolds bolsa-surface STATUS 3 OUTPUT "^$" ERROR "did you mean bolza-surface")
+delcert_cli_test(manifolds-json COMMAND ${delcert} manifolds klein-quartic --json STATUS 0 ERROR "^$"
+  OUTPUT "\"name\": \"klein-quartic\".*\"dimension\": 2")
 delcert_cli_test(unknown-option COMMAND ${delcert} --frobnicate STATUS 64 OUTPUT "^$" ERROR "^delcert: error: ")
 delcert_cli_test(full-disk
   COMMAND sh -c "\"$1\" constants --dim 2 --separation 1 --perturbation 1/4 > /dev/full" sh ${delcert}

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
-"""mesh.py DELCERT DELCERT_CHECK: `delcert certify --manifold torus-of-revolution --complex MESH` certifies a mesh of the torus as it
-is, and delcert-check verifies that; the same mesh with one thing wrong is refused, and what is wrong is named."""
+"""mesh.py DELCERT DELCERT_CHECK SURFACE_MESH: `delcert certify --manifold torus-of-revolution --complex MESH` certifies a mesh of the torus as it
+is, and delcert-check verifies that; the same mesh with one thing wrong is refused, and what is wrong is named. So are meshes that other programs make:
+SURFACE_MESH, by CGAL, and marching tetrahedra."""
 
+import itertools
 import math
 import subprocess
 import sys
@@ -32,7 +34,7 @@ def torus():
 
 def off(points, triangles):
     lines = [f"OFF\n{len(points)} {len(triangles)} 0"]
-    lines += ["%.7f %.7f %.7f" % tuple(point) for point in points]
+    lines += ["%.9f %.9f %.9f" % tuple(point) for point in points]
     lines += ["3 %d %d %d" % tuple(triangle) for triangle in triangles]
     return "\n".join(lines) + "\n"
 
@@ -69,8 +71,57 @@ def doubled(points, triangles):
     return points + points, triangles + [[vertex + len(points) for vertex in triangle] for triangle in triangles]
 
 
+def marching(cells):
+    """Marching tetrahedra, six to a cube, with vertices on the torus: slivers and all."""
+    step = 6.2 / cells
+    origin = (-3.1 - 0.01234 * step, -3.1 - 0.0333 * step, -1.2 - 0.0271 * step)
+    points, triangles, labels, values = [], [], {}, {}
+
+    def place(corner):
+        return [start + step * k for start, k in zip(origin, corner)]
+
+    def function(x):
+        flat = x[0] * x[0] + x[1] * x[1]
+        return (flat + x[2] * x[2] + 3) ** 2 - 16 * flat
+
+    def value(corner):
+        if corner not in values:
+            values[corner] = function(place(corner))
+        return values[corner]
+
+    def vertex(inside, outside):
+        if (inside, outside) not in labels:
+            low, high = place(inside), place(outside)
+            for _ in range(60):
+                middle = [(a + b) / 2 for a, b in zip(low, high)]
+                if function(middle) < 0:
+                    low = middle
+                else:
+                    high = middle
+            labels[inside, outside] = len(points)
+            points.append(low)
+        return labels[inside, outside]
+
+    for cube in itertools.product(range(cells), range(cells), range(math.ceil(2.4 / step) + 1)):
+        corners = [tuple(k + by for k, by in zip(cube, offset)) for offset in itertools.product((0, 1), repeat=3)]
+        if len({value(corner) < 0 for corner in corners}) == 1:
+            continue
+        for order in itertools.permutations(range(3)):
+            path = [cube]
+            for axis in order:
+                path.append(tuple(k + (at == axis) for at, k in enumerate(path[-1])))
+            inside = [corner for corner in path if value(corner) < 0]
+            outside = [corner for corner in path if value(corner) >= 0]
+            if len(inside) == 2 and len(outside) == 2:
+                a, b, c, d = (vertex(inside[i], outside[j]) for i, j in ((0, 0), (0, 1), (1, 1), (1, 0)))
+                triangles += [[a, b, c], [a, c, d]]
+            elif inside and outside:
+                triangles.append([vertex(i, o) for i in inside for o in outside])
+    return points, triangles
+
+
 def main():
-    delcert, checker = sys.argv[1:3]
+    delcert, checker, surface_mesh = sys.argv[1:4]
     mesh = torus()
     with tempfile.TemporaryDirectory() as folder:
         certificate = Path(folder) / "mesh.json"
@@ -90,6 +141,14 @@ def main():
             checked = subprocess.run([checker, certificate], capture_output=True, text=True)
             assert checked.returncode == 0, checked.stdout + checked.stderr
             assert "verified: levels charts 1f 2 5 5i" in checked.stdout, checked.stdout
+
+        # Meshes of other programs. Slivers are too thin for 5i.
+        made = subprocess.run([surface_mesh, "0.12"], capture_output=True, text=True, check=True).stdout
+        for text, levels in ((made, "1f 2 5 5i"), (off(*marching(40)), "1f 2 5")):
+            done = certify(text, "other.off")
+            assert done.returncode == 0, done.stderr
+            checked = subprocess.run([checker, certificate], capture_output=True, text=True)
+            assert f"verified: levels charts {levels} (" in checked.stdout, checked.stdout + checked.stderr
 
         for change, expected in ((pushed, "label 777"), (lifted, "900"),
                                  (doubled, "level 5: in 2 components no label is certainly alone"),

@@ -5,7 +5,7 @@
   golden.py freeze --delcert PROGRAM           writes digests.tsv anew; refuses if the geometry of one has changed
   golden.py freeze --geometry --delcert PROGRAM      the same, whatever has changed
 
-certificates.tsv has a name and the options of `delcert certify` on every line. The digests are SHA-256:
+certificates.tsv has a name and the options of `delcert certify` on every line, files from the root of the project on. The digests are SHA-256:
 
   document    the bytes of the certificate without `software` (the versions of libraries) and without its seal
   manifold, parameters, levels      the text of that section
@@ -84,8 +84,10 @@ def table(name):
 def certify(delcert, options):
     with tempfile.TemporaryDirectory() as folder:
         output = Path(folder) / "certificate.json"
-        command = [delcert, "certify", *options.split(), "--output", str(output)]
-        run = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
+        command = [str(Path(delcert).resolve()), "certify", *options.split(), "--output", str(output)]
+        run = subprocess.run(
+            command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False, cwd=FOLDER.parent.parent
+        )
         if run.returncode != 0:
             raise SystemExit(f"golden.py: {' '.join(command)} ends with status {run.returncode}: {run.stderr}")
         return output.read_bytes()

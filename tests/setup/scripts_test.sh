@@ -53,6 +53,21 @@ expect "./test asks for both" 'says libgtest-dev && says libfmt-dev'
 on_machine 'DELCERT_SKIP_PACKAGES=1; install_packages run'
 expect "packages may be left to the user" '[[ $status == 0 && -z $output ]]'
 
+machine checker
+command_is apt-get "echo \"\$@\" >>$work/apt-of-checker"
+command_is dpkg-query 'exit 1'
+command_is id 'echo 0'
+command_is apt-cache 'if [[ $2 == libflint-arb-dev ]]; then echo "Package: $2"; fi'
+on_machine 'install_packages check'
+expect "the checker needs six libraries, and the compiler" '[[ $status == 0 && $(tail -n 1 $work/apt-of-checker | tr " " "\n" | grep -c -- "-dev$") == 6 ]]'
+expect "an optional package is installed where there is one" '[[ $(tail -n 1 $work/apt-of-checker) == *" libflint-arb-dev" ]]'
+command_is apt-cache 'exit 100'
+on_machine 'install_packages check'
+expect "and is not asked for where there is none" '[[ $status == 0 && $(tail -n 1 $work/apt-of-checker) != *arb* ]]'
+command_is dpkg-query 'for package in "$@"; do case $package in -* | libflint-arb-dev) ;; *) echo "$package installed";; esac; done'
+on_machine 'install_packages check'
+expect "nor missed" '[[ $status == 0 && -z $output ]]'
+
 machine powerless
 command_is apt-get 'echo apt-get was called'
 command_is dpkg-query "$all_but_fmt"
@@ -121,9 +136,9 @@ expect "no test at all is a failure" '[[ $output == "0 1" ]]'
 on_machine "ctest_counts $work/nowhere"
 expect "no report is a failure" '[[ $output == "0 1" ]]'
 
-duplicates=$(grep -v '^#' "$project/cmake/debian-packages.txt" | sed 's/^[a-z]* *\([^ ]*\).*/\1/' | sort | uniq -d)
+duplicates=$(grep -v '^#' "$project/cmake/debian-packages.txt" | sed 's/^[a-z?]* *\([^ ]*\).*/\1/' | sort | uniq -d)
 expect "no package stands twice in the list" '[[ -z $duplicates ]]'
-malformed=$(grep -vE '^#|^(run|test) +[a-z0-9.+-]+ +[A-Za-z]' "$project/cmake/debian-packages.txt")
+malformed=$(grep -vE '^#|^(check|run|test|package)\?? +[a-z0-9.+-]+ +[A-Za-z]' "$project/cmake/debian-packages.txt")
 expect "every line of the list has a purpose, a package and a description" '[[ -z $malformed ]]'
 
 echo "$failures failures"

@@ -1,38 +1,9 @@
 #include "kernel/manifold/gluing/atlas_distortion.hpp"
 
 #include "kernel/manifold/gluing/growing_bound.hpp"
+#include "kernel/manifold/gluing/interval_matrix.hpp"
 
 namespace delcert {
-
-namespace {
-
-template <std::size_t m>
-std::array<std::array<Interval, m>, m> product(const std::array<std::array<Interval, m>, m>& a,
-                                               const std::array<std::array<Interval, m>, m>& b) {
-  std::array<std::array<Interval, m>, m> result;
-  for (std::size_t row = 0; row < m; ++row) {
-    for (std::size_t column = 0; column < m; ++column) {
-      result[row][column] = a[row][0] * b[0][column];
-      for (std::size_t k = 1; k < m; ++k) result[row][column] += a[row][k] * b[k][column];
-    }
-  }
-  return result;
-}
-
-template <std::size_t m>
-std::array<std::array<Interval, m>, m> gram_of(const std::array<std::array<Interval, m>, m>& a) {
-  std::array<std::array<Interval, m>, m> result;
-  for (std::size_t row = 0; row < m; ++row) {
-    for (std::size_t column = 0; column < m; ++column) {
-      result[row][column] = row == column ? square(a[0][row]) : a[0][row] * a[0][column];
-      for (std::size_t k = 1; k < m; ++k)
-        result[row][column] += row == column ? square(a[k][row]) : a[k][row] * a[k][column];
-    }
-  }
-  return result;
-}
-
-}  // namespace
 
 template <int m>
 std::optional<Rational> measure_transitions(const FormulaAtlas<m>& atlas, const Rational& limit,

@@ -1,5 +1,6 @@
 #include "kernel/manifold/quotient/crystallographic_group.hpp"
 
+#include <flint/fmpz.h>
 #include <flint/fmpz_mat.h>
 
 #include <algorithm>

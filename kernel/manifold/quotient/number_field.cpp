@@ -1,22 +1,18 @@
 #include "kernel/manifold/quotient/number_field.hpp"
 
+#include <flint/fmpz_poly.h>
 #include <flint/fmpz_poly_factor.h>
 
 #include <algorithm>
 #include <stdexcept>
 
 #include "kernel/number/exact_text.hpp"
+#include "kernel/number/flint_rational.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
 
 namespace {
-
-Rational coefficient_of(const fmpq_poly_t polynomial, slong at) {
-  Rational::Wrapped result;
-  fmpq_poly_get_coeff_mpq(result.backend().data(), polynomial, at);
-  return Rational(std::move(result));
-}
 
 std::string text_of(const fmpq_poly_t polynomial) {
   std::string result;
@@ -72,7 +68,7 @@ constexpr PrecisionBits usual_precision{128U};
 
 void set_coefficients(fmpq_poly_t polynomial, const std::vector<Rational>& coefficients) {
   for (std::size_t k = 0; k < coefficients.size(); ++k)
-    fmpq_poly_set_coeff_mpq(polynomial, static_cast<slong>(k), coefficients[k].gmp());
+    set_coefficient(polynomial, static_cast<slong>(k), coefficients[k]);
 }
 
 /// The field in which a result of two operands lives.
@@ -113,7 +109,7 @@ FieldElement::FieldElement(Field field) : field_(std::move(field)) { fmpq_poly_i
 
 FieldElement::FieldElement(int integer) : FieldElement() { fmpq_poly_set_si(value_, integer); }
 
-FieldElement::FieldElement(const Rational& x) : FieldElement() { fmpq_poly_set_mpq(value_, x.gmp()); }
+FieldElement::FieldElement(const Rational& x) : FieldElement() { set_coefficient(value_, 0, x); }
 
 FieldElement::FieldElement(Field field, const std::vector<Rational>& coefficients) : FieldElement(std::move(field)) {
   set_coefficients(value_, coefficients);

@@ -1,5 +1,6 @@
 #include "kernel/manifold/quotient/space_form_families.hpp"
 
+#include <flint/fmpz.h>
 #include <flint/fmpz_poly.h>
 
 #include "kernel/number/exact_text.hpp"

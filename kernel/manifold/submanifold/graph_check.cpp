@@ -13,6 +13,9 @@ namespace delcert {
 
 namespace {
 
+/// ‖1 − Y·Df·N‖ is asked to be below this and not only below 1: there is room for readers.
+constexpr double greatest_defect = 0.98;
+
 using Coordinates = std::array<double, most_ambient_dimensions>;
 
 /// A box in the coordinates (y, z) of a cylinder, by its ends, which neighbours share; and between which |y|/ϱ slopes
@@ -319,7 +322,8 @@ class Cylinder {
     }
     const auto most = static_cast<std::size_t>(std::max_element(share.begin(), share.end()) - share.begin());
     if (share[most] < std::numeric_limits<double>::infinity()) longest = most;
-    if (aim == Aim::transversal) return is_proved(less(distance_from_identity(entries), Interval(1)));
+    if (aim == Aim::transversal)
+      return is_proved(less(distance_from_identity(entries), Interval::exactly(greatest_defect)));
     const double allowed = (slope_ * profile(Interval::exactly(cell.from))).lower();
     if (steepness_in(entries) <= allowed) return true;
     const Interval split =
@@ -505,9 +509,9 @@ class SlopeEstimate {
 
 class Fitting {
  public:
-  Fitting(const ZeroSet& zero_set, const std::vector<std::vector<Rational>>& centres, const Rational& sampling_radius,
+  Fitting(const ZeroSet& zero_set, const std::vector<std::vector<Rational>>& centres, const SamplingRadii& radii,
           const Progress& progress)
-      : zero_set_(zero_set), sampling_radius_(sampling_radius), progress_(progress) {
+      : zero_set_(zero_set), radii_(radii), progress_(progress) {
     in_parts(
         "make charts", centres.size(), progress,
         [&](std::size_t first, std::size_t last) {
@@ -531,22 +535,27 @@ class Fitting {
     }
     if (auto slope = fitting_slope(patch_factors.back(), last_slack, reason))
       return {std::move(charts_), std::move(*slope), patch_factors.back()};
-    throw Rejection(reason);
+    std::vector<std::vector<double>> places;
+    for (const std::size_t label : failed_) places.push_back(place_of(label));
+    throw TooCoarse(reason, std::move(places));
   }
 
  private:
   std::optional<Rational> fitting_slope(int factor, double slack, std::string& reason) {
-    const Rational radius = Rational(factor) * sampling_radius_;
+    const Rational patch(factor);
     Rational slope;
-    if (!estimate(approximate_double(radius), slack, slope, reason)) return std::nullopt;
+    failed_.clear();
+    if (!estimate(patch, slack, slope, reason)) return std::nullopt;
     std::vector<std::size_t> suspects = spread(most_suspects);
     while (slope <= Rational(1)) {
-      auto failures = failing(suspects, radius, slope);
-      if (failures.empty()) failures = failing(all_, radius, slope);
+      auto failures = failing(suspects, patch, slope);
+      if (failures.empty()) failures = failing(all_, patch, slope);
       if (failures.empty()) return slope;
       note(failures.front().first, failures.front().second.reason, reason);
       suspects.clear();
+      failed_.clear();
       for (const auto& [label, failure] : failures) {
+        failed_.push_back(label);
         suspects.push_back(label);
         if (failure.is_slope) continue;
         note(label, failure.reason, reason);
@@ -565,7 +574,7 @@ class Fitting {
   }
 
   /// A little more than the slope that all charts seem to need; false if it is above 1.
-  bool estimate(double radius, double slack, Rational& slope, std::string& reason) {
+  bool estimate(const Rational& patch, double slack, Rational& slope, std::string& reason) {
     constexpr int rounds = 16;
     const std::vector<std::size_t> looked_at = spread(most_estimates);
     double needed = 0;
@@ -578,6 +587,7 @@ class Fitting {
             SlopeEstimate estimate(zero_set_);
             std::pair<double, std::size_t> most{0, looked_at[first]};
             for (std::size_t at = first; at < end; ++at) {
+              const double radius = approximate_double(patch * radii_.of(looked_at[at]));
               const double found = slack * estimate.estimate(charts_[looked_at[at]], radius, last);
               if (found > most.first) most = {found, looked_at[at]};
             }
@@ -590,6 +600,7 @@ class Fitting {
             }
           });
       if (!(needed <= 1)) {
+        failed_.push_back(where);
         note(where, "its patch is steeper than 1", reason);
         return false;
       }
@@ -600,10 +611,7 @@ class Fitting {
   }
 
   std::vector<std::pair<std::size_t, GraphFailure>> failing(const std::vector<std::size_t>& labels,
-                                                            const Rational& radius, const Rational& slope) {
-    const Rational least = least_height(radius, slope);
-    const std::array high_lids{radius * Rational::power_of_two(-1),
-                               sampling_radius_ * Rational(Integer(13), Integer(8))};
+                                                            const Rational& patch, const Rational& slope) {
     // Others may divide the cylinders otherwise.
     const Rational less = slope * (Rational(1) - Rational::power_of_two(-6));
     std::vector<std::pair<std::size_t, GraphFailure>> result;
@@ -614,6 +622,12 @@ class Fitting {
           std::vector<std::pair<std::size_t, GraphFailure>> found;
           for (std::size_t at = first; at < last; ++at) {
             TangentChart& chart = charts_[labels[at]];
+            const Rational& unit = radii_.of(labels[at]);
+            const Rational radius = patch * unit;
+            const Rational least = least_height(radius, slope);
+            std::vector high_lids{radius * Rational::power_of_two(-1), unit * Rational(Integer(13), Integer(8))};
+            // Where they vary, discs of level 4 are larger.
+            if (radii_.vary()) high_lids.insert(high_lids.begin(), unit * Rational(Integer(23), Integer(8)));
             chart.set_size(radius, least);
             if (auto failure = check.failure(chart, less)) {
               found.emplace_back(labels[at], std::move(*failure));
@@ -635,12 +649,16 @@ class Fitting {
     return result;
   }
 
-  void note(std::size_t label, const std::string& what, std::string& reason) const {
+  [[nodiscard]] std::vector<double> place_of(std::size_t label) const {
     std::vector<double> x;
     for (const Rational& coordinate : charts_[label].data().centre) x.push_back(approximate_double(coordinate));
+    return x;
+  }
+  void note(std::size_t label, const std::string& what, std::string& reason) const {
+    const std::vector<double> x = place_of(label);
     reason = zero_set_.description().name + ": label " + std::to_string(label) + " at " + rough_text(x) + ": " + what;
     const double advised = advised_radius(charts_[label], x);
-    if (advised < approximate_double(sampling_radius_)) {
+    if (advised < approximate_double(radii_.of(label))) {
       char text[32];
       std::snprintf(text, sizeof text, "%.2g", advised);
       reason += ": there, by the curvature, a sampling radius of some " + std::string(text) + " would do";
@@ -678,19 +696,20 @@ class Fitting {
   }
 
   const ZeroSet& zero_set_;
-  const Rational& sampling_radius_;
+  const SamplingRadii& radii_;
   const Progress& progress_;
   std::vector<TangentChart> charts_;
   std::vector<std::size_t> all_;
+  std::vector<std::size_t> failed_;  // at what was last tried
 };
 
 }  // namespace
 
 FittedCharts fit_charts(const ZeroSet& zero_set, const std::vector<std::vector<Rational>>& centres,
-                        const Rational& sampling_radius, const Progress& progress) {
-  if (sampling_radius <= Rational(0)) throw InputError("the sampling radius is above 0");
+                        const SamplingRadii& radii, const Progress& progress) {
+  if (radii.greatest() <= Rational(0)) throw InputError("the sampling radius is above 0");
   if (centres.empty()) throw InputError("a net has at least one point");
-  return Fitting(zero_set, centres, sampling_radius, progress).fit();
+  return Fitting(zero_set, centres, radii, progress).fit();
 }
 
 Rational distortion_of_slope(const Rational& slope) {

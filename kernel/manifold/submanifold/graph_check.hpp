@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "kernel/chart/sampling_radii.hpp"
 #include "kernel/manifold/submanifold/tangent_chart.hpp"
+#include "support/error.hpp"
 #include "support/progress.hpp"
 
 namespace delcert {
@@ -39,14 +41,22 @@ class GraphCheck {
 struct FittedCharts {
   std::vector<TangentChart> charts;
   Rational slope;        ///< L, for all of them
-  int patch_factor = 0;  ///< ϱ = this times the sampling radius
+  int patch_factor = 0;  ///< ϱ = this times the sampling radius of the label
+};
+
+/// A sampling radius is too large: at these places.
+class TooCoarse : public Rejection {
+ public:
+  TooCoarse(const std::string& reason, std::vector<std::vector<double>> where)
+      : Rejection(reason), places(std::move(where)) {}
+  std::vector<std::vector<double>> places;
 };
 
 /// Charts about these points with the greatest of the factors 5, 4, 3 for which all of them pass `GraphCheck`, heights
-/// and one slope L ≤ 1. Throws Rejection, with the label, the place and a sampling radius that would roughly do, if
+/// and one slope L ≤ 1. Throws TooCoarse, with the label, the place and a sampling radius that would roughly do, if
 /// there is none. Precondition: rounding to nearest.
 [[nodiscard]] FittedCharts fit_charts(const ZeroSet& zero_set, const std::vector<std::vector<Rational>>& centres,
-                                      const Rational& sampling_radius, const Progress& progress);
+                                      const SamplingRadii& radii, const Progress& progress);
 
 /// The least number with few binary digits for which (1 + ξ₀)² ≥ 1 + L²: transitions of charts with slopes ≤ L have the
 /// distortion ξ₀ at most.

@@ -1,17 +1,17 @@
 #include "kernel/manifold/submanifold/submanifold_atlas.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
 #include "kernel/chart/geometry.hpp"
-#include "kernel/manifold/submanifold/fibre_zero.hpp"
 #include "kernel/parallel/parts.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
 
-static_assert(Geometry<SubmanifoldAtlas<2>, 2> && Geometry<SubmanifoldAtlas<3>, 3>);
+static_assert(Geometry<SubmanifoldAtlas<1>, 1> && Geometry<SubmanifoldAtlas<2>, 2> && Geometry<SubmanifoldAtlas<3>, 3>);
 
 namespace {
 
@@ -42,13 +42,13 @@ bool is_in_cylinder(const TangentChart& chart, const S* y, std::size_t m, const 
 }  // namespace
 
 template <int m>
-SubmanifoldAtlas<m>::SubmanifoldAtlas(ZeroSet zero_set, FittedCharts charts, Rational sampling_radius,
-                                      const Progress& progress)
-    : zero_set_(std::move(zero_set)),
+SubmanifoldAtlas<m>::SubmanifoldAtlas(std::shared_ptr<const EmbeddedManifold> manifold, FittedCharts charts,
+                                      SamplingRadii radii, const Progress& progress)
+    : manifold_(std::move(manifold)),
       charts_(std::move(charts)),
-      sampling_radius_(std::move(sampling_radius)),
+      radii_(std::move(radii)),
       net_(std::vector<Vector<Rational, m>>(charts_.charts.size())),
-      grid_(zero_set_.ambient(), 6 * approximate_double(sampling_radius_)),
+      grid_(manifold_->ambient(), 6 * approximate_double(radii_.greatest()) * middle_unit(radii_.units())),
       remembered_(charts_.charts.size()),
       locks_(std::make_unique<std::array<std::mutex, lock_count>>()) {
   if (charts_.charts.empty()) throw InputError("a net has at least one point");
@@ -64,7 +64,7 @@ void SubmanifoldAtlas<m>::enclose_originals(const Progress& progress) {
     for (auto index = static_cast<std::uint32_t>(first); index < last; ++index) {
       const auto x = position<Interval>(Label(index), {});
       if (!x)
-        throw Undecided(zero_set_.description().name + ": the point of the manifold at the centre of label " +
+        throw Undecided(manifold_->name() + ": the point of the manifold at the centre of label " +
                         std::to_string(index) + " cannot be enclosed in doubles");
       found.insert(found.end(), x->begin(), x->end());
     }
@@ -73,7 +73,7 @@ void SubmanifoldAtlas<m>::enclose_originals(const Progress& progress) {
   in_parts("enclose points", size(), progress, enclose, [&](const std::vector<Interval>& found) {
     originals_.insert(originals_.end(), found.begin(), found.end());
   });
-  std::vector<double> x(zero_set_.ambient());
+  std::vector<double> x(manifold_->ambient());
   for (std::size_t index = 0; index < size(); ++index) {
     for (std::size_t axis = 0; axis < x.size(); ++axis) x[axis] = originals_[index * x.size() + axis].lower();
     grid_.insert(x.data());
@@ -82,16 +82,13 @@ void SubmanifoldAtlas<m>::enclose_originals(const Progress& progress) {
 
 template <int m>
 void SubmanifoldAtlas<m>::find_patches(const Progress& progress) {
-  // In a patch, |x − p| ≤ √(1 + L²)|φ(x) − φ(p)|, by the graph.
-  const double reach =
-      approximate_double((Rational(1) + distortion_of_slope(charts_.slope)) * patch_radius()) * (1 + 0x1p-20);
   in_parts(
       "find patches", size(), progress,
       [&](std::size_t first, std::size_t last) {
         const RoundingGuard guard;
         std::vector<std::vector<Seen>> found;
         for (auto index = static_cast<std::uint32_t>(first); index < last; ++index)
-          found.push_back(patch_of(Label(index), reach));
+          found.push_back(patch_of(Label(index)));
         return found;
       },
       [&](std::vector<std::vector<Seen>> found) {
@@ -100,9 +97,12 @@ void SubmanifoldAtlas<m>::find_patches(const Progress& progress) {
 }
 
 template <int m>
-auto SubmanifoldAtlas<m>::patch_of(Label i, double reach) const -> std::vector<Seen> {
-  const std::size_t n = zero_set_.ambient();
+auto SubmanifoldAtlas<m>::patch_of(Label i) const -> std::vector<Seen> {
+  const std::size_t n = manifold_->ambient();
   const TangentChart& chart = charts_.charts[i.value];
+  // In a patch, |x − p| ≤ √(1 + L²)|φ(x) − φ(p)|, by the graph.
+  const Rational farthest = (Rational(1) + distortion_of_slope(charts_.slope)) * chart.data().radius;
+  const double reach = approximate_double(farthest) * (1 + 0x1p-20);
   const double radius = scalar_from<Interval>(chart.data().radius).upper();
   // No point of M is at a height between |z₀| + 9Lϱ/16 and ζ; heights in the middle tell for certain.
   const double between =
@@ -128,13 +128,12 @@ template <int m>
 template <class S>
 std::optional<std::vector<S>> SubmanifoldAtlas<m>::position(Label i, const Vector<S, m>& home) const {
   const TangentChart& chart = charts_.charts[i.value];
-  FormulaEvaluation<S> f(zero_set_.map());
+  const auto heights = manifold_->evaluation()->heights(chart, home.data());
   const auto solve = [&](const EnclosedChart<S>& enclosed) -> std::optional<std::vector<S>> {
-    const auto heights = zero_on_fibre<S>(f, enclosed, home.data());
     if (!heights || !is_in_cylinder<S>(chart, home.data(), m, *heights)) return std::nullopt;
     std::vector<S> place(home.begin(), home.end());
     place.insert(place.end(), heights->begin(), heights->end());
-    std::vector<S> x(zero_set_.ambient());
+    std::vector<S> x(manifold_->ambient());
     enclosed.position(place.data(), x.data());
     return x;
   };
@@ -179,7 +178,7 @@ void SubmanifoldAtlas<m>::sightings(Label i, double distance, std::vector<Sighti
 
 template <int m>
 void SubmanifoldAtlas<m>::filtered_position(Label i, const Vector<Interval, m>& home, Interval* x) const {
-  const std::size_t n = zero_set_.ambient();
+  const std::size_t n = manifold_->ambient();
   if (is_same(home, {})) {
     std::copy_n(&originals_[i.value * n], n, x);
     return;
@@ -235,7 +234,34 @@ template <int m>
 std::optional<Vector<Rational, m>> SubmanifoldAtlas<m>::carry(Label i, const Sighting<m>& seen,
                                                               const Vector<Rational, m>& home) const {
   if (seen.index == i.value) return home;
-  return std::nullopt;
+  const auto x = position<Rational>(label_of<m>(seen), home);
+  if (!x) return std::nullopt;
+  const auto chart = charts_.charts[i.value].template on<Rational>();
+  Vector<Rational, m> result;
+  for (std::size_t k = 0; k < m; ++k) result[k] = chart.coordinate(x->data(), k);
+  return result;
+}
+
+Rational radius_variation(const std::vector<TangentChart>& charts, const SamplingRadii& radii) {
+  if (!radii.vary()) return Rational(0);
+  const double greatest = approximate_double(radii.greatest());
+  AmbientGrid grid(charts.front().ambient(), 6 * greatest * middle_unit(radii.units()));
+  for (const TangentChart& chart : charts) {
+    std::vector<double> centre;
+    for (const Rational& coordinate : chart.data().centre) centre.push_back(approximate_double(coordinate));
+    grid.insert(centre.data());
+  }
+  double most = 0;
+  for (std::uint32_t i = 0; i < charts.size(); ++i) {
+    const double own = radii.units()[i];
+    grid.visit(grid[i], 6 * greatest * own * (1 + 0x1p-20), [&](std::uint32_t j, double) {
+      const double other = radii.units()[j];
+      most = std::max(most, std::fabs(own - other) / std::min(own, other));
+      return false;
+    });
+  }
+  const Rational wider = Rational::exactly(most) * (Rational(1) + Rational::power_of_two(-20));
+  return most == 0 ? Rational::power_of_two(-20) : rounded_up(wider, binary_exponent(wider) - 10);
 }
 
 #define DELCERT_INSTANTIATE(m)                                                                                         \
@@ -243,7 +269,9 @@ std::optional<Vector<Rational, m>> SubmanifoldAtlas<m>::carry(Label i, const Sig
   template std::optional<std::vector<Interval>> SubmanifoldAtlas<m>::position(Label, const Vector<Interval, m>&)       \
       const;                                                                                                           \
   template std::optional<std::vector<BigInterval>> SubmanifoldAtlas<m>::position(Label, const Vector<BigInterval, m>&) \
-      const;
+      const;                                                                                                           \
+  template std::optional<std::vector<Rational>> SubmanifoldAtlas<m>::position(Label, const Vector<Rational, m>&) const;
+DELCERT_INSTANTIATE(1)
 DELCERT_INSTANTIATE(2)
 DELCERT_INSTANTIATE(3)
 #undef DELCERT_INSTANTIATE

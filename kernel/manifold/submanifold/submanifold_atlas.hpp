@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -12,27 +13,37 @@
 
 namespace delcert {
 
-/// A zero set in ℝᴺ with charts in planes that are nearly tangent (docs/submanifolds.md). Home coordinates y of a label
+/// A manifold in ℝᴺ with charts in planes that are nearly tangent (docs/submanifolds.md). Home coordinates y of a label
 /// i name the point of M in the cylinder of i over them; y = 0 is p_i. A label is seen in chart i if its original point
-/// lies in the cylinder of i, at Eᵀ(p − c): one place, no shifts. Transitions are enclosed, never exact.
+/// lies in the cylinder of i, at Eᵀ(p − c): one place, no shifts. Transitions are exact if heights over rational places
+/// are.
 template <int m>
 class SubmanifoldAtlas final : public Atlas<m> {
  public:
-  /// Precondition: the zero set has dimension m, and the charts have passed `fit_charts` with this radius. Throws
+  /// Precondition: the manifold has dimension m, and the charts have passed `fit_charts` with these radii. Throws
   /// Undecided, with the label, if an original point cannot be enclosed. Precondition: rounding to nearest.
-  SubmanifoldAtlas(ZeroSet zero_set, FittedCharts charts, Rational sampling_radius, const Progress& progress);
+  SubmanifoldAtlas(std::shared_ptr<const EmbeddedManifold> manifold, FittedCharts charts, SamplingRadii radii,
+                   const Progress& progress);
 
-  [[nodiscard]] const ZeroSet& zero_set() const { return zero_set_; }
+  template <std::derived_from<EmbeddedManifold> M>
+  SubmanifoldAtlas(M manifold, FittedCharts charts, SamplingRadii radii, const Progress& progress)
+      : SubmanifoldAtlas(std::make_shared<M>(std::move(manifold)), std::move(charts), std::move(radii), progress) {}
+
+  [[nodiscard]] const EmbeddedManifold& manifold() const { return *manifold_; }
   [[nodiscard]] const TangentChart& chart(Label i) const { return charts_.charts[i.value]; }
   [[nodiscard]] const std::vector<TangentChart>& charts() const { return charts_.charts; }
   /// L.
   [[nodiscard]] const Rational& slope() const { return charts_.slope; }
-  [[nodiscard]] const Rational& sampling_radius() const { return sampling_radius_; }
+  [[nodiscard]] const SamplingRadii& radii() const { return radii_; }
+  /// ε, the greatest of them.
+  [[nodiscard]] const Rational& sampling_radius() const { return radii_.greatest(); }
   [[nodiscard]] int patch_factor() const { return charts_.patch_factor; }
-  [[nodiscard]] Rational patch_radius() const { return Rational(charts_.patch_factor) * sampling_radius_; }
+  /// Of a label with the greatest sampling radius.
+  [[nodiscard]] Rational patch_radius() const { return Rational(charts_.patch_factor) * sampling_radius(); }
 
   /// The point of M over these home coordinates in the cylinder of i, enclosed, N coordinates; S = Interval (needs a
-  /// `RoundingGuard`) or BigInterval. None if it cannot be, at this precision.
+  /// `RoundingGuard`), BigInterval or Rational. None if it cannot be, at this precision; exactly, if it is not
+  /// rational.
   template <class S>
   [[nodiscard]] std::optional<std::vector<S>> position(Label i, const Vector<S, m>& home) const;
   /// Appends the labels whose original points are within the distance of that of i in ℝᴺ, and possibly a few that are
@@ -41,7 +52,7 @@ class SubmanifoldAtlas final : public Atlas<m> {
 
   [[nodiscard]] std::size_t size() const override { return charts_.charts.size(); }
   [[nodiscard]] const FrameMetric<m>& metric() const override { return metric_; }
-  [[nodiscard]] const Rational& sampling_radius(Label) const override { return sampling_radius_; }
+  [[nodiscard]] const Rational& sampling_radius(Label i) const override { return radii_.of(i.value); }
   [[nodiscard]] bool is_interior(Label) const override { return true; }
   /// All 0.
   [[nodiscard]] const PointSet<m>& net() const override { return net_; }
@@ -51,10 +62,9 @@ class SubmanifoldAtlas final : public Atlas<m> {
   [[nodiscard]] Vector<Filter, m> carry(Label i, const Sighting<m>& seen, const Vector<Filter, m>& home) const override;
   [[nodiscard]] Vector<BigInterval, m> carry(Label i, const Sighting<m>& seen,
                                              const Vector<BigInterval, m>& home) const override;
-  /// None.
   [[nodiscard]] std::optional<Vector<Rational, m>> carry(Label i, const Sighting<m>& seen,
                                                          const Vector<Rational, m>& home) const override;
-  [[nodiscard]] bool has_exact_transitions() const override { return false; }
+  [[nodiscard]] bool has_exact_transitions() const override { return !manifold_->is_smooth(); }
 
  private:
   struct Seen {
@@ -71,13 +81,13 @@ class SubmanifoldAtlas final : public Atlas<m> {
 
   void enclose_originals(const Progress& progress);
   void find_patches(const Progress& progress);
-  [[nodiscard]] std::vector<Seen> patch_of(Label i, double reach) const;
+  [[nodiscard]] std::vector<Seen> patch_of(Label i) const;
   /// Writes x[N]; unbounded if it cannot be enclosed.
   void filtered_position(Label i, const Vector<Interval, m>& home, Interval* x) const;
 
-  ZeroSet zero_set_;
+  std::shared_ptr<const EmbeddedManifold> manifold_;
   FittedCharts charts_;
-  Rational sampling_radius_;
+  SamplingRadii radii_;
   FrameMetric<m> metric_ = FrameMetric<m>::cartesian();
   PointSet<m> net_;
   std::vector<Interval> originals_;  // p_i, N coordinates each
@@ -86,6 +96,10 @@ class SubmanifoldAtlas final : public Atlas<m> {
   mutable std::vector<Remembered> remembered_;
   std::unique_ptr<std::array<std::mutex, lock_count>> locks_;
 };
+
+/// ε₀: sampling radii of labels with centres within 6ε_i of that of i differ from ε_i by this at most, as parts of the
+/// lesser; with few digits. 0 if all are the same.
+[[nodiscard]] Rational radius_variation(const std::vector<TangentChart>& charts, const SamplingRadii& radii);
 
 /// Patches, and how much longer a vector may be there than at home: what certification asks of a submanifold.
 template <int m>

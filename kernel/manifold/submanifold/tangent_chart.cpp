@@ -178,19 +178,12 @@ std::optional<ProposedFrame> propose_frame(const Dense<double>& derivative, std:
   return result;
 }
 
-TangentChart tangent_chart(const ZeroSet& zero_set, FormulaEvaluation<double>& f, const std::vector<Rational>& centre) {
-  const std::size_t n = zero_set.ambient();
-  const std::size_t q = zero_set.codimension();
-  std::vector<double> x;
-  for (const Rational& coordinate : centre) x.push_back(approximate_double(coordinate));
-  std::vector<double> value(q);
-  Dense<double> derivative(q * n);
-  const auto refuse = [&](const std::string& reason) {
-    throw Rejection(zero_set.description().name + ": " + reason + " at " + rough_text(x));
-  };
-  if (!f.first(x.data(), value.data(), derivative.data())) refuse("the equations are not defined");
+std::optional<TangentChart> tangent_chart(const Dense<double>& derivative, std::size_t codimension,
+                                          const std::vector<Rational>& centre) {
+  const std::size_t n = centre.size();
+  const std::size_t q = codimension;
   const auto proposed = propose_frame(derivative, q, n);
-  if (!proposed) refuse("the derivatives of the equations are not independent");
+  if (!proposed) return std::nullopt;
   ChartData data;
   data.centre = centre;
   data.columns = proposed->columns;
@@ -203,13 +196,27 @@ TangentChart tangent_chart(const ZeroSet& zero_set, FormulaEvaluation<double>& f
     }
   }
   const auto inverse = inverse_of(std::move(normal), q);
-  if (!inverse) refuse("the derivatives of the equations are not independent");
+  if (!inverse) return std::nullopt;
   double largest = 0;
   for (const double entry : *inverse) largest = std::max(largest, std::fabs(entry));
   const double step = std::ldexp(1.0, std::ilogb(largest) + 1 - preconditioner_digits);
   for (const double entry : *inverse)
     data.preconditioner.push_back(Rational::exactly(std::nearbyint(entry / step) * step));
   return TangentChart(std::move(data), n - q);
+}
+
+TangentChart tangent_chart(const ZeroSet& zero_set, FormulaEvaluation<double>& f, const std::vector<Rational>& centre) {
+  std::vector<double> x;
+  for (const Rational& coordinate : centre) x.push_back(approximate_double(coordinate));
+  std::vector<double> value(zero_set.codimension());
+  Dense<double> derivative(zero_set.codimension() * zero_set.ambient());
+  const auto refuse = [&](const std::string& reason) {
+    throw Rejection(zero_set.name() + ": " + reason + " at " + rough_text(x));
+  };
+  if (!f.first(x.data(), value.data(), derivative.data())) refuse("the equations are not defined");
+  auto chart = tangent_chart(derivative, zero_set.codimension(), centre);
+  if (!chart) refuse("the derivatives of the equations are not independent");
+  return *std::move(chart);
 }
 
 std::string rough_text(const std::vector<double>& x) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "kernel/manifold/submanifold/dense.hpp"
@@ -82,6 +83,11 @@ struct ProposedFrame {
 };
 [[nodiscard]] std::optional<ProposedFrame> propose_frame(const Dense<double>& derivative, std::size_t codimension,
                                                          std::size_t ambient);
+
+/// A chart about this centre in such a frame, still without ϱ and ζ, its preconditioner the inverse of the derivative's
+/// normal part. None if there is no frame or no inverse, to double precision.
+[[nodiscard]] std::optional<TangentChart> tangent_chart(const Dense<double>& derivative, std::size_t codimension,
+                                                        const std::vector<Rational>& centre);
 
 /// A chart about this centre, still without ϱ and ζ. Throws Rejection if the equations are not independent there, to
 /// double precision. `f`: of the zero set. Precondition: rounding to nearest.

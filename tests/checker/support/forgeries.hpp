@@ -24,11 +24,15 @@ std::vector<Forgery> space_form_forgeries();
 /// In metric_field_test.cpp and metric_field_delaunay_test.cpp, as they are made from a run.
 std::vector<Forgery> metric_field_forgeries();
 std::vector<Forgery> metric_field_delaunay_forgeries();
+/// In atlas_test.cpp.
+std::vector<Forgery> atlas_forgeries();
 /// In submanifold_test.cpp.
 std::vector<Forgery> submanifold_forgeries();
 
 /// The certificates from which the forgeries are made, by name; they are valid.
 std::vector<std::pair<std::string, std::string>> valid_certificates();
+/// Tori with radii that vary.
+std::vector<std::pair<std::string, std::string>> valid_graded_certificates();
 std::vector<std::pair<std::string, std::string>> valid_space_form_certificates();
 /// Of an octahedron that claims levels 2, 4, 5 and 6 and no injectivity radius.
 std::pair<std::string, std::string> valid_certificate_of_a_complex();

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "tests/checker/support/forgeries.hpp"
-#include "tests/checker/support/samples.hpp"
+#include "tests/checker/support/graded_torus.hpp"
 
 namespace delcert::checker_tests {
 namespace {
@@ -36,10 +36,78 @@ Sample without_point(int label) {
   return result;
 }
 
+/// Half of all radii, and for that twice the bounds: nine tenths of the protection that there is.
+Json graded_stars() {
+  const Sample sample = graded_torus();
+  Json result = graded_document(sample.claiming({"1", "2"}));
+  for (Json& radius : result["radii"]) radius = radius_text(sample, 1, 2);
+  result["levels"]["1"]["protection"] = at_most(sample.claims.margins.protection * 3.6).text();
+  result["levels"]["1"]["circumradius"] = at_most(sample.claims.margins.circumradius * 2).text();
+  return result;
+}
+
+/// Of radii that vary.
+std::vector<Forgery> graded_forgeries() {
+  std::vector<Forgery> result;
+  const auto forge = [&](const std::string& name, const std::string& rule, Json document, auto change) {
+    change(document);
+    result.push_back({name, rule, sealed(document)});
+  };
+  const Sample sample = graded_torus();
+  const Json whole = graded_document(sample), input = graded_document(sample.claiming({"0"}));
+  forge("a radius that differs a little too much", "0.radii", input,
+        [&](Json& d) { d["radii"][lesser_label] = radius_text(sample, 7999, 9000); });
+  forge("a radius_variation a little too small", "0.radii", input,
+        [](Json& d) { d["parameters"]["radius_variation"] = "124999/1000000"; });
+  forge("separation a little too large for radii that vary", "0.separation", input,
+        [&](Json& d) { d["parameters"]["separation"] = at_most(sample.model.mu.value() * 1.03).text(); });
+  forge("radii a little too small for their net simplices", "0.ball", input, [&](Json& d) {
+    // 1.7 times the covering radius, by 9/8, and by 9/8 again at the lesser label, is 1.34 times that.
+    for (std::size_t i = 0; i < d["radii"].size(); ++i)
+      d["radii"][i] = radius_text(sample, i == lesser_label ? 8 * 74 : 9 * 74, 900);
+    d["parameters"]["perturbation"] = "1/20";
+  });
+  forge("a perturbation that is too large in charts of lesser radii", "0.perturbation", whole,
+        [&](Json& d) { d["parameters"]["perturbation"] = at_most(sample.model.mu.value() / 4).text(); });
+  forge("patches that reach farther than the lattice allows", "0.patch", input, [&](Json& d) {
+    // 30 epsilon is more than the square root of 2, as 26.25 epsilon is not.
+    d["parameters"]["radius_variation"] = "1/3";
+    d["parameters"]["separation"] = "1/2";
+    d["parameters"]["perturbation"] = "1/16";
+  });
+  forge("a circumradius too large for the lesser radius", "1.radius", graded_document(sample.claiming({"1", "2"})),
+        [&](Json& d) { d["radii"][lesser_label] = radius_text(sample, 39, 50); });
+  forge("a protection too large for the greater radii", "1.protection", graded_stars(), [&](Json& d) {
+    // Of one simplex the radii are twice those of the others: what is claimed counts twice there.
+    for (std::size_t k = 0; k < 3; ++k) d["radii"][d["simplices"][0][k].get<std::size_t>()] = radius_text(sample, 1, 1);
+  });
+  return result;
+}
+
+/// In theory mode, for mu = 1/4 and rho = 1/64, so that all constants are powers of 2: Gamma_0^2 = 2^-12 2^-6e/m^3,
+/// 2 alpha~_0 = 2^17 2^-6 2^-3e 2^6 with e = 4m^2 + 5m + 21.
+Json graded_theory() {
+  Sample sample = graded_torus(72, 2.6).claiming({"0"});
+  sample.claims.hypotheses_2 = true;
+  sample.model.mu = {1, 4};
+  sample.model.rho = {1, 64};
+  Json result = graded_document(sample);
+  result["parameters"]["flake_parameter_squared"] = "0x1p-297";
+  result["parameters"]["tolerance"] = "0x1p-124";
+  return result;
+}
+
 }  // namespace
 
+std::vector<std::pair<std::string, std::string>> valid_graded_certificates() {
+  const Sample sample = graded_torus();
+  return {{"radii that vary, with equality", sealed(graded_document(sample))},
+          {"radii that vary, without level 0", sealed(graded_stars())},
+          {"radii that vary, in theory mode", sealed(graded_theory())}};
+}
+
 std::vector<Forgery> level_0_forgeries() {
-  std::vector<Forgery> result;
+  std::vector<Forgery> result = graded_forgeries();
   const auto forge = [&](const std::string& name, const std::string& rule, Json document, auto change,
                          std::set<std::string> others = {}) {
     change(document);
@@ -105,6 +173,8 @@ std::vector<Forgery> level_0_forgeries() {
   });
   forge("hypotheses of theory mode in measured mode", "0.hypotheses-2", narrow,
         [](Json& d) { d["parameters"]["mode"] = "measured"; });
+  forge("radii of which some are more than twice others", "0.hypotheses-2", graded_theory(),
+        [](Json& d) { d["parameters"]["radius_variation"] = "5/4"; });
   return result;
 }
 

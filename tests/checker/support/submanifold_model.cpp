@@ -343,6 +343,19 @@ SubmanifoldModel sphere_model(int divisions) {
   return model;
 }
 
+SubmanifoldModel on_mesh(SubmanifoldModel model, const SubmanifoldModel& polyhedron) {
+  model.mesh = polyhedron.points;
+  model.facets = polyhedron.simplices;
+  for (auto& facet : model.facets) {
+    const auto corner = [&](int k) { return model.mesh[static_cast<std::size_t>(facet[static_cast<std::size_t>(k)])]; };
+    const Row a = corner(0), b = corner(1), c = corner(2);
+    const double volume =
+        a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+    if (volume < 0) std::swap(facet[1], facet[2]);
+  }
+  return model;
+}
+
 SubmanifoldModel doubled(SubmanifoldModel model) {
   std::string others;
   for (std::size_t k = 1; k < model.variables.size(); ++k) others += "+" + model.variables[k] + "^2";
@@ -516,9 +529,14 @@ Json certificate(const SubmanifoldModel& model, const std::vector<std::string>& 
   manifold["name"] = "model";
   manifold["family"] = "submanifold";
   manifold["dimension"] = model.m;
-  manifold["variables"] = model.variables;
-  manifold["equations"] = model.equations;
-  for (const auto& [low, high] : model.box) manifold["box"].push_back({std::to_string(low), std::to_string(high)});
+  if (model.mesh.empty()) {
+    manifold["variables"] = model.variables;
+    manifold["equations"] = model.equations;
+    for (const auto& [low, high] : model.box) manifold["box"].push_back({std::to_string(low), std::to_string(high)});
+  } else {
+    for (const Row& x : model.mesh) manifold["mesh"].push_back({text(x[0]), text(x[1]), text(x[2])});
+    manifold["facets"] = model.facets;
+  }
   manifold["slope"] = text(model.slope);
   manifold["vertices"] = model.given ? "given" : "manifold";
   Json& parameters = j["parameters"];

@@ -23,6 +23,8 @@ struct SubmanifoldModel {
   double contraction = 0.5, displacement = 0, margin = 0;  // of levels 5 and 5i
   std::string metric = "extrinsic";                        // of level 4
   bool is_low = false;                                     // whether lids are lower than level 4 asks for
+  std::vector<std::vector<double>> mesh{};                 // vertices, if the manifold is a mesh
+  std::vector<std::vector<int>> facets{};
 };
 
 /// x^2 + y^2 + z^2 = 1 by an icosahedron whose triangles have been divided so often, and rescaled.
@@ -40,6 +42,9 @@ SubmanifoldModel circle_model(int points, int turns);
 /// Two circles with one centre, of radii 1 and 1 + gap, by polygons of so many points, half an edge ahead of each
 /// other.
 SubmanifoldModel nested_circles_model(int points, double gap);
+/// The same points on the polyhedron of the other model's simplices, which is about the origin, instead of the zero
+/// set. Facets show their outer sides.
+SubmanifoldModel on_mesh(SubmanifoldModel model, const SubmanifoldModel& polyhedron);
 /// The product of two such circles in R^4.
 SubmanifoldModel flat_torus_model(int points);
 

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <string>
 
+#include "kernel/manifold/atlas_file.hpp"
 #include "kernel/manifold/builtin_manifolds.hpp"
 #include "kernel/manifold/metric_field_file.hpp"
 #include "kernel/manifold/space_form_file.hpp"
@@ -60,7 +61,8 @@ TEST(AnyManifold, guesses_a_family_that_is_misspelt) {
   EXPECT_EQ(
       refusal("name = \"x\"\nfamily = \"space-from\"\n"),
       "x.toml:2:10: key \"family\": found \"space-from\", expected one of flat-torus, euclidean-ball, space-form, "
-      "sphere, projective-space, lens-space, regular-polygon-surface, product-with-circle, metric-field, submanifold, "
+      "sphere, projective-space, lens-space, regular-polygon-surface, product-with-circle, metric-field, atlas, "
+      "submanifold, "
       "did you mean "
       "space-form?");
   EXPECT_TRUE(mentions(refusal("family = \"metric_field\"\n"), "did you mean metric-field?"));
@@ -94,6 +96,8 @@ TEST(FindAnyManifold, knows_every_builtin_one_by_its_name) {
   }
   for (const BuiltinManifold& builtin : builtin_metric_fields())
     EXPECT_EQ(std::get<MetricFieldDescription>(find_any_manifold(builtin.name)).name, builtin.name);
+  for (const BuiltinManifold& builtin : builtin_atlases())
+    EXPECT_EQ(std::get<FormulaAtlasDescription>(find_any_manifold(builtin.name)).name, builtin.name);
   for (const BuiltinManifold& builtin : builtin_submanifolds())
     EXPECT_EQ(std::get<SubmanifoldDescription>(find_any_manifold(builtin.name)).name, builtin.name);
 }
@@ -113,6 +117,7 @@ TEST(FindAnyManifold, lists_the_names_when_there_is_neither) {
   EXPECT_TRUE(mentions(message, "no manifold \"torus-9\": neither a file nor one of ball-3, circle")) << message;
   EXPECT_TRUE(mentions(message, "torus-4, or of the space forms bolza-surface, ")) << message;
   EXPECT_TRUE(mentions(message, ", or of the metric fields torus-2-anisotropic, ")) << message;
+  EXPECT_TRUE(mentions(message, ", or of the atlases klein-bottle-rectangles, ")) << message;
   EXPECT_TRUE(mentions(message, ", or of the submanifolds clifford-torus, ")) << message;
   EXPECT_TRUE(mentions(message, ", did you mean torus-2?")) << message;
 }

@@ -56,6 +56,24 @@ TEST(CheckInput, compares_the_perturbation_with_a_quarter_of_the_separation_exac
   EXPECT_EQ(verdict(ratio(1, 12) + Rational::power_of_two(-100)), Verdict::refuted);
 }
 
+TEST(CheckInput, of_radii_that_vary_asks_for_wider_patches) {
+  // b = 9·(1 + 1/3) = 12, 2b + 6 = 30.
+  const auto points = random_points<2>(2, 1);
+  const auto items_for = [&](const Rational& greatest, const Rational& variation, const Rational& perturbation) {
+    const SamplingRadii radii = SamplingRadii(std::vector<double>{1, 0.75}).scaled_to(greatest);
+    return check_input<2>(FlatAtlas<2>(cubic_torus<2>(), PointSet<2>(points), radii, variation), Rational(1),
+                          perturbation);
+  };
+  EXPECT_TRUE(all_proved(items_for(ratio(1, 30), ratio(1, 3), ratio(3, 16))));
+  const Rational hair = Rational::power_of_two(-100);
+  EXPECT_EQ(item(items_for(ratio(1, 30) + hair, ratio(1, 3), ratio(3, 16)), "patches").verdict, Verdict::refuted);
+  EXPECT_EQ(item(items_for(ratio(1, 30), ratio(1, 3), ratio(3, 16) + hair), "perturbation").verdict, Verdict::refuted);
+  EXPECT_EQ(item(items_for(ratio(1, 60), Rational(1) + hair, ratio(1, 16)), "radius variation").verdict,
+            Verdict::refuted);
+  EXPECT_TRUE(
+      mentions(item(items_for(ratio(1, 30), ratio(1, 3), ratio(3, 16)), "density").detail, "ε_i from 1/40 to 1/30"));
+}
+
 TEST(CheckInput, asks_a_ball_for_an_interior_label) {
   const ExactPoints<2> points{{Rational(0), Rational(0)}, {Rational(1), Rational(0)}};
   const auto small = items_of<2>(ball_of<2>(Rational(1)), points, ratio(1, 8), Rational(1), ratio(1, 4));

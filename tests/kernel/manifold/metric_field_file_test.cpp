@@ -88,6 +88,41 @@ TEST(MetricFieldFile, of_the_torus_of_revolution_is_the_metric_that_space_induce
   }
 }
 
+/// A surface by its parameters.
+std::string embedded(const std::string& formulas, const std::string& variables = "['u', 'v']") {
+  return "name = 'x'\nfamily = 'metric-field'\ndimension = 2\nvariables = " + variables + "\nembedding = [" + formulas +
+         "]\n";
+}
+
+TEST(MetricFieldFile, knows_the_metric_of_an_embedding) {
+  const auto file = std::find_if(builtin_metric_fields().begin(), builtin_metric_fields().end(),
+                                 [](const BuiltinManifold& one) { return one.name == "torus-2-of-revolution"; });
+  const auto expected = parse_metric_field(file->text, file->name);
+  const auto found = parse_metric_field(embedded("'(2 + cos(v))*cos(u)', '(2 + cos(v))*sin(u)', 'sin(v)'"), "x.toml");
+  EXPECT_EQ(found.constant, expected.constant);
+  ASSERT_EQ(found.waves.size(), expected.waves.size());
+  for (std::size_t at = 0; at < found.waves.size(); ++at) {
+    EXPECT_EQ(found.waves[at].frequency, expected.waves[at].frequency);
+    EXPECT_EQ(found.waves[at].cosine, expected.waves[at].cosine);
+    EXPECT_EQ(found.waves[at].sine, expected.waves[at].sine);
+  }
+  const auto clifford = parse_metric_field(embedded("'cos(u)', 'sin(u)', '2*cos(v)', '2*sin(v)'"), "x.toml");
+  EXPECT_TRUE(clifford.waves.empty());
+  EXPECT_EQ(clifford.constant, (MetricFieldDescription::Square{{1, 0}, {0, 4}}));
+}
+
+TEST(MetricFieldFile, says_what_is_wrong_with_an_embedding) {
+  EXPECT_EQ(refusal(embedded("'cos(u)', 'sin(v)*u'")), "x.toml:5:32: the variable u outside of a sine or a cosine");
+  EXPECT_TRUE(mentions(refusal(embedded("'cos(u)'")), "expected an array of 2 to 9 formulas"));
+  EXPECT_TRUE(mentions(refusal(embedded("'cos(u)', 3")), "expected a formula such as"));
+  EXPECT_TRUE(mentions(refusal(embedded("'cos(u)', 'cos(w)'")), "unknown variable w"));
+  EXPECT_TRUE(mentions(refusal(embedded("'cos(u)', 'cos(v)'", "['u', 'u']")), "different from the others"));
+  EXPECT_TRUE(mentions(refusal(embedded("'cos(u)', 'cos(v)'", "['u']")), "an array of 2 names"));
+  EXPECT_TRUE(mentions(refusal(embedded("'cos(50*u)', 'cos(v)'")), "frequencies of at most 64"));
+  EXPECT_TRUE(mentions(refusal(embedded("'cos(u)', 'cos(v)'") + "constant = [[1, 0], [0, 1]]\n"), "expected nothing"));
+  EXPECT_TRUE(mentions(refusal(head + "variables = ['u', 'v']\n"), "together with an embedding"));
+}
+
 TEST(MetricFieldFile, all_built_in_fields_are_metrics_and_known_by_their_names) {
   ASSERT_GE(builtin_metric_fields().size(), 6U);
   for (const auto& builtin : builtin_metric_fields()) {

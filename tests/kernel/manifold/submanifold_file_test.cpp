@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 
 #include "kernel/number/rounding_guard.hpp"
 #include "kernel/number/scalar.hpp"
 #include "support/error.hpp"
 #include "tests/support/message_of.hpp"
 #include "tests/support/ratio.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace delcert::test {
 namespace DELCERT_THIS_FILE {
@@ -59,6 +61,21 @@ TEST(SubmanifoldFile, reads_all_that_it_has) {
   EXPECT_TRUE(parse_submanifold(Text().whole(), "x.toml").homology.empty());
 }
 
+TEST(SubmanifoldFile, reads_curves_in_the_plane_and_in_space) {
+  Text circle;
+  circle.dimension = "dimension = 1";
+  circle.variables = "variables = ['x', 'y']";
+  circle.equations = "equations = ['x^2 + y^2 - 1']";
+  circle.box = "box = [[-2, 2], [-2, 2]]";
+  circle.homology = "homology = ['Z', 'Z']";
+  EXPECT_EQ(parse_submanifold(circle.whole(), "x.toml").dimension, Dimension(1));
+  Text curve;
+  curve.dimension = "dimension = 1";
+  curve.equations = "equations = ['x^2 + y^2 - 1', 'z - x*y']";
+  EXPECT_EQ(parse_submanifold(curve.whole(), "x.toml").equations.size(), 2U);
+  EXPECT_TRUE(mentions(refusal_with(&Text::dimension, "dimension = 1"), "expected an array of 2 formulas"));
+}
+
 TEST(SubmanifoldFile, shows_what_is_wrong_within_an_equation) {
   const std::string start = "x.toml:5:";
   EXPECT_EQ(refusal_of_equation("x^2 + w - 1"), start + "21: unknown variable w");
@@ -84,12 +101,12 @@ TEST(SubmanifoldFile, says_what_is_wrong_elsewhere_and_where) {
   EXPECT_TRUE(mentions(refusal_with(&Text::variables, "variables = ['x', 'Y', 'z']"), "variable 2: found \"Y\""));
   EXPECT_TRUE(mentions(refusal_with(&Text::variables, "variables = ['x', 'x', 'z']"),
                        "x.toml:4:19: variable 2: found \"x\", expected another name: this one is taken"));
-  EXPECT_TRUE(mentions(refusal_with(&Text::variables, "variables = ['x']"), "expected an array of 3 to 9 names"));
-  EXPECT_TRUE(mentions(refusal_with(&Text::variables, "variables = 'xy'"), "expected an array of 3 to 9 names"));
+  EXPECT_TRUE(mentions(refusal_with(&Text::variables, "variables = ['x']"), "expected an array of 2 to 9 names"));
+  EXPECT_TRUE(mentions(refusal_with(&Text::variables, "variables = 'xy'"), "expected an array of 2 to 9 names"));
   EXPECT_TRUE(
       mentions(refusal_with(&Text::dimension, "dimension = 3"),
                "x.toml:3:13: key \"dimension\": found the integer 3, expected less than the number of variables, 3"));
-  EXPECT_TRUE(mentions(refusal_with(&Text::dimension, "dimension = 4"), "expected an integer from 2 to 3"));
+  EXPECT_TRUE(mentions(refusal_with(&Text::dimension, "dimension = 4"), "expected an integer from 1 to 3"));
   EXPECT_TRUE(mentions(refusal_with(&Text::equations, "equations = ['x', 'y']"),
                        "x.toml:5:13: key \"equations\": found an array of length 2, expected an array of 1 formulas"));
   EXPECT_TRUE(mentions(refusal_with(&Text::equations, "equations = [3]"), "equation 1: found the integer 3"));
@@ -104,9 +121,37 @@ TEST(SubmanifoldFile, says_what_is_wrong_elsewhere_and_where) {
   EXPECT_TRUE(mentions(refusal_with(&Text::homology, "homology = ['Z']"), "expected an array of 3 groups"));
   EXPECT_TRUE(
       mentions(refusal_with(&Text::homology, "homology = ['Z', 1, 'Z']"), "homology, degree 1: found the integer 1"));
+  EXPECT_TRUE(mentions(refusal_with(&Text::homology, "homology = ['Z', 'Y', 'Z']"), "expected a group such as"));
   EXPECT_TRUE(mentions(refusal_with(&Text::homology, "homolgy = []"), "unknown key homolgy, did you mean homology?"));
   EXPECT_TRUE(mentions(refusal_with(&Text::family, "family = 'submanifolds'"), "expected \"submanifold\""));
   EXPECT_EQ(refusal(Text()), "accepted");
+}
+
+TEST(SubmanifoldFile, reads_a_mesh_from_its_own_folder) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "part.off")
+      << "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 0.5\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+  const std::string head = "name = 'part'\nfamily = 'submanifold'\n";
+  const auto parse = [&](const std::string& text) {
+    return parse_submanifold(head + text, (folder / "x.toml").string());
+  };
+  const auto refusal_of = [&](const std::string& text) { return message_of<InputError>([&] { (void)parse(text); }); };
+  const SubmanifoldDescription part = parse("dimension = 2\nmesh = 'part.off'\nhomology = ['Z', '0', 'Z']\n");
+  ASSERT_TRUE(part.mesh);
+  EXPECT_EQ(part.mesh->triangles.size(), 4U);
+  EXPECT_EQ(part.mesh->points[3][2], ratio(1, 2));
+  EXPECT_TRUE(part.equations.empty());
+  const auto embedded = embedded_manifold(part);
+  EXPECT_EQ(embedded->name(), "part");
+  EXPECT_EQ(embedded->dimension(), 2U);
+  EXPECT_FALSE(embedded->is_smooth());
+  EXPECT_TRUE(embedded_manifold(parse_submanifold(Text().whole(), "x.toml"))->is_smooth());
+
+  EXPECT_NE(refusal_of("dimension = 2\nmesh = 'other.off'\n").find("cannot be read"), std::string::npos);
+  EXPECT_NE(refusal_of("dimension = 3\nmesh = 'part.off'\n").find("expected 2: a mesh"), std::string::npos);
+  EXPECT_NE(refusal_of("dimension = 2\nmesh = 'part.off'\nbox = []\n").find("unknown key box"), std::string::npos);
+  std::ofstream(folder / "part.off") << "OFF\n4 4 0\n";
+  EXPECT_NE(refusal_of("dimension = 2\nmesh = 'part.off'\n"), "accepted");
 }
 
 TEST(SubmanifoldFile, of_every_built_in_zero_set_is_in_order) {

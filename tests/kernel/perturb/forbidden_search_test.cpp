@@ -43,6 +43,44 @@ bool has_forbidden_set(const FlatSpace<m>& space, const ExactPoints<m>& points,
   return false;
 }
 
+/// Where radii vary: P2 and P3 by the least radius of a set.
+TEST(ForbiddenSearch, counts_by_the_least_radius_of_a_set) {
+  const auto space = ball_of<2>(Rational(1));
+  const auto parameters = parameters_of(Rational::power_of_two(-8), ratio(1, 100), ratio(1, 4));
+  const std::vector<double> units{1, 0.5, 0.25};
+  int found = 0;
+  int fewer = 0;
+  for (std::uint64_t trial = 1; trial <= 240; ++trial) {
+    const auto points = random_points<2>(9, trial, 8, Rational(0), ratio(5, 8));
+    std::vector<double> lengths;
+    for (std::size_t label = 0; label < points.size(); ++label) lengths.push_back(units[label % 3]);
+    const SamplingRadii radii = SamplingRadii(lengths).scaled_to(parameters.sampling_radius);
+    const PointSet<2> set(points);
+    const auto result =
+        search_forbidden<2>(FlatAtlas<2>(space, set, radii), set, parameters, Rational(0), no_progress());
+    bool expected = false;
+    for (std::size_t size = 3; size <= 4; ++size) {
+      for (Faces faces(points.size(), size); faces.has_face(); faces.advance()) {
+        ExactPoints<2> vertices;
+        double unit = 1;
+        for (const std::size_t at : faces.vertices()) {
+          vertices.push_back(points[at]);
+          unit = std::min(unit, radii.unit_of(at));
+        }
+        auto scaled = parameters;
+        scaled.sampling_radius *= Rational::exactly(unit);
+        scaled.edge_bound *= Rational::exactly(unit);
+        expected = expected || is_forbidden<2>(space, vertices, scaled);
+      }
+    }
+    EXPECT_EQ(result.found.has_value(), expected) << trial;
+    found += expected ? 1 : 0;
+    fewer += !expected && search<2>(space, points, parameters).found ? 1 : 0;
+  }
+  EXPECT_GT(found, 5);
+  EXPECT_GT(fewer, 5);
+}
+
 /// What is found has the properties; and something is found exactly if a look at everything finds something.
 template <int m>
 int check_against_all(std::size_t count, const Rational& squared_flake_parameter, const Rational& squared_hoop_bound,

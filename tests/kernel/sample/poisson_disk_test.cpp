@@ -120,5 +120,41 @@ TEST(PoissonDiskNet, tells_its_progress_and_may_be_given_up) {
   EXPECT_THROW((void)poisson_disk_net<2>(cubic_torus<2>(), ratio(1, 8), 1, give_up), std::domain_error);
 }
 
+/// With radii that vary: whole simplices of the Delaunay triangulation have small balls, and points are apart.
+TEST(PoissonDisk, follows_a_sizing_function) {
+  const auto space = hexagonal_torus();
+  TorusSizing<2> sizing(space, 1.0 / 8);
+  sizing.add({{0.25, 0.25}, 1.0 / 30, 1.0 / 5});
+  const auto points = poisson_disk_net<2>(space, sizing, 3, no_progress());
+  const auto size_at = [&](std::size_t label) { return sizing.at(approximate<2>(points[label])); };
+  double largest = 0;
+  for (const auto& simplex : propose_delaunay<2>(space, approximate_all<2>(points), 1.0 / 8)) {
+    double least = 1;
+    for (const auto& vertex : simplex) least = std::min(least, size_at(vertex.index));
+    const auto ball = ball_of_simplex<2>(space, all_at<2>(points, std::span<const Lift<2>>(simplex)));
+    largest = std::max(largest, std::sqrt(approximate_double(ball->squared_radius)) / least);
+  }
+  EXPECT_LE(largest, 1 + 0x1p-20);
+  double nearest = 1e9;
+  for (std::uint32_t label = 0; label < points.size(); ++label) {
+    for (const auto& lift : lifts_within<2>(space, points, points[label], ratio(1, 8))) {
+      if (lift.index == label) continue;
+      const double distance =
+          std::sqrt(approximate_double(squared_distance<2>(space, at<2>(points, lift), points[label])));
+      nearest = std::min(nearest, distance / std::max(size_at(label), size_at(lift.index)));
+    }
+  }
+  // A point that fills a gap keeps away from the others by the least e of a simplex, two radii away at most.
+  EXPECT_GE(nearest, 1 / (1 + 2.0 / 5) - 0x1p-20);
+  EXPECT_LT(nearest, 1);
+  // Far more than the greatest radius asks for, far fewer than the least.
+  const auto coarse = poisson_disk_net<2>(space, ratio(1, 8), 3, no_progress()).size();
+  const auto fine = poisson_disk_net<2>(space, ratio(1, 30), 3, no_progress()).size();
+  EXPECT_GT(points.size(), 2 * coarse);
+  EXPECT_LT(2 * points.size(), fine);
+  EXPECT_EQ(points, (poisson_disk_net<2>(space, sizing, 3, no_progress())));
+  EXPECT_NE(points, (poisson_disk_net<2>(space, sizing, 4, no_progress())));
+}
+
 }  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

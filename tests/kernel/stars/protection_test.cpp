@@ -12,7 +12,17 @@ struct Case {
   FlatSpace<m> space;
   ExactPoints<m> points;
   Rational sampling_radius;
+  std::vector<double> lengths = {};  // radii, if they vary
 
+  [[nodiscard]] SamplingRadii radii() const {
+    return lengths.empty() ? SamplingRadii(sampling_radius) : SamplingRadii(lengths).scaled_to(sampling_radius);
+  }
+  /// What a length that is claimed counts for the simplex.
+  [[nodiscard]] Rational scaled(const LiftedSimplex<m>& simplex, const Rational& length) const {
+    double unit = 1;
+    for (const Lift<m>& vertex : simplex) unit = std::min(unit, radii().unit_of(vertex.index));
+    return length * Rational::exactly(unit);
+  }
   [[nodiscard]] StarComplex<m> complex() const {
     const FlatAtlas<m> atlas(space, PointSet<m>(points), sampling_radius);
     std::vector<bool> interior;
@@ -22,7 +32,7 @@ struct Case {
   }
   [[nodiscard]] ProtectionReport report(const StarComplex<m>& stars, std::optional<Rational> required = {}) const {
     const PointSet<m> set(points);
-    return certify_protection<m>(FlatAtlas<m>(space, set, sampling_radius), set, stars, required, no_progress());
+    return certify_protection<m>(FlatAtlas<m>(space, set, radii()), set, stars, required, no_progress());
   }
   [[nodiscard]] ProtectionReport report(std::optional<Rational> required = {}) const {
     return report(complex(), required);
@@ -40,11 +50,12 @@ template <int m>
 bool are_protected_by(const Case<m>& data, const StarComplex<m>& complex, const Rational& protection) {
   for (const auto& simplex : complex.simplices()) {
     const auto ball = ball_of_simplex<m>(data.space, all_at<m>(data.points, std::span<const Lift<m>>(simplex)));
-    const Rational reach = square_root_upper(ball->squared_radius, 30) + protection;
+    const Rational own = data.scaled(simplex, protection);
+    const Rational reach = square_root_upper(ball->squared_radius, 30) + own;
     for (const auto& lift : lifts_within<m>(data.space, data.points, ball->centre, reach)) {
       if (std::find(simplex.begin(), simplex.end(), lift) != simplex.end()) continue;
       const auto squared = squared_distance<m>(data.space, at<m>(data.points, lift), ball->centre);
-      if (!is_farther_than(squared, ball->squared_radius, protection)) return false;
+      if (!is_farther_than(squared, ball->squared_radius, own)) return false;
     }
   }
   return true;
@@ -71,7 +82,8 @@ void check_margins(const Case<m>& data) {
   for (const auto& simplex : complex.simplices()) {
     const auto vertices = all_at<m>(data.points, std::span<const Lift<m>>(simplex));
     thinnest = minimum(thinnest, naive_squared_thickness(simplex_in<m>(data.space, vertices)));
-    largest = maximum(largest, ball_of_simplex<m>(data.space, vertices)->squared_radius);
+    largest = maximum(
+        largest, ball_of_simplex<m>(data.space, vertices)->squared_radius / square(data.scaled(simplex, Rational(1))));
   }
   const Rational& thickness = report.margins->thickness;
   EXPECT_LE(square(thickness), thinnest);
@@ -92,6 +104,22 @@ TEST(CertifyProtection, has_the_best_margins_of_12_digits) {
   auto points = random_points<2>(150, 1, 20, Rational(-2), Rational(4));
   points.push_back({Rational(0), Rational(0)});
   check_margins<2>({ball_of<2>(Rational(1)), points, ratio(1, 20)});
+}
+
+TEST(CertifyProtection, counts_by_the_least_radius_of_a_simplex) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    std::vector<double> lengths;
+    for (int k = 0; k < 40; ++k) lengths.push_back(k % 3 == 0 ? 1 : k % 3 == 1 ? 0.75 : 0.53);
+    const Case<2> graded{hexagonal_torus(), random_points<2>(40, seed, 20), ratio(1, 5), lengths};
+    check_margins<2>(graded);
+    // The same points are protected by no more, measured by the greatest radius everywhere.
+    const Case<2> uniform{hexagonal_torus(), graded.points, ratio(1, 5)};
+    EXPECT_LE(uniform.report().margins->protection, graded.report().margins->protection);
+    EXPECT_LT(uniform.report().margins->circumradius, graded.report().margins->circumradius);
+    const Rational claimed = graded.report().margins->protection;
+    EXPECT_TRUE(graded.report(claimed).failures.empty());
+    EXPECT_FALSE(graded.report(claimed + Rational(2) * last_digit(claimed)).failures.empty());
+  }
 }
 
 TEST(CertifyProtection, in_dimension_4) {

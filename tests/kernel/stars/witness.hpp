@@ -57,18 +57,26 @@ std::map<std::vector<std::uint32_t>, int> uncancelled_faces(const std::vector<Li
   return result;
 }
 
-/// Why these simplices do not show that the torus is within `radius` of the points; empty if they do (level 0).
-template <int m>
-std::string complaint_of_torus_witness(const FlatSpace<m>& space, const ExactPoints<m>& points,
-                                       const std::vector<LiftedSimplex<m>>& simplices, const Rational& radius) {
+/// Why these simplices do not show that the torus is covered by their balls, of which that of a simplex is to have a
+/// radius below radius_of(simplex); empty if they do (level 0).
+template <int m, class RadiusOf>
+std::string complaint_of_torus_cover(const FlatSpace<m>& space, const ExactPoints<m>& points,
+                                     const std::vector<LiftedSimplex<m>>& simplices, const RadiusOf& radius_of) {
   Rational total(0);
   for (const auto& simplex : simplices) {
     const auto vertices = all_at<m>(points, std::span<const Lift<m>>(simplex));
-    if (!lies_in_an_open_ball<m>(space, vertices, radius)) return "0.ball";
+    if (!lies_in_an_open_ball<m>(space, vertices, radius_of(simplex))) return "0.ball";
     total += edge_determinant<m>(vertices);
   }
   if (!uncancelled_faces<m>(simplices).empty()) return "0.cycle";
   return total == Rational(factorial(m)) ? "" : "0.degree";
+}
+
+/// Why these simplices do not show that the torus is within `radius` of the points; empty if they do (level 0).
+template <int m>
+std::string complaint_of_torus_witness(const FlatSpace<m>& space, const ExactPoints<m>& points,
+                                       const std::vector<LiftedSimplex<m>>& simplices, const Rational& radius) {
+  return complaint_of_torus_cover<m>(space, points, simplices, [&](const auto&) { return radius; });
 }
 
 }  // namespace delcert::test

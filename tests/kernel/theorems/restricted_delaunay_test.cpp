@@ -31,7 +31,7 @@ struct Sphere {
     triangles = run.complex.simplices();
     positions = graph_vertices<2>(atlas, run.points).positions;
   }
-  [[nodiscard]] GraphVertices vertices() const { return {atlas.zero_set(), atlas.charts(), positions, {}}; }
+  [[nodiscard]] GraphVertices vertices() const { return {atlas.manifold(), atlas.charts(), positions, {}}; }
 };
 
 const Sphere& sphere() {

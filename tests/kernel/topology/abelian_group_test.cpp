@@ -20,6 +20,16 @@ TEST(AbelianGroup, has_one_text) {
   EXPECT_EQ(group_text({0, {Integer(1) << 100}}), "Z/1267650600228229401496703205376");
 }
 
+TEST(AbelianGroup, is_told_from_other_texts) {
+  for (const char* text : {"0", "Z", "Z^4", "Z + Z/2", "(Z/5)^3", "Z^2 + Z/2 + (Z/4)^2"})
+    EXPECT_TRUE(is_group_text(text)) << text;
+  for (const char* text : {"",      "1",    "Y",       "Z^1",       "Z^0",           "Z + Z",   "Z/1",
+                           "Z/0",   "Z/02", "Z/2 + Z", "Z/4 + Z/2", "Z/2 + Z/3",     "(Z/2)^1", "Z/2 + Z/2",
+                           "Z + 0", " Z",   "Z +Z/2",  "Z + ",      "Z^99999999999", "Z/2 + "})
+    EXPECT_FALSE(is_group_text(text)) << text;
+  EXPECT_FALSE(is_group_text(std::string(2000, 'Z')));
+}
+
 TEST(AbelianGroup, is_equal_only_to_the_same_group) {
   EXPECT_EQ((AbelianGroup{1, {2, 4}}), (AbelianGroup{1, {2, 4}}));
   EXPECT_NE((AbelianGroup{1, {2, 4}}), (AbelianGroup{1, {8}}));

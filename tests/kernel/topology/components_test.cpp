@@ -22,5 +22,11 @@ TEST(Components, fall_apart_without_a_simplex) {
   EXPECT_EQ(component_count(PureComplex(Dimension(3), {})), 0U);
 }
 
+TEST(Components, are_named_by_their_least_labels) {
+  using Edges = std::vector<std::array<std::uint32_t, 2>>;
+  EXPECT_EQ(component_of_labels(6, Edges{{4, 5}, {1, 3}, {3, 4}}), (std::vector<std::uint32_t>{0, 1, 2, 1, 1, 1}));
+  EXPECT_EQ(component_of_labels(6, Edges{{4, 5}, {1, 3}}), (std::vector<std::uint32_t>{0, 1, 2, 1, 4, 4}));
+}
+
 }  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

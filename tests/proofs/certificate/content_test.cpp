@@ -8,6 +8,7 @@
 #include "kernel/manifold/space_form_file.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "proofs/certificate/reader.hpp"
+#include "tests/proofs/certificate/atlas_run.hpp"
 #include "tests/proofs/certificate/metric_field_run.hpp"
 #include "tests/proofs/certificate/small_run.hpp"
 #include "tests/proofs/certificate/submanifold_run.hpp"
@@ -105,6 +106,40 @@ TEST(Content, OfAMetricFieldHasTheMarginsOfLevel4) {
   EXPECT_EQ(read_certificate(folder / "m.json").levels.size(), 5U);
 }
 
+TEST(Content, OfAnAtlasHasItsChartsAndTransitions) {
+  const auto& sample = test::glued_sphere_run();
+  const test::TemporaryFolder folder;
+  std::vector<std::string> reasons;
+  sample.write(folder / "a.json", sample.claims(reasons, {"1", "2"}));
+  const Json json = Json::parse(bytes_of(folder / "a.json"));
+  EXPECT_EQ(keys_of(json["manifold"]),
+            (std::vector<std::string>{"name", "family", "dimension", "charts", "transitions", "patch_radius"}));
+  EXPECT_EQ(json["manifold"]["family"], "atlas");
+  EXPECT_EQ(json["manifold"]["charts"][1],
+            Json::parse(R"({"name":"south","variables":["u","v"],"domain":[["-2","2"],["-2","2"]],)"
+                        R"("core":[["-3/2","3/2"],["-3/2","3/2"]]})"));
+  ASSERT_EQ(json["manifold"]["transitions"].size(), 1U);
+  EXPECT_EQ(keys_of(json["manifold"]["transitions"][0]),
+            (std::vector<std::string>{"from", "to", "map", "inverse", "where"}));
+  EXPECT_EQ(json["manifold"]["transitions"][0]["to"], 1);
+  EXPECT_EQ(json["manifold"]["transitions"][0]["map"][1], "y/(x^2+y^2)");
+  EXPECT_EQ(exact(json["manifold"]["patch_radius"]), sample.atlas.patch_radius());
+  EXPECT_EQ(exact(json["parameters"]["distortion"]), sample.distortion);
+  ASSERT_EQ(json["charts"].size(), sample.atlas.size());
+  for (const std::uint32_t index : {0U, 7U, 300U}) {
+    const Label i(index);
+    ASSERT_EQ(json["charts"][index].size(), 4U);
+    EXPECT_EQ(exact(json["charts"][index][0]), Rational(Integer(sample.atlas.home_chart(i))));
+    EXPECT_EQ(exact(json["charts"][index][2]), sample.atlas.chart(i).matrix()[0][1]);
+    EXPECT_EQ(exact(json["charts"][index][3]), sample.atlas.chart(i).matrix()[1][1]);
+    EXPECT_EQ(exact(json["net"][index][1]), sample.atlas.centre(i)[1]);
+    EXPECT_EQ(exact(json["points"][index][0]), sample.run.points.exact(i)[0]);
+  }
+  const CertificateSummary read = read_certificate(folder / "a.json");
+  EXPECT_EQ(read.family, "atlas");
+  EXPECT_EQ(read.simplices.size(), sample.run.complex.simplices().size());
+}
+
 TEST(Content, OfASubmanifoldHasItsEquationsAndCharts) {
   const auto& sample = test::sphere_run();
   const test::TemporaryFolder folder;
@@ -152,7 +187,7 @@ TEST(Content, OfAMeshHasItsVerticesAsCentres) {
   Claims claims;
   claims.full_stars.emplace();
   write_certificate<2>(folder / "m.json",
-                       content_of<2>(sample.atlas.zero_set(), charts, radius, simplices, sample.parameters, claims));
+                       content_of<2>(sample.atlas.manifold(), charts, radius, simplices, sample.parameters, claims));
   const Json json = Json::parse(bytes_of(folder / "m.json"));
   EXPECT_EQ(json["manifold"]["vertices"], "given");
   EXPECT_EQ(json["levels"], Json::parse(R"({"1f":{}})"));

@@ -69,7 +69,7 @@ TEST(GivenComplexClaims, are_written_with_the_group_and_without_an_injectivity_r
   const ComplexDescription description = parse_complex(complex_text("klein-bottle-9"), "x.toml");
   const auto given = place_complex<2>(description);
   const auto claims = claims_of<2>(description.form, given, {"2", "5"}, no_progress());
-  write_given_complex<2>(folder / "x.json", description, given, claims, no_progress());
+  write_given_complex<2>(folder / "x.json", description, given, claims, {}, no_progress());
   const std::string text = read_text(folder / "x.json");
   EXPECT_TRUE(mentions(text, "\"family\":\"flat\",\"dimension\":2"));
   EXPECT_TRUE(mentions(text, "\"injectivity_radius\":\"0\"}"));

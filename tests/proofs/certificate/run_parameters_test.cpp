@@ -43,6 +43,35 @@ void expect_edge_bound(const RunParameters& parameters, int m) {
   EXPECT_TRUE(less_excess < Rational(0) || square(less_excess) < squared_protection);
 }
 
+TEST(ParametersFor, radii_that_vary_take_one_plus_the_variation) {
+  for (int m = 1; m <= 4; ++m) {
+    const auto uniform = parameters_for(Dimension(m), ratio(3, 4), choice_of(RunMode::theory));
+    auto choice = choice_of(RunMode::theory);
+    choice.perturbation = ratio(1, 8);
+    const auto same = parameters_for(Dimension(m), ratio(3, 4), choice);
+    const auto graded = parameters_for(Dimension(m), ratio(3, 4), choice, ratio(1, 8));
+    EXPECT_EQ(graded.algorithm.radius_variation, ratio(1, 8));
+    EXPECT_EQ(graded.algorithm.circumradius_bound, ratio(9, 4));
+    EXPECT_EQ(graded.algorithm.edge_bound, same.algorithm.edge_bound * ratio(9, 8));
+    // Γ₀ and the tolerance are made from ρ₀, not from ρ̃₀.
+    EXPECT_EQ(graded.squared_flake_parameter, same.squared_flake_parameter);
+    EXPECT_EQ(graded.algorithm.tolerance, same.algorithm.tolerance);
+    const auto forbidden = graded.forbidden(ratio(1, 24));
+    EXPECT_EQ(forbidden.sampling_radius, ratio(9, 8 * 24));
+    EXPECT_EQ(forbidden.edge_bound, graded.algorithm.edge_bound / Rational(24));
+    // By default ρ₀ is a little less than μ₀/(4(1 + ε₀)).
+    const auto usual = parameters_for(Dimension(m), ratio(3, 4), choice_of(RunMode::theory), ratio(1, 8));
+    EXPECT_LE(usual.algorithm.perturbation, ratio(1, 6));
+    EXPECT_GE(usual.algorithm.perturbation, ratio(1, 6) * ratio(4095, 4096));
+    EXPECT_EQ(uniform.algorithm.perturbation, ratio(3, 16));
+    choice.perturbation = ratio(1, 6) + Rational::power_of_two(-60);
+    EXPECT_TRUE(
+        mentions(message_of<InputError>([&] { (void)parameters_for(Dimension(m), ratio(3, 4), choice, ratio(1, 8)); }),
+                 "is not in (0, μ₀/(4(1 + ε₀))], μ₀ = 3/4, ε₀ = 1/8"));
+    EXPECT_THROW((void)parameters_for(Dimension(m), ratio(3, 4), choice_of(RunMode::theory), ratio(9, 8)), InputError);
+  }
+}
+
 TEST(ParametersFor, other_separations_follow_the_formulas) {
   for (int m = 1; m <= 4; ++m) {
     const long exponent = exponent_of_dimension[static_cast<std::size_t>(m)];

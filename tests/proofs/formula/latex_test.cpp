@@ -151,6 +151,18 @@ TEST(Latex, a_claim_is_a_paragraph) {
             "\\begin{gather*}\n  \\Delta(s) > \\eta\n\\end{gather*}\n");
 }
 
+TEST(Latex, a_formula_that_may_not_fit_a_line_is_a_paragraph) {
+  std::string sum = "k";
+  for (int term = 0; term < 40; ++term) sum += " + k";
+  const auto latex_with = [](const std::string& formula) {
+    return latex_of(parse_claim(
+        "name = \"n\"\n[[step]]\nname = \"s\"\nforall = { k = \"(0, 1]\" }\nclaim = \"" + formula + " > 0\"\n",
+        "a.toml", full_vocabulary(), {}));
+  };
+  EXPECT_NE(latex_with(sum).find("\\parbox{0.98\\linewidth}{\\centering$\\displaystyle k + k"), std::string::npos);
+  EXPECT_EQ(latex_with("k").find("\\parbox"), std::string::npos);
+}
+
 TEST(Latex, of_steps_names_parameters_abbreviations_and_constants) {
   const Claim claim = parse_claim(
       "name = \"n\"\n[[step]]\nname = \"s_1\"\nlines = \"6-7\"\n"

@@ -1,5 +1,6 @@
 #include "kernel/manifold/submanifold/zero_set.hpp"
 
+#include "support/error.hpp"
 #include "tests/kernel/manifold/submanifold/samples.hpp"
 
 namespace delcert::test {

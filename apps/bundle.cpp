@@ -1,0 +1,67 @@
+#include "proofs/publication/bundle.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <memory>
+
+#include "apps/commands.hpp"
+#include "support/atomic_file.hpp"
+#include "support/error.hpp"
+
+namespace delcert {
+
+namespace {
+
+struct BundleOptions {
+  std::vector<std::string> files;
+  std::string output;
+  BundleFacts facts;
+};
+
+std::string bytes_of_file(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string bytes((std::istreambuf_iterator<char>(stream)), {});
+  if (!stream) throw InputError(file + ": cannot be read");
+  return bytes;
+}
+
+ExitStatus write_bundle(const BundleOptions& options) {
+  if (std::filesystem::exists(std::filesystem::symlink_status(options.output)))
+    throw InputError(options.output + ": there is such a file; it is not replaced");
+  std::vector<BundledCertificate> certificates;
+  for (const std::string& file : options.files)
+    certificates.push_back(
+        {std::filesystem::path(file).filename().string(), bytes_of_file(file), read_certificate(file)});
+  const std::vector<ArchiveFile> files = bundle_files(certificates, options.facts);
+  write_file_atomically(options.output, zip_archive(files));
+  std::cout << options.output << ": " << files.size() << " files, " << certificates.size()
+            << (certificates.size() == 1 ? " certificate" : " certificates") << ", not verified\n";
+  return ExitStatus::verified;
+}
+
+}  // namespace
+
+void add_bundle(CLI::App& program, Action& chosen) {
+  const auto options = std::make_shared<BundleOptions>();
+  CLI::App* command =
+      program.add_subcommand("bundle", "Put certificates into a ZIP archive, for the supplement of a paper");
+  command->add_option("CERTIFICATE", options->files, "Certificates, plain or compressed")->required();
+  command->add_option("--output", options->output, "The archive to write")->type_name("FILE")->required();
+  command->add_option("--title", options->facts.title, "What it is called")->required();
+  command->add_option("--author", options->facts.authors, "\"Family, Given\"; may be repeated")
+      ->required()
+      ->allow_extra_args(false);
+  command->add_option("--license", options->facts.license, "Of SPDX, for example CC-BY-4.0 (default: none is stated)");
+  command->footer(
+      "Certificates, their manifolds, exports, checksums, references, and descriptions for Zenodo, CodeMeta and "
+      "RO-Crate.\n"
+      "The same files give the same bytes. Nothing is verified: run delcert check before.\n\n"
+      "Examples:\n"
+      "  delcert bundle torus.json.zst bolza.json.zst --title \"Supplement\" --author \"Doe, Jane\" --output "
+      "supplement.zip");
+  command->callback([options, &chosen] { chosen = [options] { return write_bundle(*options); }; });
+}
+
+}  // namespace delcert

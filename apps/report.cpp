@@ -1,0 +1,147 @@
+#include <fmt/chrono.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "apps/checker_process.hpp"
+#include "apps/commands.hpp"
+#include "apps/interruption.hpp"
+#include "apps/ledger_text.hpp"
+#include "apps/progress_line.hpp"
+#include "apps/witness_item.hpp"
+#include "proofs/certificate/sha256.hpp"
+#include "support/atomic_file.hpp"
+#include "support/error.hpp"
+
+namespace delcert {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReportOptions {
+  std::vector<std::string> files;
+  std::string output;
+  bool is_checked = true;
+};
+
+ShownFile shown_file(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw InputError(path + ": cannot be read");
+  Sha256 hash;
+  std::string part(1U << 20U, '\0');
+  while (stream.read(part.data(), static_cast<std::streamsize>(part.size())), stream.gcount() > 0)
+    hash.update(std::string_view(part).substr(0, static_cast<std::size_t>(stream.gcount())));
+  if (stream.bad()) throw InputError(path + ": cannot be read");
+  return {fs::path(path).filename().string(), hash.digest()};
+}
+
+std::string without_line_feed(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  return text;
+}
+
+CheckRecord checked(const std::string& path) {
+  const fs::path checker = installed_checker();
+  const CheckerRun version = run_checker_with(checker, {"--version"});
+  const CheckerRun run = run_checker_on(checker, path);
+  if (version.status != 0 || run.status > 3)
+    throw std::runtime_error("delcert-check ended with status " +
+                             std::to_string(version.status != 0 ? version.status : run.status));
+  CheckRecord record;
+  record.checker = "delcert-check " + without_line_feed(version.output);
+  record.date = fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::chrono::system_clock::now()));
+  record.result = nlohmann::ordered_json::parse(run.output);
+  return record;
+}
+
+/// The paper's constants for the parameters of a certificate; null where the paper does not speak of such parameters.
+nlohmann::ordered_json ledger_of(const CertificateSummary& certificate) {
+  try {
+    const Ledger ledger = constants_for(certificate.manifold.dimension, certificate.parameter("separation"),
+                                        certificate.parameter("perturbation"),
+                                        certificate.parameter("radius_variation"), certificate.parameter("distortion"));
+    return nlohmann::ordered_json::parse(ledger_json(ledger)).at("constants");
+  } catch (const InputError&) {
+    return nullptr;
+  }
+}
+
+PageItem item_of_certificate(const std::string& path, bool is_checked) {
+  const CertificateSummary certificate = read_certificate(path);
+  PageItem item = certificate_item(certificate, shown_file(path),
+                                   is_checked ? std::optional(checked(path)) : std::optional<CheckRecord>());
+  item.data["ledger"] = ledger_of(certificate);
+  return item;
+}
+
+void add_witnesses(const std::string& path, const std::vector<Witness>& witnesses, std::vector<PageItem>& items) {
+  const InterruptionDeadline deadline;
+  const ShownFile file = shown_file(path);
+  for (const Witness& witness : witnesses) {
+    try {
+      items.push_back(witness_item(witness, replayed(witness), file));
+    } catch (const InputError& error) {
+      throw InputError(path + ": " + error.what());
+    }
+  }
+}
+
+/// Of several the first in this list: what one reader must not miss.
+ExitStatus worst(const std::vector<ExitStatus>& found) {
+  for (const ExitStatus status : {ExitStatus::rejected, ExitStatus::malformed, ExitStatus::undecided}) {
+    if (std::find(found.begin(), found.end(), status) != found.end()) return status;
+  }
+  return ExitStatus::verified;
+}
+
+ExitStatus write_report(const ReportOptions& options) {
+  ProgressLine line;
+  const Progress progress = line.callback();
+  std::vector<PageItem> items;
+  std::vector<ExitStatus> statuses;
+  std::size_t read = 0;
+  for (const std::string& file : options.files) {
+    progress("reading " + fs::path(file).filename().string(), read++, options.files.size());
+    if (const auto witnesses = witnesses_in(file); !witnesses.empty()) {
+      add_witnesses(file, witnesses, items);
+      continue;
+    }
+    items.push_back(item_of_certificate(file, options.is_checked));
+    const nlohmann::ordered_json& check = items.back().data.at("check");
+    if (!check.is_null()) statuses.push_back(static_cast<ExitStatus>(check.at("result").at("exit").get<int>()));
+  }
+  progress("writing", read, options.files.size());
+  write_file_atomically(options.output, html_page(items));
+  return worst(statuses);
+}
+
+}  // namespace
+
+void add_report(CLI::App& program, Action& chosen) {
+  const auto options = std::make_shared<ReportOptions>();
+  CLI::App* command = program.add_subcommand("report", "Write a page for a browser: certificates and witnesses");
+  command
+      ->add_option("FILE", options->files,
+                   "Certificates, plain or compressed; witnesses of attacks, or what attack --json printed")
+      ->required();
+  command->add_option("--output", options->output, "The HTML file; it is all that a reader needs")
+      ->required()
+      ->type_name("FILE");
+  command->add_flag("--check,!--no-check", options->is_checked,
+                    "Run delcert-check on each certificate and show what it says (the default)");
+  command->footer(
+      "Exit status: 0 written, and every certificate verified (with --no-check: written), 1 one is rejected, 3 one is\n"
+      "malformed, 2 one is undecided. The page is written in all of these cases, if it can be read at all.\n\n"
+      "Examples:\n"
+      "  delcert report torus-3.json.zst --output torus-3.html\n"
+      "  delcert report bolza.json.zst klein-bottle.json.zst found/my-claim.radius.json --output gallery.html");
+  command->callback([options, &chosen] { chosen = [options] { return write_report(*options); }; });
+}
+
+}  // namespace delcert

@@ -1,0 +1,305 @@
+#include "kernel/theorems/blended_simplex.hpp"
+
+#include <algorithm>
+
+#include "kernel/manifold/gluing/interval_matrix.hpp"
+#include "kernel/number/scalar.hpp"
+
+namespace delcert {
+
+namespace {
+
+/// A number about the middle.
+Interval central(const Interval& x) {
+  return Interval::exactly(std::clamp(x.lower() / 2 + x.upper() / 2, x.lower(), x.upper()));
+}
+
+/// Of all points of the box, by parts of it; false where they are not certainly defined.
+template <int m>
+bool second_derivatives(FormulaEvaluation<Interval>& map, const Cell& box,
+                        std::array<Interval, static_cast<std::size_t>(m* m* m)>& out) {
+  constexpr std::size_t parts_of_side = 4;
+  constexpr std::size_t parts = m == 2 ? parts_of_side * parts_of_side : parts_of_side * parts_of_side * parts_of_side;
+  std::array<Interval, static_cast<std::size_t>(m)> ignored;
+  std::array<Interval, static_cast<std::size_t>(m * m)> first;
+  std::array<Interval, static_cast<std::size_t>(m * m * m)> second;
+  for (std::size_t part = 0; part < parts; ++part) {
+    Cell cell;
+    std::size_t rest = part;
+    for (std::size_t axis = 0; axis < m; ++axis) {
+      const Interval from = Interval::exactly(box[axis].lower());
+      const Interval step = (Interval::exactly(box[axis].upper()) - from) / Interval(static_cast<int>(parts_of_side));
+      const auto at = static_cast<int>(rest % parts_of_side);
+      rest /= parts_of_side;
+      cell[axis] = Interval::between((from + Interval(at) * step).lower(), (from + Interval(at + 1) * step).upper());
+    }
+    if (!map.second(cell.data(), ignored.data(), first.data(), second.data())) return false;
+    for (std::size_t k = 0; k < out.size(); ++k) {
+      out[k] = part == 0 ? second[k]
+                         : Interval::between(std::min(out[k].lower(), second[k].lower()),
+                                             std::max(out[k].upper(), second[k].upper()));
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string_view description_of(BlendCause cause) {
+  switch (cause) {
+    case BlendCause::place:
+      return "the home chart of a vertex does not show all others";
+    case BlendCause::box:
+      return "it is too near to the rim of the home chart of a vertex";
+    case BlendCause::transition:
+      return "no transition between the home charts of its vertices is certainly defined on all of it";
+    case BlendCause::fold:
+      return "what transitions do to it may fold it";
+  }
+  return "";
+}
+
+/// Bounds of one blend, from a home chart to the next.
+template <int m>
+struct BlendedSimplexCheck<m>::Step {
+  double kappa;     // of |J M − 1|
+  double factor;    // N, of |J|
+  double change;    // r, of |J − J̄|
+  double back;      // of |M|
+  double residual;  // η
+  double slope;     // of T
+};
+
+template <int m>
+BlendedSimplexCheck<m>::BlendedSimplexCheck(const FormulaAtlas<m>& atlas, const GluedPlaces<m>& places)
+    : atlas_(atlas), places_(places) {
+  for (const auto& transition : atlas.gluing().transitions()) {
+    on_cells_.emplace_back(transition.cells);
+    maps_.emplace_back(transition.formulas);
+  }
+}
+
+template <int m>
+std::vector<std::size_t> BlendedSimplexCheck<m>::homes_of(const LabelSimplex<m>& simplex) const {
+  std::vector<std::size_t> homes;
+  for (const std::uint32_t v : simplex) homes.push_back(places_.home(v));
+  std::sort(homes.begin(), homes.end());
+  homes.erase(std::unique(homes.begin(), homes.end()), homes.end());
+  return homes;
+}
+
+template <int m>
+std::uint32_t BlendedSimplexCheck<m>::representative(const LabelSimplex<m>& simplex, std::size_t home) const {
+  return *std::find_if(simplex.begin(), simplex.end(), [&](std::uint32_t v) { return places_.home(v) == home; });
+}
+
+template <int m>
+bool BlendedSimplexCheck<m>::is_open_box(const Cell& cell, std::size_t chart) const {
+  const Sides& box = atlas_.gluing().chart(chart).domain;
+  for (std::size_t axis = 0; axis < m; ++axis) {
+    if (!(cell[axis].lower() > scalar_from<Interval>(box[axis][0]).upper()) ||
+        !(cell[axis].upper() < scalar_from<Interval>(box[axis][1]).lower()))
+      return false;
+  }
+  return true;
+}
+
+/// The box around the vertices in a home chart, and around what is moved from between them by so much in the chart of
+/// the representative.
+template <int m>
+Cell BlendedSimplexCheck<m>::box_about(const LabelSimplex<m>& simplex, std::size_t chart, double displacement) const {
+  const Vector<double, m>& stretch = atlas_.enclosed(Label(representative(simplex, chart))).stretch;
+  Cell result;
+  for (std::size_t axis = 0; axis < m; ++axis) {
+    Interval side = (*places_.place(chart, simplex[0]))[axis];
+    for (const std::uint32_t v : simplex) {
+      const Interval& x = (*places_.place(chart, v))[axis];
+      side = Interval::between(std::min(side.lower(), x.lower()), std::max(side.upper(), x.upper()));
+    }
+    const double more = (Interval::exactly(displacement) * Interval::exactly(stretch[axis])).upper();
+    result[axis] = side + Interval::between(-more, more);
+  }
+  return result;
+}
+
+template <int m>
+std::optional<std::size_t> BlendedSimplexCheck<m>::transition_on(const Cell& box, std::size_t from, std::size_t to) {
+  const auto& transitions = atlas_.gluing().transitions();
+  for (std::size_t t = 0; t < transitions.size(); ++t) {
+    if (transitions[t].from != from || transitions[t].to != to) continue;
+    const MapOnCell found = on_cells_[t].on(box);
+    if (found.is_regular && is_open_box(found.image, to)) return t;
+  }
+  return std::nullopt;
+}
+
+template <int m>
+std::optional<typename BlendedSimplexCheck<m>::Step> BlendedSimplexCheck<m>::step(const LabelSimplex<m>& simplex,
+                                                                                  std::size_t from, std::size_t to,
+                                                                                  std::size_t transition,
+                                                                                  const Cell& box,
+                                                                                  double displacement) {
+  constexpr auto n = static_cast<std::size_t>(m);
+  const auto& here = atlas_.enclosed(Label(representative(simplex, from)));
+  const auto& there = atlas_.enclosed(Label(representative(simplex, to)));
+  // The derivative about the middle, and the second ones everywhere.
+  Cell middle;
+  for (std::size_t axis = 0; axis < n; ++axis) middle[axis] = central(box[axis]);
+  std::array<Interval, n> ignored;
+  std::array<Interval, n * n> at_middle;
+  std::array<Interval, n * n * n> second;
+  if (!maps_[transition].first(middle.data(), ignored.data(), at_middle.data()) ||
+      !second_derivatives<m>(maps_[transition], box, second))
+    return std::nullopt;
+  const auto in_charts = [&](const auto& entry) {
+    IntervalMatrix<n> raw;
+    for (std::size_t row = 0; row < n; ++row) {
+      for (std::size_t k = 0; k < n; ++k) raw[row][k] = entry(row, k);
+    }
+    return product(there.matrix, product(raw, here.inverse));
+  };
+  const IntervalMatrix<n> derivative =
+      in_charts([&](std::size_t row, std::size_t k) { return at_middle[row * n + k]; });
+  // D² in the charts, as a matrix for each direction.
+  std::array<IntervalMatrix<n>, n> raw;
+  for (std::size_t axis = 0; axis < n; ++axis)
+    raw[axis] = in_charts([&](std::size_t row, std::size_t k) { return second[(row * n + k) * n + axis]; });
+  std::array<IntervalMatrix<n>, n> bend;
+  std::array<IntervalMatrix<n>, n> mean;
+  Interval squared_size(0);
+  Interval squared_spread(0);
+  for (std::size_t direction = 0; direction < n; ++direction) {
+    for (std::size_t row = 0; row < n; ++row) {
+      for (std::size_t k = 0; k < n; ++k) {
+        Interval& entry = bend[direction][row][k];
+        entry = raw[0][row][k] * here.inverse[0][direction];
+        for (std::size_t axis = 1; axis < n; ++axis) entry += raw[axis][row][k] * here.inverse[axis][direction];
+        mean[direction][row][k] = central(entry);
+        squared_size += square(entry);
+        squared_spread += square(entry - mean[direction][row][k]);
+      }
+    }
+  }
+  const double size = square_root(squared_size).upper();
+  const double spread = square_root(squared_spread).upper();
+
+  std::array<Vector<Interval, m>, n + 1> from_middle;  // in the chart here
+  IntervalMatrix<n> edges_here;
+  IntervalMatrix<n> edges_there;
+  double reach = 0;
+  for (std::size_t v = 0; v <= n; ++v) {
+    const Vector<Interval, m>& x = *places_.place(from, simplex[v]);
+    Vector<Interval, m> offset;
+    for (std::size_t axis = 0; axis < n; ++axis) offset[axis] = x[axis] - middle[axis];
+    from_middle[v] = applied(here.matrix, offset);
+    reach = std::max(reach, length_above(from_middle[v]));
+    if (v == 0) continue;
+    const auto edge = [&](std::size_t chart) {
+      return difference(*places_.place(chart, simplex[v]), *places_.place(chart, simplex[0]));
+    };
+    const Vector<Interval, m> edge_here = applied(here.matrix, edge(from));
+    const Vector<Interval, m> edge_there = applied(there.matrix, edge(to));
+    for (std::size_t row = 0; row < n; ++row) {
+      edges_here[row][v - 1] = edge_here[row];
+      edges_there[row][v - 1] = edge_there[row];
+    }
+  }
+  const IntervalMatrix<n> weights = inverse_of(edges_there);
+  const IntervalMatrix<n> back = product(edges_here, weights);
+
+  Step result{};
+  result.back = norm_above(back);
+  const Interval rest =
+      Interval::exactly(spread) * Interval::exactly(reach) + Interval::exactly(size) * Interval::exactly(displacement);
+  double longest = 0;
+  double turn = 0;
+  for (std::size_t v = 0; v <= n; ++v) {
+    IntervalMatrix<n> change;
+    IntervalMatrix<n> whole;
+    for (std::size_t row = 0; row < n; ++row) {
+      for (std::size_t k = 0; k < n; ++k) {
+        change[row][k] = mean[0][row][k] * from_middle[v][0];
+        for (std::size_t axis = 1; axis < n; ++axis) change[row][k] += mean[axis][row][k] * from_middle[v][axis];
+        whole[row][k] = derivative[row][k] + change[row][k];
+      }
+    }
+    result.change = std::max(result.change, norm_above(change));
+    result.factor = std::max(result.factor, norm_above(whole));
+    IntervalMatrix<n> beyond = product(whole, back);
+    for (std::size_t row = 0; row < n; ++row) beyond[row][row] = beyond[row][row] - Interval(1);
+    result.kappa = std::max(result.kappa, norm_above(beyond));
+    for (std::size_t w = 0; w < v; ++w) {
+      const Vector<Interval, m> edge = difference(from_middle[v], from_middle[w]);
+      longest = std::max(longest, length_above(edge));
+      Vector<Interval, m> turned{};
+      for (std::size_t axis = 0; axis < n; ++axis) turned = sum(turned, scaled(edge[axis], applied(bend[axis], edge)));
+      turn = std::max(turn, length_above(turned));
+    }
+  }
+  result.kappa = (Interval::exactly(result.kappa) + Interval::exactly(result.back) * rest).upper();
+  result.factor = (Interval::exactly(result.factor) + rest).upper();
+  result.change = (Interval::exactly(result.change) + rest).upper();
+  const Interval share = Interval(m) / Interval(m + 1);
+  result.residual = std::min(
+      (Interval::exactly(result.change) * square_root(share / Interval(2)) * Interval::exactly(longest)).upper(),
+      (share / Interval(4) * Interval::exactly(turn)).upper());
+  // The weights of what comes up to here sum to T, the others to 1 − T.
+  const bool with_first = places_.home(simplex[0]) <= from;
+  Vector<Interval, m> gradient{};
+  for (std::size_t v = 1; v <= n; ++v) {
+    if ((places_.home(simplex[v]) <= from) != with_first) gradient = sum(gradient, weights[v - 1]);
+  }
+  result.slope = length_above(gradient);
+  const double largest = std::max({result.kappa, result.factor, result.residual, result.slope, result.back});
+  if (!(largest < 0x1p100)) return std::nullopt;
+  return result;
+}
+
+template <int m>
+BlendedSimplex BlendedSimplexCheck<m>::measure(const LabelSimplex<m>& simplex) {
+  const std::vector<std::size_t> homes = homes_of(simplex);
+  BlendedSimplex result;
+  if (homes.size() == 1) return result;
+  result.is_seam = true;
+  for (const std::size_t chart : homes) {
+    for (const std::uint32_t v : simplex) {
+      if (!places_.place(chart, v)) {
+        result.cause = BlendCause::place;
+        return result;
+      }
+    }
+  }
+  const auto fail = [&](BlendCause cause) {
+    result.cause = cause;
+    return result;
+  };
+  for (std::size_t l = 1; l < homes.size(); ++l) {
+    const Cell box = box_about(simplex, homes[l - 1], result.displacement);
+    if (!is_open_box(box, homes[l - 1])) return fail(BlendCause::box);
+    const auto transition = transition_on(box, homes[l - 1], homes[l]);
+    if (!transition) return fail(BlendCause::transition);
+    const auto found = step(simplex, homes[l - 1], homes[l], *transition, box, result.displacement);
+    if (!found || !(found->kappa < 1)) return fail(BlendCause::fold);
+    const Interval before = Interval::exactly(result.displacement);
+    const Interval residual = Interval::exactly(found->residual);
+    const Interval factor = Interval::exactly(found->factor);
+    result.displacement = (residual + factor * before).upper();
+    result.contraction =
+        (Interval::exactly(found->kappa) +
+         factor * Interval::exactly(found->back) * Interval::exactly(result.contraction) +
+         Interval::exactly(found->slope) * (residual + Interval(2) * Interval::exactly(found->change) * before))
+            .upper();
+    if (!(result.contraction < 1)) return fail(BlendCause::fold);
+  }
+  const Cell box = box_about(simplex, homes.back(), result.displacement);
+  if (!is_open_box(box, homes.back())) return fail(BlendCause::box);
+  for (std::size_t l = 0; l + 1 < homes.size(); ++l) {
+    if (!transition_on(box, homes.back(), homes[l])) return fail(BlendCause::transition);
+  }
+  return result;
+}
+
+template class BlendedSimplexCheck<2>;
+template class BlendedSimplexCheck<3>;
+
+}  // namespace delcert

@@ -1,0 +1,15 @@
+# What the whole's CMakeLists.txt does for the checker, where the checker is the project.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+# Whoever only checks builds once.
+option(DELCERT_UNITED_SOURCES "Compile several sources as one: quicker clean builds" ON)
+option(DELCERT_WARNINGS_ARE_ERRORS "A warning ends the build" OFF)
+list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_SOURCE_DIR}/../../cmake)
+include(GNUInstallDirs)
+include(Rigour)
+include(CheckerLibraries)
+include(UnitedSources)

@@ -1,0 +1,309 @@
+#include <algorithm>
+#include <set>
+
+#include "proofs/checker/glued_charts.hpp"
+
+namespace delcert::checker {
+namespace {
+
+/// Of the spectral norm: the fourth root of the sum of the squares of the entries of a^T a, or infinity.
+double spectral_norm_above(const Matrix<Interval>& a) {
+  const double root = norm_above(transposed_times(a, a));
+  return upper_root(Interval::between(0, root));
+}
+
+Interval interval_of(double x) { return Interval::between(x, x); }
+
+Interval central(const Interval& x) { return interval_of(std::clamp(NearPoints::middle(x), x.lower(), x.upper())); }
+
+Matrix<Interval> matrix_of(const SquareMatrix<Interval>& a) {
+  Matrix<Interval> result(a.order(), a.order());
+  for (std::size_t k = 0; k < result.size(); ++k) result[k] = a(k / a.order(), k % a.order());
+  return result;
+}
+
+/// By cofactors, as solution() looks for no pivots; m = 2, 3. Infinite if the determinant may be 0.
+Matrix<Interval> inverse_by_cofactors(const Matrix<Interval>& a) {
+  const std::size_t m = a.rows();
+  SquareMatrix<Interval> square_of_a(m);
+  for (std::size_t k = 0; k < a.size(); ++k) square_of_a(k / m, k % m) = a[k];
+  const Interval unit = Interval(1) / square_of_a.leading_minor(m);
+  Matrix<Interval> result(m, m);
+  for (std::size_t i = 0; i < m; ++i) {
+    for (std::size_t k = 0; k < m; ++k) {
+      SquareMatrix<Interval> rest(m - 1);
+      for (std::size_t at = 0; at < (m - 1) * (m - 1); ++at) {
+        const std::size_t row = at / (m - 1), column = at % (m - 1);
+        rest(row, column) = square_of_a(row + (row >= k ? 1 : 0), column + (column >= i ? 1 : 0));
+      }
+      const Interval minor = rest.leading_minor(m - 1) * unit;
+      result(i, k) = (i + k) % 2 == 0 ? minor : -minor;
+    }
+  }
+  return result;
+}
+
+/// The rules of level 5, in the notation of docs/levels/atlases.md.
+class BlendChecker {
+ public:
+  BlendChecker(const GluedCharts& charts, Report& report)
+      : charts_(charts), c_(charts.certificate()), m_(c_.m_size()), report_(report) {}
+
+  std::string check() {
+    std::vector<std::size_t> seams;
+    for (std::size_t s = 0; s < c_.simplex_count(); ++s) {
+      const Label* labels = c_.simplex(s);
+      std::set<std::size_t> homes;
+      for (std::size_t v = 0; v <= m_; ++v) homes.insert(charts_.home(labels[v]));
+      if (homes.size() == 1) continue;
+      seams.push_back(s);
+      check_seam(labels, {homes.begin(), homes.end()});
+    }
+    check_clear_labels(seams);
+    check_components();
+    return std::to_string(seams.size()) +
+           " simplices between charts, contraction <= " + rounded_up(c_.contraction.exact) +
+           ", displacement <= " + rounded_up(c_.displacement.exact);
+  }
+
+ private:
+  /// What is known of a blend; all numbers are upper bounds.
+  struct Step {
+    double kappa = 0, factor = 0, change = 0, back = 0, residual = 0, slope = 0;
+  };
+
+  Label representative(const Label* labels, std::size_t home) const {
+    while (charts_.home(*labels) != home) ++labels;
+    return *labels;
+  }
+  Cell place(std::size_t chart, Label v) const {
+    const Vector<Interval>& x = *charts_.place(chart, v);
+    Cell result(m_, 1);
+    for (std::size_t k = 0; k < m_; ++k) result[k] = x[k];
+    return result;
+  }
+  Matrix<Interval> matrix(Label i) const { return matrix_of(charts_.enclosed_matrix(i)); }
+  Matrix<Interval> inverse(Label i) const { return matrix_of(enclosure(charts_.inverse(i))); }
+
+  /// About the vertices in a home chart, and what is moved by this from between them.
+  Cell box_about(const Label* labels, std::size_t chart, double displacement) const {
+    const auto& stretch = charts_.stretch(representative(labels, chart));
+    Cell result = place(chart, labels[0]);
+    for (std::size_t v = 1; v <= m_; ++v) {
+      const Cell x = place(chart, labels[v]);
+      for (std::size_t k = 0; k < m_; ++k)
+        result[k] =
+            Interval::between(std::min(result[k].lower(), x[k].lower()), std::max(result[k].upper(), x[k].upper()));
+    }
+    for (std::size_t k = 0; k < m_; ++k) {
+      const double more = displacement * stretch[k];
+      result[k] = result[k] + Interval::between(-more, more);
+    }
+    return result;
+  }
+  bool is_in_chart(const Cell& cell, std::size_t chart) const {
+    return is_inside_open(cell, charts_.gluing().charts[chart].domain);
+  }
+  /// The passage that is defined on all of the box, or null.
+  PassageValues* passage_on(const Cell& box, std::size_t from, std::size_t to) const {
+    for (std::size_t t = 0; t < charts_.passages().size(); ++t) {
+      if (charts_.passages()[t].from != from || charts_.passages()[t].to != to) continue;
+      const OnCell found = charts_.values(t).on(box);
+      if (found.regular && is_in_chart(found.image, to)) return &charts_.values(t);
+    }
+    return nullptr;
+  }
+
+  void check_seam(const Label* labels, const std::vector<std::size_t>& homes) {
+    const auto which = [&] { return "simplex " + label_set(labels, labels + m_ + 1); };
+    for (const std::size_t chart : homes) {
+      for (std::size_t v = 0; v <= m_; ++v) {
+        if (charts_.place(chart, labels[v]) != nullptr) continue;
+        return report_.reject("5.blend", [&] {
+          return which() + ": chart " + std::to_string(chart) + " does not show " + std::to_string(labels[v]);
+        });
+      }
+    }
+    const auto no_passage = [&] {
+      report_.reject("5.blend", [&] { return which() + ": no transition is certainly defined on all of it"; });
+    };
+    double displacement = 0, contraction = 0, fold = 0;
+    bool known = true;
+    for (std::size_t l = 1; l < homes.size(); ++l) {
+      const Cell box = box_about(labels, homes[l - 1], displacement);
+      PassageValues* passage = is_in_chart(box, homes[l - 1]) ? passage_on(box, homes[l - 1], homes[l]) : nullptr;
+      if (passage == nullptr) return no_passage();
+      const Step step = step_of(labels, homes[l - 1], homes[l], *passage, box, displacement);
+      fold = std::max(fold, step.kappa);
+      known = known && std::max({step.kappa, step.factor, step.change, step.back, step.residual, step.slope}) < 0x1p100;
+      // Rounding upwards, and no number is negative.
+      contraction = step.kappa + step.factor * step.back * contraction +
+                    step.slope * (step.residual + 2 * step.change * displacement);
+      displacement = step.residual + step.factor * displacement;
+    }
+    const Cell box = box_about(labels, homes.back(), displacement);
+    for (std::size_t l = 0; l + 1 < homes.size(); ++l) {
+      if (!is_in_chart(box, homes.back()) || passage_on(box, homes.back(), homes[l]) == nullptr) return no_passage();
+    }
+    const bool small = known && fold < 1 &&
+                       less_equal(interval_of(contraction), c_.contraction.filter) == Verdict::proved &&
+                       less_equal(interval_of(displacement), c_.displacement.filter) == Verdict::proved;
+    if (small) return;
+    report_.reject("5.blend", [&] {
+      return which() + ": contraction <= " + about(interval_of(contraction)) +
+             ", displacement <= " + about(interval_of(displacement)) + " are all that is known";
+    });
+  }
+
+  /// Of the second derivatives in a box, by 16 parts of each side, in dimension 3 by 4: for each axis the matrix of
+  /// d(df_row/dx_k)/dx_axis.
+  std::vector<Matrix<Interval>> seconds_in(PassageValues& passage, const Cell& box) const {
+    std::vector<Cell> cells{box};
+    for (std::size_t halving = 0; halving < (m_ == 2 ? 4 : 2) * m_; ++halving) {
+      std::vector<Cell> smaller;
+      for (const Cell& cell : cells) {
+        for (const Cell& half : halves(cell, halving % m_)) smaller.push_back(half);
+      }
+      cells = std::move(smaller);
+    }
+    std::vector<Matrix<Interval>> result;
+    for (const Cell& cell : cells) {
+      passage.jacobian(cell);
+      const bool is_first = result.empty();
+      if (is_first) result.assign(m_, Matrix<Interval>(m_, m_));
+      for (std::size_t axis = 0; axis < m_; ++axis) {
+        for (std::size_t k = 0; k < m_ * m_; ++k) {
+          const Interval& here = passage.second(k / m_, k % m_, axis);
+          Interval& all = result[axis][k];
+          all = is_first ? here
+                         : Interval::between(std::min(all.lower(), here.lower()), std::max(all.upper(), here.upper()));
+        }
+      }
+    }
+    return result;
+  }
+
+  Step step_of(const Label* labels, std::size_t from, std::size_t to, PassageValues& passage, const Cell& box,
+               double displacement) const {
+    const Label i = representative(labels, from), j = representative(labels, to);
+    const Matrix<Interval> A = matrix(i), back_to_i = inverse(i), B = matrix(j);
+    const Cell centre = middle_of(box);
+    const Matrix<Interval> derivative = B * passage.jacobian(centre) * back_to_i;
+    std::vector<Matrix<Interval>> along_axes = seconds_in(passage, box);
+    for (Matrix<Interval>& along : along_axes) along = B * along * back_to_i;
+    // D^2 of the passage between the charts of i and j: a matrix for each direction, its middle, and the sizes.
+    std::vector<Matrix<Interval>> bend(m_, Matrix<Interval>(m_, m_)), mean = bend;
+    Interval size(0), spread(0);
+    for (std::size_t direction = 0; direction < m_; ++direction) {
+      for (std::size_t axis = 0; axis < m_; ++axis)
+        bend[direction] = bend[direction] + back_to_i(axis, direction) * along_axes[axis];
+      for (std::size_t k = 0; k < m_ * m_; ++k) {
+        mean[direction][k] = central(bend[direction][k]);
+        size = size + square(bend[direction][k]);
+        spread = spread + square(bend[direction][k] - mean[direction][k]);
+      }
+    }
+    const auto combined = [&](const std::vector<Matrix<Interval>>& matrices, const Cell& w) {
+      Matrix<Interval> sum(m_, m_);
+      for (std::size_t k = 0; k < m_; ++k) sum = sum + w[k] * matrices[k];
+      return sum;
+    };
+    Matrix<Interval> edges_i(m_, m_), edges_j(m_, m_);
+    std::vector<Cell> offsets;
+    double reach = 0;
+    for (std::size_t v = 0; v <= m_; ++v) {
+      offsets.push_back(A * (place(from, labels[v]) - centre));
+      reach = std::max(reach, norm_above(offsets.back()));
+      if (v == 0) continue;
+      const Cell in_i = A * (place(from, labels[v]) - place(from, labels[0])),
+                 in_j = B * (place(to, labels[v]) - place(to, labels[0]));
+      for (std::size_t k = 0; k < m_; ++k) {
+        edges_i(k, v - 1) = in_i[k];
+        edges_j(k, v - 1) = in_j[k];
+      }
+    }
+    const Matrix<Interval> weights = inverse_by_cofactors(edges_j), M = edges_i * weights;
+    const double rest = upper_root(spread) * reach + upper_root(size) * displacement;
+    Step result;
+    result.back = spectral_norm_above(M);
+    double longest = 0, turn = 0;
+    for (std::size_t v = 0; v <= m_; ++v) {
+      const Matrix<Interval> change = combined(mean, offsets[v]), whole = derivative + change;
+      result.change = std::max(result.change, spectral_norm_above(change));
+      result.factor = std::max(result.factor, spectral_norm_above(whole));
+      result.kappa = std::max(result.kappa, spectral_norm_above(one_less(whole * M)));
+      for (std::size_t w = 0; w < v; ++w) {
+        const Cell edge = A * (place(from, labels[v]) - place(from, labels[w]));
+        longest = std::max(longest, norm_above(edge));
+        turn = std::max(turn, norm_above(combined(bend, edge) * edge));
+      }
+    }
+    result.kappa += result.back * rest;
+    result.factor += rest;
+    result.change += rest;
+    const Interval share = Interval(static_cast<int>(m_)) / Interval(static_cast<int>(m_) + 1);
+    result.residual =
+        std::min(result.change * upper_root(share / Interval(2)) * longest, (share / Interval(4)).upper() * turn);
+    // The weights of the vertices with a home up to `from` sum to T, the others to 1 - T.
+    const bool with_first = charts_.home(labels[0]) <= from;
+    Matrix<Interval> gradient(1, m_);
+    for (std::size_t v = 1; v <= m_; ++v) {
+      if ((charts_.home(labels[v]) <= from) == with_first) continue;
+      for (std::size_t k = 0; k < m_; ++k) gradient[k] = gradient[k] + weights(v - 1, k);
+    }
+    result.slope = norm_above(gradient);
+    return result;
+  }
+
+  /// 5.clear: each component has a label whose star is at home in one chart, with which no seam may collide.
+  void check_clear_labels(const std::vector<std::size_t>& seams) const {
+    std::vector<bool> pure(c_.n, true);
+    for (const std::size_t s : seams) {
+      for (std::size_t v = 0; v <= m_; ++v) pure[c_.simplex(s)[v]] = false;
+    }
+    require_clear_labels(
+        c_, "5.clear",
+        [&](Label k, const std::vector<Label>&) {
+          return pure[k] &&
+                 std::all_of(seams.begin(), seams.end(), [&](std::size_t s) { return is_away(k, c_.simplex(s)); });
+        },
+        report_);
+  }
+  /// In the last home chart of the seam. What does not show its vertices is rejected elsewhere.
+  bool is_away(Label k, const Label* labels) const {
+    Budget::spend(100);
+    std::size_t chart = 0;
+    for (std::size_t v = 0; v <= m_; ++v) chart = std::max(chart, charts_.home(labels[v]));
+    if (charts_.place(chart, k) == nullptr) return true;
+    const Matrix<Interval> A = matrix(representative(labels, chart));
+    double longest = 0;
+    for (std::size_t v = 0; v <= m_; ++v) {
+      if (charts_.place(chart, labels[v]) == nullptr) return false;
+      longest = std::max(longest, norm_above(A * (place(chart, labels[v]) - place(chart, labels[0]))));
+    }
+    const Interval distance = square_root(squared_norm(A * (place(chart, k) - place(chart, labels[0]))));
+    return less(interval_of(longest) + c_.displacement.filter, distance) == Verdict::proved;
+  }
+
+  /// 5.components: every chart shows some label.
+  void check_components() const {
+    for (std::size_t chart = 0; chart < charts_.gluing().charts.size(); ++chart) {
+      bool any = false;
+      for (Label k = 0; k < c_.n && !any; ++k) any = charts_.place(chart, k) != nullptr;
+      if (!any) report_.reject("5.components", [&] { return "chart " + std::to_string(chart) + " shows no label"; });
+    }
+  }
+
+  const GluedCharts& charts_;
+  const Certificate& c_;
+  std::size_t m_;
+  Report& report_;
+};
+
+}  // namespace
+
+std::string check_blended_triangulation(const GluedCharts& charts, Report& report) {
+  return BlendChecker(charts, report).check();
+}
+
+}  // namespace delcert::checker

@@ -1,0 +1,156 @@
+#include "proofs/drawing/picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "support/error.hpp"
+
+namespace delcert {
+
+namespace {
+
+constexpr Figure::Colour colour_of_domain{200, 16, 46};
+constexpr Figure::Colour colour_of_worst{230, 120, 0};
+
+class Picture {
+ public:
+  explicit Picture(const Drawing& drawing) : drawing_(drawing), axes_(drawing.ambient_dimension) {}
+
+  Figure figure(const PictureOptions& options) {
+    Figure result;
+    const std::vector<std::size_t> shown = visible();
+    for (const std::size_t simplex : shown) result.paths.push_back(triangle(simplex));
+    Figure::Path outline{{}, false, std::nullopt, colour_of_domain, 2};
+    for (std::size_t at = 0; at + 2 * axes_ <= drawing_.domain.size(); at += 2 * axes_) {
+      outline.lines.push_back({{drawing_.domain[at], drawing_.domain[at + 1]},
+                               {drawing_.domain[at + axes_], drawing_.domain[at + axes_ + 1]}});
+    }
+    if (!outline.lines.empty()) result.paths.push_back(outline);
+    result.description = fmt::format("{} triangles, shaded by thickness", shown.size());
+    if (options.has_worst_star) add_worst_star(result, shown);
+    if (options.has_scale && has_lengths()) result.scale = round_scale(extent(shown) / 4);
+    return result;
+  }
+
+ private:
+  [[nodiscard]] double coordinate(std::size_t simplex, std::size_t corner, std::size_t axis) const {
+    return drawing_.coordinates[drawing_.simplices[3 * simplex + corner] * axes_ + axis];
+  }
+  [[nodiscard]] std::uint32_t label(std::size_t simplex, std::size_t corner) const {
+    return drawing_.labels[drawing_.simplices[3 * simplex + corner]];
+  }
+  [[nodiscard]] double area(std::size_t simplex) const {
+    const auto edge = [this, simplex](std::size_t corner, std::size_t axis) {
+      return coordinate(simplex, corner, axis) - coordinate(simplex, 0, axis);
+    };
+    return edge(1, 0) * edge(2, 1) - edge(1, 1) * edge(2, 0);
+  }
+  [[nodiscard]] double height(std::size_t simplex) const {
+    return coordinate(simplex, 0, 2) + coordinate(simplex, 1, 2) + coordinate(simplex, 2, 2);
+  }
+  [[nodiscard]] bool has_lengths() const {
+    return drawing_.geometry == "flat" || drawing_.geometry == "space" ||
+           (drawing_.geometry == "spherical" && drawing_.model == DrawingModel::unit);
+  }
+
+  /// All triangles, or those of a surface in space that face the eye, from the farthest to the nearest.
+  [[nodiscard]] std::vector<std::size_t> visible() const {
+    std::vector<std::size_t> result(drawing_.simplex_count());
+    std::iota(result.begin(), result.end(), std::size_t{0});
+    if (axes_ == 2) return result;
+    if (drawing_.is_oriented) std::erase_if(result, [this](std::size_t simplex) { return area(simplex) <= 0; });
+    std::stable_sort(result.begin(), result.end(),
+                     [this](std::size_t a, std::size_t b) { return height(a) < height(b); });
+    return result;
+  }
+
+  [[nodiscard]] double extent(const std::vector<std::size_t>& shown) const {
+    double lowest = 0;
+    double highest = 0;
+    for (std::size_t at = 0; at < 3 * shown.size(); ++at) {
+      const double x = coordinate(shown[at / 3], at % 3, 0);
+      lowest = at == 0 ? x : std::min(lowest, x);
+      highest = at == 0 ? x : std::max(highest, x);
+    }
+    return highest > lowest ? highest - lowest : 1;
+  }
+
+  [[nodiscard]] std::vector<Figure::Point> corners(std::size_t simplex) const {
+    std::vector<Figure::Point> result;
+    for (std::size_t corner = 0; corner < 3; ++corner)
+      result.push_back({coordinate(simplex, corner, 0), coordinate(simplex, corner, 1)});
+    return result;
+  }
+
+  [[nodiscard]] Figure::Path triangle(std::size_t simplex) const {
+    // A triangle's thickness is at most √3/4.
+    const double thickness = drawing_.measures.thickness[drawing_.positions[simplex]];
+    const double share = std::isnan(thickness) ? 0 : std::clamp(4 * thickness / std::sqrt(3.0), 0.0, 1.0);
+    const auto shade = [share](double lightest, double range) {
+      return static_cast<int>(std::lround(lightest + range * share));
+    };
+    return {{corners(simplex)}, true, Figure::Colour{shade(250, -150), shade(240, -70), shade(220, 10)}};
+  }
+
+  /// The worst simplex is filled, its star about the first of its labels has a thick outline.
+  void add_worst_star(Figure& result, const std::vector<std::size_t>& shown) const {
+    const auto position = worst_simplex(drawing_);
+    if (!position) return;
+    std::uint32_t centre = 0;
+    for (std::size_t simplex = 0; simplex < drawing_.simplex_count(); ++simplex) {
+      if (drawing_.positions[simplex] == *position)
+        centre = std::min({label(simplex, 0), label(simplex, 1), label(simplex, 2)});
+    }
+    Figure::Path star{{}, true, std::nullopt, colour_of_worst, 3};
+    Figure::Path worst{{}, true, colour_of_worst, colour_of_worst, 3};
+    for (const std::size_t simplex : shown) {
+      bool is_in_star = false;
+      for (std::size_t corner = 0; corner < 3; ++corner) is_in_star |= label(simplex, corner) == centre;
+      if (is_in_star) star.lines.push_back(corners(simplex));
+      if (drawing_.positions[simplex] == *position) worst.lines.push_back(corners(simplex));
+    }
+    if (!worst.lines.empty()) result.paths.push_back(worst);
+    if (!star.lines.empty()) result.paths.push_back(star);
+    const auto& measured = drawing_.measures.protection;
+    const double protection = *position < measured.size() ? measured[*position] : std::nan("");
+    result.description += fmt::format("; the star of label {} is marked, with the worst of all triangles", centre);
+    if (!std::isnan(protection)) result.description += fmt::format(", of protection about {:.3g} eps", protection);
+    if (star.lines.empty()) result.description += "; it is on the other side";
+  }
+
+  const Drawing& drawing_;
+  std::size_t axes_;
+};
+
+/// The position of the least number; none if there is none.
+std::optional<std::size_t> least_of(const std::vector<double>& values) {
+  std::optional<std::size_t> result;
+  for (std::size_t at = 0; at < values.size(); ++at) {
+    if (!std::isnan(values[at]) && (!result || values[at] < values[*result])) result = at;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::optional<std::size_t> worst_simplex(const Drawing& drawing) {
+  const auto least_protected = least_of(drawing.measures.protection);
+  return least_protected ? least_protected : least_of(drawing.measures.thickness);
+}
+
+Figure picture_of(const Drawing& drawing, const PictureOptions& options) {
+  if (drawing.dimension != 2) {
+    throw InputError("pictures are of two-dimensional certificates; this one has dimension " +
+                     std::to_string(drawing.dimension));
+  }
+  return Picture(drawing).figure(options);
+}
+
+std::string picture_svg(const Drawing& drawing, const PictureOptions& options) {
+  return svg_of(picture_of(drawing, options));
+}
+
+}  // namespace delcert

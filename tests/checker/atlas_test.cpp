@@ -1,0 +1,179 @@
+// Runs on atlases by formulas, verified by the checker; and forgeries of them: one for each rule of their own.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <functional>
+#include <iterator>
+
+#include "kernel/number/exact_text.hpp"
+#include "tests/checker/support/certificate_text.hpp"
+#include "tests/checker/support/forgeries.hpp"
+#include "tests/checker/support/run_checker.hpp"
+#include "tests/proofs/certificate/atlas_run.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace delcert::checker_tests {
+namespace {
+
+using test::AtlasSample;
+using test::ratio;
+
+template <int m>
+Json atlas_document(const AtlasSample<m>& sample) {
+  const test::TemporaryFolder folder;
+  std::vector<std::string> reasons;
+  sample.write(folder / "run.json", sample.claims(reasons));
+  std::ifstream file(folder / "run.json", std::ios::binary);
+  Json result = Json::parse(std::string(std::istreambuf_iterator<char>(file), {}));
+  result.erase("sha256");
+  return result;
+}
+
+const Json& sphere_document() {
+  static const Json document = atlas_document<2>(test::glued_sphere_run());
+  return document;
+}
+/// The square torus in four rectangles.
+const AtlasSample<2>& torus_run() {
+  static const auto run = test::certified_atlas_run<2>(test::atlas_named("torus-2-by-charts"), ratio(1, 30));
+  return run;
+}
+const Json& torus_document() {
+  static const Json document = atlas_document<2>(torus_run());
+  return document;
+}
+
+TEST(Atlas, runs_are_accepted) {
+  for (const Json* document : {&sphere_document(), &torus_document()}) {
+    const CheckerRun run = run_checker(sealed(*document));
+    EXPECT_EQ(run.status, 0) << run.output;
+  }
+}
+
+TEST(Atlas, what_it_is_of_is_said) {
+  const CheckerRun run = run_checker(sealed(torus_document()));
+  const Json manifold = Json::parse(run.output)["manifold"];
+  EXPECT_EQ(manifold["family"], "atlas");
+  EXPECT_EQ(manifold["size"], "4 charts, 16 transitions");
+  EXPECT_EQ(manifold["orientability"], "orientable");
+  EXPECT_EQ(manifold["first_homology"], "Z^2");
+}
+
+/// Two squares that are glued to a sphere, if a circle around the pole is left out: limits on it are not unique.
+void leave_out_a_ring(Json& j) {
+  j["levels"].erase("5");
+  j["manifold"]["transitions"][0]["where"] = Json::parse(R"json(["(x^2+y^2-2/5)*(x^2+y^2-9/20)"])json");
+  for (Json& chart : j["manifold"]["charts"]) chart["core"] = Json::parse(R"([["-15/8","15/8"],["-15/8","15/8"]])");
+}
+
+TEST(Atlas, a_map_without_an_inverse_is_not_looked_at_further) {
+  // x/y goes to a line: what is put into the inverse divides by 0 everywhere.
+  Json document = sphere_document();
+  document["manifold"]["transitions"][0]["map"] = Json::parse(R"(["x","x"])");
+  document["manifold"]["transitions"][0]["inverse"] = Json::parse(R"json(["1/(u-v)","v"])json");
+  const CheckerRun run = run_checker(sealed(document));
+  EXPECT_EQ(run.status, 1) << run.output;
+  EXPECT_EQ(run.rules, std::set<std::string>{"atlas.inverse"}) << run.output;
+}
+
+TEST(Atlas, stars_are_complete_and_their_labels_are_seen) {
+  Json document = sphere_document();
+  document["simplices"].erase(4);
+  EXPECT_TRUE(run_checker(sealed(document)).rules.contains("1.facets"));
+  // A label in another chart is somewhere else.
+  document = sphere_document();
+  const int home = std::stoi(document["charts"][9][0].get<std::string>());
+  document["charts"][9][0] = std::to_string(1 - home);
+  const auto rules = run_checker(sealed(document)).rules;
+  EXPECT_TRUE(rules.contains("1.vertices") || rules.contains("atlas.distortion")) << testing::PrintToString(rules);
+}
+
+TEST(Atlas, the_document_has_its_form) {
+  const auto malformed = [](const std::string& rule, const std::function<void(Json&)>& change) {
+    Json document = sphere_document();
+    change(document);
+    const CheckerRun run = run_checker(sealed(document));
+    EXPECT_EQ(run.status, 3) << run.output;
+    EXPECT_EQ(run.rules, std::set<std::string>{rule}) << run.output;
+  };
+  const auto transition = [](const std::string& key, const std::string& value) {
+    return [=](Json& j) { j["manifold"]["transitions"][0][key] = Json::parse(value); };
+  };
+  malformed("form.charts", [](Json& j) { j["charts"][3][0] = "2"; });
+  malformed("form.charts", [](Json& j) { j["charts"][3][0] = "1/2"; });
+  malformed("form.charts", [](Json& j) { j["charts"][3][1] = "0"; });
+  malformed("form.ranges", transition("to", "2"));
+  malformed("form.ranges", transition("to", "0"));
+  malformed("form.formula", transition("map", R"json(["x/sqrt(x^2+y^2)","y"])json"));
+  malformed("form.formula", transition("map", R"json(["x/(y-y)","y"])json"));
+  malformed("form.formula", transition("map", R"(["x"])"));
+  malformed("form.formula", transition("map", R"(["u","y"])"));
+  malformed("form.formula", transition("where", R"(["1/x"])"));
+  malformed("form.formula", [](Json& j) { j["manifold"]["charts"][0]["variables"] = Json::parse(R"(["x","x"])"); });
+  malformed("form.ranges", [](Json& j) { j["manifold"]["charts"][0]["domain"][1][0] = "2"; });
+  malformed("form.ranges", [](Json& j) { j["manifold"]["charts"][0]["core"][1][0] = "-2"; });
+  malformed("form.ranges", [](Json& j) { j["manifold"]["patch_radius"] = "0"; });
+  malformed("form.family", [](Json& j) { j["parameters"]["mode"] = "theory"; });
+}
+
+}  // namespace
+
+std::vector<Forgery> atlas_forgeries() {
+  const auto forged = [](const char* name, const char* rule, const Json& valid,
+                         const std::function<void(Json&)>& change) {
+    Json document = valid;
+    change(document);
+    return Forgery{name, rule, sealed(document)};
+  };
+  const std::string little = "1/1000000000000000000000000000000";
+  return {forged("an inverse that is wrong in its thirtieth digit", "atlas.inverse", sphere_document(),
+                 [&](Json& j) { j["manifold"]["transitions"][0]["inverse"][0] = "u/(u^2+v^2)+" + little; }),
+          forged("one transition of the torus that is a little off", "atlas.cocycle", torus_document(),
+                 [&](Json& j) {
+                   Json& transition = j["manifold"]["transitions"][0];
+                   transition["map"][0] = "x+" + little;
+                   transition["inverse"][0] = "x-" + little;
+                 }),
+          forged("a ring where charts are not glued", "atlas.hausdorff", sphere_document(), leave_out_a_ring),
+          forged("cores that leave a ring between them", "atlas.compact", sphere_document(),
+                 [](Json& j) {
+                   for (Json& chart : j["manifold"]["charts"])
+                     chart["core"] = Json::parse(R"([["-9/10","9/10"],["-9/10","9/10"]])");
+                 }),
+          forged("patches that reach beyond their boxes", "atlas.patch", sphere_document(),
+                 [](Json& j) {
+                   j["parameters"]["distortion"] = "1000000";
+                   j["manifold"]["patch_radius"] = "2";
+                 }),
+          forged("blends that fold less than they do", "5.blend", sphere_document(),
+                 [](Json& j) {
+                   Json& stated = j["levels"]["5"]["contraction"];
+                   stated = exact_text(parse_exact(stated.get<std::string>()) * ratio(1, 4));
+                 }),
+          // In charts that show nearly all of the torus.
+          forged("simplices moved so far that they may meet every point", "5.clear", torus_document(),
+                 [](Json& j) {
+                   j["levels"]["5"]["displacement"] = "1000";
+                   for (Json& chart : j["manifold"]["charts"]) {
+                     for (Json& side : chart["domain"])
+                       side = side[0] == "1/16" ? Json::parse(R"(["1/1000","999/1000"])")
+                                                : Json::parse(R"(["-499/1000","499/1000"])");
+                   }
+                 }),
+          forged("a sphere more than there are simplices of", "5.components", sphere_document(),
+                 [](Json& j) {
+                   Json& charts = j["manifold"]["charts"];
+                   for (int k = 0; k < 2; ++k) charts.push_back(Json(charts[static_cast<std::size_t>(k)]));
+                   Json other = j["manifold"]["transitions"][0];
+                   other["from"] = 2;
+                   other["to"] = 3;
+                   j["manifold"]["transitions"].push_back(other);
+                 }),
+          forged("half the distortion of transitions", "atlas.distortion", sphere_document(), [](Json& j) {
+            Json& stated = j["parameters"]["distortion"];
+            stated = exact_text(parse_exact(stated.get<std::string>()) * ratio(1, 2));
+          })};
+}
+
+}  // namespace delcert::checker_tests

@@ -1,0 +1,191 @@
+#!/usr/bin/env python3
+"""wrong_manifolds.py DELCERT: files of manifolds that are none, or that are written wrongly. `delcert certify` ends soon with the exit
+status of each – 1 what is said is not so, 2 undecided, 3 malformed – and a sentence that says where; it writes nothing."""
+
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+SECONDS = 60
+SPHERE = {
+    "name": '"wrong"',
+    "family": '"submanifold"',
+    "dimension": "2",
+    "variables": '["x", "y", "z"]',
+    "equations": '["x^2 + y^2 + z^2 - 1"]',
+    "box": "[[-2, 2], [-2, 2], [-2, 2]]",
+}
+TETRAHEDRON = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n"
+
+
+def zero_set(**lines):
+    entries = dict(SPHERE, **{key.rstrip("_"): value for key, value in lines.items()})
+    return "".join(f"{key} = {value}\n" for key, value in entries.items() if value is not None)
+
+
+def equation(text, **lines):
+    return zero_set(equations=f'["{text}"]', **lines)
+
+
+# What the file says; exit status; what the message has to match.
+ZERO_SETS = {
+    # What is written wrongly.
+    "syntax": (zero_set(dimension="= 2"), 3, r"wrong\.toml:3"),
+    "no equations": (zero_set(equations=None), 3, r"wrong\.toml.*equations"),
+    "no family": (zero_set(family=None), 3, r"wrong\.toml.*family"),
+    "misspelt family": (zero_set(family='"submanifolds"'), 3, r"wrong\.toml:2.*submanifold"),
+    "unknown key": (zero_set(radius="3"), 3, r"wrong\.toml:7.*radius"),
+    "dimension 0": (zero_set(dimension="0"), 3, r"wrong\.toml:3.*dimension"),
+    "dimension 4": (zero_set(dimension="4"), 3, r"wrong\.toml:3.*dimension"),
+    "an equation too many": (zero_set(equations='["x", "y"]'), 3, r"wrong\.toml:5"),
+    "a box of two axes": (zero_set(box="[[-2, 2], [-2, 2]]"), 3, r"wrong\.toml:6"),
+    "a box without inside": (zero_set(box="[[-2, 2], [2, -2], [-2, 2]]"), 3, r"wrong\.toml:6"),
+    "a box of floats": (zero_set(box="[[-2, 2.5], [-2, 2], [-2, 2]]"), 3, r"wrong\.toml:6"),
+    "two variables of one name": (zero_set(variables='["x", "y", "x"]'), 3, r"wrong\.toml:4.*x"),
+    "a variable that is a function": (zero_set(variables='["x", "y", "sin"]'), 3, r"wrong\.toml:4.*sin"),
+    "unknown variable": (equation("x^2 + w^2 - 1"), 3, r"wrong\.toml:5:21: unknown variable w"),
+    "decimals": (equation("x^2 + y^2 + z^2 - 0.5"), 3, r"wrong\.toml:5.*decimal"),
+    "an equality": (equation("x^2 + y^2 + z^2 = 1"), 3, r"wrong\.toml:5.*a - b"),
+    "a division by 0": (equation("x^2/(2 - 2)"), 3, r"wrong\.toml:5.*division by 0"),
+    "a bracket open": (equation("(x^2 + y^2 + z^2 - 1"), 3, r"wrong\.toml:5"),
+    "homology that is no group": (zero_set(homology='["Z", "0", "Y"]'), 3, r"wrong\.toml:7.*Y"),
+    # What is no closed submanifold in the box, or is not seen to be one.
+    "a cone": (equation("x^2 + y^2 - z^2"), 2, "undecided"),
+    "a pinched sphere": (equation("x^2 + y^2 - z^2*(1 - z^2)"), 2, "undecided at the part of the box from .*e-0"),
+    "a pinched torus": (equation("(x^2 + y^2 + z^2)^2 - 4*(x^2 + y^2)"), 2, "undecided at the part of the box from .*e-0"),
+    "two spheres that touch": (equation("((x - 1/2)^2 + y^2 + z^2 - 1/4)*((x + 1/2)^2 + y^2 + z^2 - 1/4)"), 2, "undecided"),
+    "spheres that cross": (equation("((x - 1/3)^2 + y^2 + z^2 - 1/4)*((x + 1/3)^2 + y^2 + z^2 - 1/4)"), (1, 2), "wrong: .*(undecided|patch)"),
+    "unbounded": (equation("x^2 + y^2 - 1"), (1, 2), "box"),
+    "cut by the box": (zero_set(box="[[-2, 2], [-2, 2], [0, 2]]"), (1, 2), "box"),
+    "outside of the box": (zero_set(box="[[2, 3], [2, 3], [2, 3]]"), 1, "no point of the box"),
+    "without zeros": (equation("x^2 + y^2 + z^2 + 1"), 1, "no point of the box"),
+    "identically 0": (equation("x - x + 0*y"), (1, 2), "independent|undecided"),
+    "a square": (equation("(x^2 + y^2 + z^2 - 1)^2"), (1, 2), "wrong: "),
+    "a plane with its square": (zero_set(variables='["x", "y", "z", "w"]', equations='["x", "x^2"]', box="[[-1, 1], [-1, 1], [-1, 1], [-1, 1]]"), (1, 2), "wrong: "),
+    "equations that depend on each other": (zero_set(variables='["x", "y", "z", "w"]', equations='["x^2 + y^2 + z^2 + w^2 - 1", "2*(x^2 + y^2 + z^2 + w^2) - 2"]', box="[[-2, 2], [-2, 2], [-2, 2], [-2, 2]]"), (1, 2), "wrong: "),
+    "undefined in the box": (equation("x^2 + y^2 + z^2 - 1 + 1/x"), (1, 2), "wrong: "),
+    "a root that ends": (equation("sqrt(x) + y^2 + z^2 - 1"), (1, 2), "wrong: "),
+    "of infinite order": (equation("exp(x^2 + y^2 + z^2 - 1) - 1 + 0/(x + 3)", homology='["Z", "Z", "Z"]'), 1, "homology is Z, 0, Z, and not Z, Z, Z"),
+}
+
+MESHES = {
+    "cut short": (TETRAHEDRON[:-9], 3, r"wrong\.off"),
+    "not a number": (TETRAHEDRON.replace("0 0 1", "0 0 nan"), 3, r"wrong\.off:6"),
+    "a label too great": (TETRAHEDRON.replace("3 0 2 1", "3 0 2 4"), 3, r"wrong\.off:7"),
+    "a square": (TETRAHEDRON.replace("3 0 2 1", "4 0 2 1 3"), 3, r"wrong\.off:7"),
+    "a label twice": (TETRAHEDRON.replace("3 0 2 1", "3 0 2 2"), 3, r"wrong\.off:7"),
+    "a boundary": (TETRAHEDRON.replace("4 4 0", "4 3 0").replace("3 0 3 2\n", ""), (1, 3), "wrong|facet|triangle|simplex"),
+    "nowhere near": (TETRAHEDRON, (1, 2), "not independent at|label|patch|simplex"),
+    "no vertices": ("OFF\n0 0 0\n", 3, r"wrong\.off"),
+    "another kind of file": ("solid wrong\nendsolid\n", 3, r"wrong\.off:1"),
+}
+
+
+EXAMPLES = Path(__file__).resolve().parents[2] / "examples" / "manifolds" / "atlases"
+GLUED_SPHERE = (EXAMPLES / "sphere-2-stereographic.toml").read_text()
+GLUED_TORUS = (EXAMPLES / "torus-2-by-charts.toml").read_text()
+
+
+def glued(*changes, text=GLUED_SPHERE):
+    for old, new in changes:
+        assert old in text, old
+        text = text.replace(old, new)
+    return text
+
+
+TWO_ORIGINS = """name = "two-origins"
+family = "atlas"
+dimension = 2
+charts = [
+  {name = "one", variables = ["x", "y"], domain = [[-1, 1], [-1, 1]]},
+  {name = "other", variables = ["u", "v"], domain = [[-1, 1], [-1, 1]]},
+]
+transitions = [{from = "one", to = "other", map = ["x", "y"], inverse = ["u", "v"], where = ["x^2 + y^2"]}]
+"""
+
+ATLASES = {
+    # What is written wrongly.
+    "no charts": (TWO_ORIGINS[: TWO_ORIGINS.index("charts")], 3, r"wrong\.toml.*charts"),
+    "a chart that nobody knows": (glued(('to = "south"', 'to = "west"')), 3, r"wrong\.toml:21.*name of a chart"),
+    "two charts of one name": (glued(('name = "south"', 'name = "north"')), 3, r"wrong\.toml:14.*taken"),
+    "a chart to itself": (glued(('to = "south"', 'to = "north"')), 3, r"wrong\.toml:21.*another chart"),
+    "a core that is larger": (glued(("3/2", "5/2")), 3, r"wrong\.toml:11.*strictly inside"),
+    "a variable of another chart": (glued(('"x/(x^2', '"u/(x^2')), 3, r"wrong\.toml:22.*u"),
+    "a root": (glued(('"x/(x^2 + y^2)"', '"x/sqrt(x^2 + y^2)"')), 3, "map, formula 1: not a rational function"),
+    "a division by 0": (glued(('"x/(x^2 + y^2)"', '"x/(x - x)"')), 3, r"wrong\.toml:22:10: a division by 0"),
+    "a decimal": (glued(("-3/2", "-1.5")), 3, r"wrong\.toml:11.*exact"),
+    "a condition with poles": (TWO_ORIGINS.replace("x^2 + y^2", "1/x"), 3, "where: not a polynomial"),
+    # What is no atlas.
+    "an inverse that is wrong in the last digit": (
+        glued(('"v/(u^2 + v^2)"', '"v/(u^2 + 1000000000000000000000000000001/1000000000000000000000000000000*v^2)"')),
+        1,
+        "atlas.inverse: the (inverse of map|map of inverse) is not the identity: coordinate [12]",
+    ),
+    "a cocycle that fails at one place": (
+        glued(('map = ["x", "y + 1"]\ninverse = ["x", "y - 1"]', 'map = ["x", "y + 1 + x/1000000"]\ninverse = ["x", "y - 1 - x/1000000"]'), text=GLUED_TORUS),
+        1,
+        "atlas.cocycle: .*no transition does the same; chart [a-d]: x in ",
+    ),
+    "charts that do not cover": (glued(("3/2", "9/10")), 1, "atlas.compact: no core holds these points; chart north: x in "),
+    "a plane with two origins": (TWO_ORIGINS, 2, "atlas.hausdorff: transition 1, from one to other: .*; chart one: x in .*; chart other: u in "),
+    "a map that is not injective": (
+        TWO_ORIGINS.replace('map = ["x", "y"], inverse = ["u", "v"], where = ["x^2 + y^2"]', 'map = ["x", "x*y"], inverse = ["u", "v/u"]'),
+        2,
+        "atlas.hausdorff",
+    ),
+    "a sphere that is said to be a torus": (glued(('["Z", "0", "Z"]', '["Z", "Z^2", "Z"]')), 1, "homology is Z, 0, Z, and not Z, Z.2, Z"),
+    "a radius too large": (glued(("-2", "-13/8"), ('"2"', '"13/8"'), ("3/2", "5/4")), 1, "label|patch|radius"),
+}
+
+
+def main():
+    delcert = sys.argv[1]
+    failures = []
+    with tempfile.TemporaryDirectory() as folder:
+        output = Path(folder) / "never.json"
+
+        def expect(name, arguments, statuses, pattern):
+            statuses = statuses if isinstance(statuses, tuple) else (statuses,)
+            command = [delcert, "certify", *arguments, "--output", str(output)]
+            try:
+                found = subprocess.run(command, capture_output=True, text=True, timeout=SECONDS)
+            except subprocess.TimeoutExpired:
+                failures.append(f"{name}: does not end")
+                return
+            message = found.stderr.strip()
+            if found.returncode not in statuses or not re.search(pattern, message, re.S) or found.stdout or output.exists():
+                failures.append(f"{name}: status {found.returncode}, expected {statuses} with /{pattern}/: {message}")
+            output.unlink(missing_ok=True)
+
+        manifold = Path(folder) / "wrong.toml"
+        for name, (text, statuses, pattern) in ZERO_SETS.items():
+            manifold.write_text(text)
+            expect(name, ["--manifold", str(manifold), "--radius", "1/8", "--seed", "1"], statuses, pattern)
+        for name, (text, statuses, pattern) in ATLASES.items():
+            manifold.write_text(text)
+            radius = "1/2" if name == "a radius too large" else "1/10"
+            expect("an atlas, " + name, ["--manifold", str(manifold), "--radius", radius, "--seed", "1"], statuses, pattern)
+        mesh = Path(folder) / "wrong.off"
+        manifold.write_text(zero_set())
+        for name, (text, statuses, pattern) in MESHES.items():
+            mesh.write_text(text)
+            expect("a mesh, " + name, ["--manifold", str(manifold), "--complex", str(mesh)], statuses, pattern)
+        # The twin: what is right is certified.
+        manifold.write_text(zero_set())
+        found = subprocess.run([delcert, "certify", "--manifold", manifold, "--radius", "1/8", "--seed", "1", "--output", output], capture_output=True)
+        if found.returncode != 0 or not output.exists():
+            failures.append("a sphere is refused")
+        # A component that is far smaller than the radius is found, or not said not to be there.
+        manifold.write_text(equation("(x^2 + y^2 + z^2 - 1)*((x - 3/2)^2 + y^2 + z^2 - 1/250000)"))
+        found = subprocess.run([delcert, "certify", "--manifold", manifold, "--radius", "1/8", "--seed", "1", "--output", output], capture_output=True, text=True, timeout=SECONDS)
+        if found.returncode == 0 and "Z^2, 0, Z^2" not in found.stdout:
+            failures.append("a small sphere is overlooked")
+    print(f"{len(ZERO_SETS) + len(ATLASES) + len(MESHES)} kinds")
+    for failure in failures:
+        print(failure)
+    sys.exit(1 if failures else 0)
+
+
+main()

@@ -1,0 +1,87 @@
+#include "proofs/drawing/picture.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "support/error.hpp"
+#include "tests/proofs/drawing/drawn_certificates.hpp"
+
+namespace delcert {
+namespace DELCERT_THIS_FILE {
+
+std::size_t occurrences(const std::string& text, const std::string& what) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++count;
+  return count;
+}
+
+TEST(Picture, DrawsEveryTriangleOnceAndTheFundamentalDomain) {
+  for (const char* name : {"flat-torus", "klein-bottle", "bolza-surface", "metric-field", "atlas"}) {
+    const Drawing drawing = drawing_of(test::drawn_certificates().at(name), {});
+    const std::string svg = picture_svg(drawing);
+    EXPECT_TRUE(svg.starts_with("<svg "));
+    EXPECT_TRUE(svg.ends_with("</svg>\n"));
+    EXPECT_EQ(occurrences(svg, "fill=\"rgb("), drawing.simplex_count()) << name;
+    EXPECT_EQ(occurrences(svg, "fill=\"none\""), 1U) << name;
+    EXPECT_EQ(occurrences(svg, "nan"), 0U);
+  }
+}
+
+TEST(Picture, OfASurfaceInSpaceHasWhatIsSeen) {
+  for (const char* name : {"sphere-2", "submanifold"}) {
+    const Drawing drawing = drawing_of(test::drawn_certificates().at(name), {});
+    const std::size_t seen = occurrences(picture_svg(drawing), "fill=\"rgb(");
+    EXPECT_GT(seen, drawing.simplex_count() / 3) << name;
+    EXPECT_LT(seen, 2 * drawing.simplex_count() / 3) << name;
+  }
+}
+
+TEST(Picture, MarksTheWorstStar) {
+  for (const char* name : {"flat-torus", "bolza-surface", "metric-field", "atlas"}) {
+    const Drawing drawing = drawing_of(test::drawn_certificates().at(name), {});
+    const auto worst = worst_simplex(drawing);
+    ASSERT_TRUE(worst) << name;
+    const auto& protection = drawing.measures.protection;
+    for (const double other : protection) EXPECT_FALSE(other < protection[*worst]) << name;
+    const Figure plain = picture_of(drawing, {});
+    const Figure marked = picture_of(drawing, {true, false});
+    ASSERT_EQ(marked.paths.size(), plain.paths.size() + 2) << name;
+    EXPECT_GE(marked.paths.back().lines.size(), 3U) << name;
+    EXPECT_EQ(plain.description.find("star"), std::string::npos);
+    EXPECT_NE(marked.description.find("is marked"), std::string::npos);
+  }
+}
+
+TEST(Picture, HasAScaleWhereLengthsAreTheSameEverywhere) {
+  for (const auto& [name, has_scale] : std::map<std::string, bool>{{"flat-torus", true},
+                                                                   {"sphere-2", true},
+                                                                   {"submanifold", true},
+                                                                   {"bolza-surface", false},
+                                                                   {"metric-field", false},
+                                                                   {"atlas", false}}) {
+    const Figure figure = picture_of(drawing_of(test::drawn_certificates().at(name), {}), {false, true});
+    EXPECT_EQ(figure.scale.has_value(), has_scale) << name;
+  }
+  EXPECT_FALSE(picture_of(drawing_of(test::torus_certificate(), {}), {}).scale);
+}
+
+TEST(Picture, KnowsNoWorstOfWhatWasNotMeasured) {
+  Drawing drawing = drawing_of(test::torus_certificate(), {});
+  const double nan = std::nan("");
+  for (double& x : drawing.measures.protection) x = nan;
+  EXPECT_TRUE(worst_simplex(drawing));
+  for (double& x : drawing.measures.thickness) x = nan;
+  EXPECT_FALSE(worst_simplex(drawing));
+  EXPECT_EQ(picture_of(drawing, {true, false}).paths.size(), picture_of(drawing, {}).paths.size());
+}
+
+TEST(Picture, IsOfDimensionTwoOnly) {
+  Drawing drawing = drawing_of(test::torus_certificate(), {});
+  drawing.dimension = 3;
+  EXPECT_THROW((void)picture_svg(drawing), InputError);
+}
+
+}  // namespace DELCERT_THIS_FILE
+}  // namespace delcert

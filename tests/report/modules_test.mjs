@@ -1,0 +1,111 @@
+// modules_test.mjs PROJECT: modules of the page that need no browser, each computed in two ways.
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { expect, expectEqual, expectNoticed, finish } from "./check.mjs";
+import { value } from "./programs.mjs";
+
+const project = process.argv[2], load = (name) => import(pathToFileURL(join(project, "report/src", name)));
+const { approximate } = await load("exact.js"), { neighboursOf, visibleFacets } = await load("facets.js");
+const { inModel, inverseStep, periodsOf } = await load("models.js"), { Scale } = await load("measures.js");
+const { circumscribed, foot, shapeOf } = await load("plane.js"), { levels, order, claimedLevels } = await load("statements.js");
+const { visible } = await load("elements.js"), { colourAt } = await load("colours.js");
+
+const near = (a, b, error = 1e-12) => Math.abs(a - b) <= error * Math.max(1, Math.abs(b));
+let state = 1;
+/** The same numbers in every run. */
+const random = () => (state = state * 48271 % 2147483647) / 2147483647;
+
+// Exact numbers.
+for (const [text, number] of [["0", 0], ["-17", -17], ["1/3", 1 / 3], ["-22/7", -22 / 7], ["0x3p-6", 3 / 64], ["-0x521p-18", -1313 / 262144], ["0x1.8p1", 3],
+  ["0x10000000000000000000000p-88", 1], [`1${"0".repeat(400)}/3${"0".repeat(400)}`, 1 / 3]]) {
+  expect(near(approximate(text), number), `${text} is about ${number}, not ${approximate(text)}`);
+  if (text.length < 100) expect(near(value(text), number), `${text} in the other way`);
+}
+for (const text of ["", "1.5", "0x", "1/0", "true", "Z, Z^2, Z", "1/2, 3"]) expect(Number.isNaN(approximate(text)), `${text} is no exact number`);
+
+// What cannot be seen is shown.
+expectEqual(visible("a\u202Eb\u0007\u200B\nü ℝ"), "a\\u202Eb\\u0007\\u200B\\u000Aü ℝ", "signs that cannot be seen");
+
+// Facets: against a search over all pairs.
+function grid(size) {
+  const at = (x, y, z) => (x * size + y) * size + z, result = [];
+  const orders = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
+  for (let x = 0; x + 1 < size; ++x) for (let y = 0; y + 1 < size; ++y) for (let z = 0; z + 1 < size; ++z) for (const axes of orders) {
+    const corner = [x, y, z], own = [at(...corner)];
+    for (const axis of axes) {
+      ++corner[axis];
+      own.push(at(...corner));
+    }
+    result.push(...own.sort((a, b) => a - b));
+  }
+  return Uint32Array.from(result);
+}
+function slowNeighbours(simplices) {
+  const sets = [];
+  for (let at = 0; at < simplices.length; at += 4) sets.push([...simplices.subarray(at, at + 4)]);
+  return sets.flatMap((own, at) => own.map((left) => sets.findIndex((other, place) => place !== at && own.every((vertex) => vertex === left || other.includes(vertex)))));
+}
+const simplices = grid(4), neighbours = neighboursOf(simplices), none = new Uint8Array(simplices.length / 4);
+expectEqual([...neighbours], slowNeighbours(simplices), "neighbours");
+expectEqual(visibleFacets(neighbours, none, 0).length, 6 * 9 * 2, "the surface of a cube of 27 cells");
+const half = none.map((_, at) => at % 2);
+expectEqual(visibleFacets(neighbours, half, 0), [...neighbours.keys()].filter((facet) => !half[facet >> 2] && (neighbours[facet] < 0 || half[neighbours[facet]])), "facets beside hidden simplices");
+expectEqual(visibleFacets(neighbours, none, 255).length, simplices.length, "all layers");
+const layers = [1, 2, 3].map((number) => visibleFacets(neighbours, none, number).length);
+expect(layers[0] > visibleFacets(neighbours, none, 0).length && layers[0] < layers[1] && layers[1] <= layers[2], `layers grow: ${layers}`);
+await expectNoticed(() => expectEqual([...neighboursOf(simplices.slice(4))], slowNeighbours(simplices), "neighbours"), "a simplex too few");
+
+// Models: conformal and straight disks against the hyperboloid, and the sphere.
+for (let trial = 0; trial < 50; ++trial) {
+  const distance = 3 * random(), angle = 7 * random(), direction = [Math.cos(angle), Math.sin(angle), 0];
+  const disk = direction.map((own) => own * Math.sinh(distance) / (1 + Math.cosh(distance))), klein = direction.map((own) => own * Math.tanh(distance));
+  const found = inModel({ geometry: "hyperbolic", model: "conformal" }, disk, "gnomonic");
+  expect(klein.every((own, axis) => near(found[axis], own, 1e-6)), `Klein's disk at distance ${distance}`);
+  const sphere = direction.map((own) => own * Math.sin(distance) / (1 + Math.cos(distance)));
+  const azimuthal = inModel({ geometry: "spherical", model: "stereographic" }, sphere, "azimuthal");
+  expect(direction.every((own, axis) => near(azimuthal[axis], own * distance, 1e-4)), `the azimuthal model at distance ${distance}`);
+}
+
+// Periods of a cell, of points that it shows twice.
+const skewed = { geometry: "flat", corners: 3, lifts: ["0 0", "1 0", "0 -1", "2 1"], label: [5, 5, 5, 5], lift: [0, 1, 2, 3], coordinates: [0.1, 0.2, 0, 1.1, 0.2, 0, -0.2, -0.8, 0, 2.4, 1.2, 0] };
+expect(periodsOf(skewed).flat().every((own, at) => near(own, [1, 0, 0, 0.3, 1, 0][at])), "periods of a skewed torus");
+expectEqual(periodsOf({ ...skewed, lifts: ["", "", "", ""] }), [], "no periods without vectors");
+
+// Steps back.
+for (const [step, back] of [["0 1", "0 -1"], ["-3 0 2", "3 0 -2"], ["g2 e1^-1", "e1 g2^-1"], ["a^2 b", "b^-1 a^-2"], ["north -> south", "south -> north"]]) {
+  expectEqual(inverseStep(step), back, `back from ${step}`);
+  expectEqual(inverseStep(back), step, `back from ${back}`);
+}
+
+// Scales.
+for (const [values, bound] of [[[0.01, 0.5, 3], 0.009], [[-1, 0, 4], null], [[2, 2], null]]) {
+  const scale = new Scale(values, bound);
+  for (const own of values) expect(near(scale.value(scale.place(own)), own, 1e-6), `${own} on the scale of ${values}`);
+}
+
+// Simplices: circumcentres are as far from all vertices, feet are orthogonal.
+for (let trial = 0; trial < 50; ++trial) {
+  const points = Array.from({ length: 2 + trial % 3 }, () => Array.from({ length: 3 + trial % 2 }, random));
+  const { centre, radius } = circumscribed(points), distance = (a, b) => Math.hypot(...a.map((own, axis) => own - b[axis]));
+  for (const point of points) expect(near(distance(point, centre), radius, 1e-7), "a circumcentre");
+  const low = foot(points, 0), way = points[0].map((own, axis) => own - low[axis]);
+  for (const point of points.slice(2)) expect(Math.abs(way.reduce((sum, own, axis) => sum + own * (point[axis] - points[1][axis]), 0)) < 1e-9, "a foot");
+}
+const regular = shapeOf([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]]);
+expect(near(regular.thickness, Math.sqrt(2 / 3) / 3) && near(regular.sphere.radius, Math.sqrt(3)), "the regular tetrahedron");
+
+// Rules and pages of levels are those of the documents, every rule of a level is told.
+const forgeries = readFileSync(join(project, "docs/forgeries.md"), "utf8");
+const rules = new Set([...forgeries.matchAll(/^\| ([\w.-]+) \|/gm)].map(([, rule]) => rule).filter((rule) => rule.includes(".")));
+const told = new Set(Object.values(levels).flatMap((level) => level.rules));
+for (const rule of told) expect(rules.has(rule), `${rule} is a rule`);
+for (const rule of rules) {
+  const [level] = rule.split(".");
+  if (level in levels) expect(levels[level].rules.includes(rule), `the page tells of ${rule}`);
+}
+for (const { page } of Object.values(levels)) expect(readFileSync(join(project, page), "utf8").length > 100, `${page} is there`);
+expectEqual([...order].sort(), Object.keys(levels).sort(), "the order has all levels");
+expectEqual(claimedLevels({ levels_claimed: { 0: {}, 6: {}, "2s": {}, "5i": {} } }).map(([level]) => level), ["0", "2s", "5i", "6"], "levels in their order");
+for (const [place, colour] of [[0, [68, 1, 84]], [1, [253, 231, 37]], [0.5, [33, 144, 141]]]) expectEqual(colourAt(place), colour, `the colour at ${place}`);
+finish();
