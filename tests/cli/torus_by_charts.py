@@ -6,8 +6,10 @@ they are: both are the Delaunay complex of the same points, so the simplices hav
 the homology. With `--twin` one point is somewhere else, and nothing but that must be noticed."""
 
 import json
+import pathlib
 import subprocess
 import sys
+import tempfile
 from fractions import Fraction
 
 
@@ -21,8 +23,7 @@ def exact(text):
 
 def certified(delcert, file, *arguments):
     subprocess.run([delcert, "certify", *arguments, "--output", file], check=True, stdout=subprocess.DEVNULL)
-    with open(file, encoding="utf-8") as stream:
-        return json.load(stream)
+    return json.loads(file.read_text(encoding="utf-8"))
 
 
 def point_of(net, chart, home):
@@ -32,23 +33,27 @@ def point_of(net, chart, home):
     return (exact(net[0]) + x) % 1, (exact(net[1]) + y) % 1
 
 
-def main():
-    delcert, twin = sys.argv[1], "--twin" in sys.argv
-    glued = certified(delcert, "torus-glued.json", "--manifold", "torus-2-by-charts", "--radius", "1/30", "--seed", "3")
+def compare(delcert, folder, twin):
+    """Whether the triangles are the same; the files are in `folder`, of this run alone."""
+    glued = certified(delcert, folder / "glued.json", "--manifold", "torus-2-by-charts", "--radius", "1/30", "--seed", "3")
     points = [point_of(*row) for row in zip(glued["net"], glued["charts"], glued["points"])]
     if twin:
         points[5], points[300] = points[300], points[5]
-    with open("torus-glued.txt", "w", encoding="utf-8") as stream:
-        stream.writelines(f"{x} {y}\n" for x, y in points)
-    flat = certified(delcert, "torus-flat.json", "--manifold", "torus-2", "--points", "torus-glued.txt",
-                     "--no-perturbation")
+    points_file = folder / "points.txt"
+    points_file.write_text("".join(f"{x} {y}\n" for x, y in points), encoding="utf-8")
+    flat = certified(delcert, folder / "flat.json", "--manifold", "torus-2", "--points", points_file, "--no-perturbation")
     labels = [[sorted(simplex[:3]) for simplex in document["simplices"]] for document in (glued, flat)]
     assert len(labels[0]) == 2 * len(points), "a torus has twice as many triangles as vertices"
     assert glued["levels"]["2"]["homology"] == flat["levels"]["2"]["homology"] == ["Z", "Z^2", "Z"]
     assert {"1", "2", "2s", "5"} <= glued["levels"].keys() and "5" in flat["levels"]
     same = sorted(labels[0]) == sorted(labels[1])
     print(f"{len(points)} points, {len(labels[0])} triangles, the same: {same}")
-    sys.exit(0 if same else 1)
+    return same
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        sys.exit(0 if compare(sys.argv[1], pathlib.Path(folder), "--twin" in sys.argv) else 1)
 
 
 if __name__ == "__main__":
