@@ -1,12 +1,16 @@
-#include <algorithm>
-#include <array>
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <iostream>
 #include <memory>
 
+#include "apps/attack_report.hpp"
 #include "apps/commands.hpp"
+#include "apps/witness_item.hpp"
 #include "proofs/drawing/certificate_facts.hpp"
 #include "proofs/drawing/picture.hpp"
+#include "properties/attack/replay.hpp"
+#include "properties/attack/witness_points.hpp"
 #include "support/atomic_file.hpp"
 #include "support/error.hpp"
 
@@ -20,6 +24,32 @@ struct FigureOptions {
   bool plain = false;
 };
 
+Figure figure_of_certificate(const FigureOptions& options) {
+  const CertificateSummary certificate = read_certificate(options.file);
+  require_seal(certificate);
+  Figure figure = picture_of(drawing_of(certificate, {}), {!options.plain, !options.plain});
+  figure.description = origin_text(certificate, Verification::not_asked) + "; " + figure.description;
+  return figure;
+}
+
+/// Of the first witness of a file, with what the claim says of it, decided anew.
+Figure figure_of_witness(const Witness& witness, const FigureOptions& options) {
+  const std::vector<PointSet> sets = drawn_sets(witness);
+  if (sets.empty()) throw InputError("there is nothing to draw in this witness: it is numbers");
+  Figure figure = figure_of(sets);
+  if (options.plain) figure.scale.reset();
+  const Replay replay = replayed(witness);
+  std::string verdict = fmt::format("the hypotheses are {}", name_of(replay.hypotheses));
+  if (replay.conclusion) {
+    const std::string ratio = ratio_text(replay.conclusion->ratio);
+    verdict += fmt::format(", {} is {}{}", replay.conclusion->text, name_of(replay.conclusion->verdict),
+                           ratio.empty() ? "" : ", ratio " + ratio);
+  }
+  figure.description = fmt::format("witness against {}, {}{}: {}; {}", witness.claim, witness.conclusion,
+                                   witness.twin.empty() ? "" : ", twin " + witness.twin, verdict, figure.description);
+  return figure;
+}
+
 ExitStatus write_figure(const FigureOptions& options) {
   const std::string ending = std::filesystem::path(options.output).extension().string();
   if (ending != ".svg" && ending != ".tikz" && ending != ".tex") {
@@ -28,11 +58,9 @@ ExitStatus write_figure(const FigureOptions& options) {
         ": the name ends in .svg, or in .tikz or .tex for a tikzpicture (of SVG, rsvg-convert -f pdf makes "
         "PDF)");
   }
-  const CertificateSummary certificate = read_certificate(options.file);
+  const std::vector<Witness> witnesses = witnesses_in(options.file);
   try {
-    require_seal(certificate);
-    Figure figure = picture_of(drawing_of(certificate, {}), {!options.plain, !options.plain});
-    figure.description = origin_text(certificate, Verification::not_asked) + "; " + figure.description;
+    const Figure figure = witnesses.empty() ? figure_of_certificate(options) : figure_of_witness(witnesses.front(), options);
     write_file_atomically(options.output, ending == ".svg" ? svg_of(figure) : tikz_of(figure));
     std::cout << options.output << ": " << figure.description << "\n";
   } catch (const InputError& error) {
@@ -46,17 +74,19 @@ ExitStatus write_figure(const FigureOptions& options) {
 
 void add_figure(CLI::App& program, Action& chosen) {
   const auto options = std::make_shared<FigureOptions>();
-  CLI::App* command = program.add_subcommand("figure", "Draw the complex of a two-dimensional certificate for a paper");
-  command->add_option("FILE", options->file, "A certificate, plain or compressed")->required();
+  CLI::App* command = program.add_subcommand("figure", "Draw a certificate of dimension 1 or 2, or a witness, for a paper");
+  command->add_option("FILE", options->file, "A certificate, plain or compressed, or a witness of attack or tighten")->required();
   command->add_option("--output", options->output, "The file to write: x.svg, or x.tikz or x.tex for a tikzpicture")
       ->type_name("FILE")
       ->required();
   command->add_flag("--plain", options->plain, "Neither mark the worst star nor draw a scale");
   command->footer(
-      "One copy of every triangle, the darker the thicker; the star of a point of the least protection is marked.\n\n"
+      "One copy of every triangle, the darker the thicker; the star of a point of the least protection is marked. Of a "
+      "witness, its simplices with circumscribed balls and least altitudes.\n\n"
       "Examples:\n"
       "  delcert figure torus-2.json.zst --output torus-2.svg\n"
-      "  delcert figure bolza.json.zst --output bolza.tikz");
+      "  delcert figure bolza.json.zst --output bolza.tikz\n"
+      "  delcert figure witness.json --output witness.svg");
   command->callback([options, &chosen] { chosen = [options] { return write_figure(*options); }; });
 }
 

@@ -1,31 +1,10 @@
 // The page of a witness: an instance on which a claim is refuted, with a drawing of its simplices and points.
 import { copied, decimal, drawn, element, table } from "./elements.js";
-import { approximate } from "./exact.js";
 import { product, rotation } from "./matrices.js";
 import { foot, hullBasis, inHull, shapeOf } from "./plane.js";
 
 const size = 460, margin = 46;
 const inks = ["#1f4e79", "#b5371f", "#2d7d46", "#7a4fa3"];
-
-/** Everything in a binding that can be drawn: sets of points with the way to them, `simplex` where they are one. */
-function setsOf(name, value) {
-  const coordinates = (list) => Array.isArray(list) && list.length > 0 && list.every((entry) => typeof entry === "string") ? list.map(approximate) : null;
-  const result = [];
-  const visit = (path, part) => {
-    if (!part || typeof part !== "object") return;
-    for (const [key, child] of Object.entries(part)) {
-      const way = Array.isArray(part) ? path : [...path, key];
-      const point = key === "point" ? coordinates(child) : null;
-      const points = Array.isArray(child) && child.length > 0 ? child.map(coordinates) : [null];
-      if (point) result.push({ name, kind: "point", points: [point] });
-      else if (points.every((own) => own && own.length === points[0].length) && /points|vertices/.test(key)) {
-        result.push({ name: way.slice(2, -1).length ? `${name} (${way.slice(2, -1).join(" ")})` : name, kind: way.at(-2) === "simplex" || way.at(1) === "simplex" ? "simplex" : "points", points });
-      } else visit(way, child);
-    }
-  };
-  visit([name], value);
-  return result;
-}
 
 /** The drawing of sets of points of one dimension, in their own hull where it has at most three dimensions. */
 export class WitnessDrawing {
@@ -128,7 +107,7 @@ function replayBanner(item) {
 const hasText = (value) => typeof value === "string" ? value : JSON.stringify(value);
 
 export function witnessPage(item) {
-  const sets = Object.entries(item.bindings).flatMap(([name, value]) => setsOf(name, value));
+  const sets = item.sets ?? [];
   const byDimension = Map.groupBy ? Map.groupBy(sets, (set) => set.points[0].length) : sets.reduce((map, set) => map.set(set.points[0].length, [...map.get(set.points[0].length) ?? [], set]), new Map());
   const drawings = [...byDimension].sort(([a], [b]) => a - b).map(([, own]) => new WitnessDrawing(own));
   const rows = sets.filter((set) => set.kind === "simplex").map((set) => {
