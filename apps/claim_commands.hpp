@@ -12,12 +12,11 @@ struct CommandName {
   const char* description;
 };
 
-/// The subcommands about claims and proofs. Only the program delcert-claims, which is delcert with all of its parts, can do
-/// them; delcert itself, which is built in half the time, knows their names and hands over.
+/// The subcommands about claims and proofs. Only the program delcert-claims, which is delcert with all of its parts,
+/// can do them; delcert itself, which is built in half the time, knows their names and hands over.
 inline constexpr CommandName about_claims{"claims", "The claims of the library, and what claims can speak of"};
 inline constexpr CommandName about_attack{"attack", "Attack claims on random instances, with exact decisions"};
-inline constexpr CommandName about_tighten{"tighten",
-                                           "Search for the instances that come nearest to refuting a claim"};
+inline constexpr CommandName about_tighten{"tighten", "Search for the instances that come nearest to refuting a claim"};
 inline constexpr CommandName about_prove{"prove", "Prove the numeric steps of claims for all parameters"};
 inline constexpr CommandName about_errata{"errata",
                                           "Print remarks on the preprint of the paper, with what reproduces them"};

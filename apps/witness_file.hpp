@@ -12,8 +12,9 @@ namespace delcert {
 enum class WitnessFile { witness, attack, other };
 [[nodiscard]] WitnessFile witness_file(const std::string& path);
 
-/// The witnesses of a file of the first two kinds for a page, each decided anew. Throws InputError, naming the file, where it goes on
-/// differently, and if there is no refutation in it. delcert, which has no claims, hands over to delcert-claims instead.
+/// The witnesses of a file of the first two kinds for a page, each decided anew. Throws InputError, naming the file,
+/// where it goes on differently, and if there is no refutation in it. delcert, which has no claims, hands over to
+/// delcert-claims instead.
 [[nodiscard]] std::vector<PageItem> witness_items(const std::string& path, const ShownFile& file);
 
 }  // namespace delcert
