@@ -1,16 +1,12 @@
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <iostream>
 #include <memory>
 
-#include "apps/attack_report.hpp"
+#include "apps/claim_commands.hpp"
 #include "apps/commands.hpp"
-#include "apps/witness_item.hpp"
+#include "apps/witness_file.hpp"
 #include "proofs/drawing/certificate_facts.hpp"
 #include "proofs/drawing/picture.hpp"
-#include "properties/attack/replay.hpp"
-#include "properties/attack/witness_points.hpp"
 #include "support/atomic_file.hpp"
 #include "support/error.hpp"
 
@@ -32,24 +28,6 @@ Figure figure_of_certificate(const FigureOptions& options) {
   return figure;
 }
 
-/// Of the first witness of a file, with what the claim says of it, decided anew.
-Figure figure_of_witness(const Witness& witness, const FigureOptions& options) {
-  const std::vector<PointSet> sets = drawn_sets(witness);
-  if (sets.empty()) throw InputError("there is nothing to draw in this witness: it is numbers");
-  Figure figure = figure_of(sets);
-  if (options.plain) figure.scale.reset();
-  const Replay replay = replayed(witness);
-  std::string verdict = fmt::format("the hypotheses are {}", name_of(replay.hypotheses));
-  if (replay.conclusion) {
-    const std::string ratio = ratio_text(replay.conclusion->ratio);
-    verdict += fmt::format(", {} is {}{}", replay.conclusion->text, name_of(replay.conclusion->verdict),
-                           ratio.empty() ? "" : ", ratio " + ratio);
-  }
-  figure.description = fmt::format("witness against {}, {}{}: {}; {}", witness.claim, witness.conclusion,
-                                   witness.twin.empty() ? "" : ", twin " + witness.twin, verdict, figure.description);
-  return figure;
-}
-
 ExitStatus write_figure(const FigureOptions& options) {
   const std::string ending = std::filesystem::path(options.output).extension().string();
   if (ending != ".svg" && ending != ".tikz" && ending != ".tex") {
@@ -58,14 +36,17 @@ ExitStatus write_figure(const FigureOptions& options) {
         ": the name ends in .svg, or in .tikz or .tex for a tikzpicture (of SVG, rsvg-convert -f pdf makes "
         "PDF)");
   }
-  const std::vector<Witness> witnesses = witnesses_in(options.file);
+  const bool is_witness = witness_file(options.file) != WitnessFile::other;
+  if (is_witness && is_left_to_claims(about_attack.name)) hand_over_to_claims();
   try {
-    const Figure figure = witnesses.empty() ? figure_of_certificate(options) : figure_of_witness(witnesses.front(), options);
+    Figure figure = is_witness ? witness_figure(options.file) : figure_of_certificate(options);
+    if (options.plain) figure.scale.reset();
     write_file_atomically(options.output, ending == ".svg" ? svg_of(figure) : tikz_of(figure));
     std::cout << options.output << ": " << figure.description << "\n";
   } catch (const InputError& error) {
     const std::string message = error.what();
-    throw InputError(message.starts_with(options.output) ? message : options.file + ": " + message);
+    const bool is_located = message.starts_with(options.output) || message.starts_with(options.file);
+    throw InputError(is_located ? message : options.file + ": " + message);
   }
   return ExitStatus::verified;
 }
