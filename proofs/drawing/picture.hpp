@@ -15,9 +15,10 @@ struct PictureOptions {
   bool has_scale = false;
 };
 
-/// A drawing of a two-dimensional complex: its triangles, shaded by thickness, and the outline of the fundamental
-/// domain. Of a surface in space the triangles that are seen from the end of the third axis, the nearest last. Made in
-/// doubles, for the eye. Throws InputError in other dimensions.
+/// A drawing of a complex of dimension 1 or 2: its triangles, shaded by thickness, or its edges with their vertices, and
+/// the outline of the fundamental domain. Of a surface in space the triangles that are seen from the end of the third
+/// axis, the nearest last; of a curve in space all edges, with a gap in what is behind where two cross. Made in doubles,
+/// for the eye. Throws InputError in other dimensions.
 [[nodiscard]] Figure picture_of(const Drawing& drawing, const PictureOptions& options = {});
 
 /// The same as SVG.
