@@ -55,8 +55,10 @@ ExitStatus write_figure(const FigureOptions& options) {
 
 void add_figure(CLI::App& program, Action& chosen) {
   const auto options = std::make_shared<FigureOptions>();
-  CLI::App* command = program.add_subcommand("figure", "Draw a certificate of dimension 1 or 2, or a witness, for a paper");
-  command->add_option("FILE", options->file, "A certificate, plain or compressed, or a witness of attack or tighten")->required();
+  CLI::App* command =
+      program.add_subcommand("figure", "Draw a certificate of dimension 1 or 2, or a witness, for a paper");
+  command->add_option("FILE", options->file, "A certificate, plain or compressed, or a witness of attack or tighten")
+      ->required();
   command->add_option("--output", options->output, "The file to write: x.svg, or x.tikz or x.tex for a tikzpicture")
       ->type_name("FILE")
       ->required();

@@ -46,7 +46,11 @@ PageItem witness_item(const Witness& witness, const Replay& replay, const ShownF
                {"twin", witness.twin},        {"instance", witness.instance_class}};
   item.data["bindings"] = bindings_json(witness.bindings, signature);
   for (const PointSet& set : drawn_sets(witness))
-    item.data["sets"].push_back({{"name", set.name}, {"kind", set.is_simplex ? "simplex" : set.points.size() == 1 ? "point" : "points"}, {"points", set.points}});
+    item.data["sets"].push_back({{"name", set.name},
+                                 {"kind", set.is_simplex           ? "simplex"
+                                          : set.points.size() == 1 ? "point"
+                                                                   : "points"},
+                                 {"points", set.points}});
   item.data["replay"] = {{"hypotheses", name_of(replay.hypotheses)}};
   if (replay.conclusion) {
     item.data["replay"]["text"] = replay.conclusion->text;
