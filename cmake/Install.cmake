@@ -54,7 +54,7 @@ install(EXPORT delcert NAMESPACE delcert:: FILE delcertTargets.cmake DESTINATION
 install(EXPORT delcert-claims NAMESPACE delcert:: FILE delcertClaimsTargets.cmake DESTINATION ${DELCERT_PACKAGE_DIR}
   COMPONENT development)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/delcertConfig.cmake.in
-  ${PROJECT_BINARY_DIR}/generated/delcertConfig.cmake INSTALL_DESTINATION ${DELCERT_PACKAGE_DIR} PATH_VARS CMAKE_INSTALL_LIBDIR)
+  ${PROJECT_BINARY_DIR}/generated/delcertConfig.cmake INSTALL_DESTINATION ${DELCERT_PACKAGE_DIR})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/generated/delcertConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/generated/delcertConfig.cmake
