@@ -4,8 +4,8 @@
 
 namespace delcert {
 
-const std::vector<Verdict>& verdicts() {
-  static const std::vector<Verdict> list{
+const std::vector<TheoremVerdict>& theorem_verdicts() {
+  static const std::vector<TheoremVerdict> list{
       {"Theorem 1", "thm:man.mesh",
        "Needs hypotheses. For separations μ₀ > 1 it can fail: on a torus with a hexagonal net, m = 2 and 1.61 ≤ μ₀ < "
        "√3, "
@@ -32,7 +32,8 @@ const std::vector<Verdict>& verdicts() {
        "One constant of its proof does not hold: charts on balls of radius 10ε need inj/20 for inj/4. No "
        "counterexample "
        "to its conclusion is known.",
-       "True for m ≥ 2, M compact, μ₀ ≤ 1, and for m = 1, where all charts are isometries.",
+       "True, given the theorems that are quoted, for m ≥ 2, M compact and μ₀ ≤ 1, and for m = 1, where all charts are "
+       "isometries.",
        "inj/20 for inj/4. All others as printed: C̃, ρ₀ ≤ μ₀/5, 2⁶ in the bound of ε and 2⁸ in that of the metric.",
        "[riemannian-constants.md](claims/riemannian-constants.md). It quotes Rauch's theorem, Whitehead's on convex "
        "balls, "
@@ -43,7 +44,7 @@ const std::vector<Verdict>& verdicts() {
 
 std::string verdicts_markdown() {
   std::string text = "\n## Verdicts\n";
-  for (const Verdict& verdict : verdicts())
+  for (const TheoremVerdict& verdict : theorem_verdicts())
     text += fmt::format("\n### {} ({})\n\n* *As printed.* {}\n* *Hypotheses.* {}\n* *Constants.* {}\n* *Proof.* {}\n",
                         verdict.number, verdict.label, verdict.as_printed, verdict.hypotheses, verdict.constants,
                         verdict.proof);

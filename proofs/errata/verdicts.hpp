@@ -6,7 +6,7 @@
 namespace delcert {
 
 /// What the findings add up to for one main result of the paper. All texts are Markdown on one line.
-struct Verdict {
+struct TheoremVerdict {
   std::string number;      ///< "Theorem 1"
   std::string label;       ///< its LaTeX label
   std::string as_printed;  ///< whether it is true as it is printed
@@ -15,8 +15,8 @@ struct Verdict {
   std::string proof;       ///< where that is proved, and what the proof quotes
 };
 
-/// The verdicts on the theorems and the algorithm, in the order of the paper.
-[[nodiscard]] const std::vector<Verdict>& verdicts();
+/// The verdicts on the three theorems, in the order of the paper.
+[[nodiscard]] const std::vector<TheoremVerdict>& theorem_verdicts();
 
 /// The same as a section of docs/errata.md.
 [[nodiscard]] std::string verdicts_markdown();

@@ -26,9 +26,9 @@ TEST(Verdicts, are_about_the_three_theorems_and_their_labels) {
     std::ifstream stream(DELCERT_SOURCE_DIR "/proofs/paper/theorem_numbers.tsv");
     return std::string((std::istreambuf_iterator<char>(stream)), {});
   }();
-  ASSERT_EQ(verdicts().size(), 3U);
+  ASSERT_EQ(theorem_verdicts().size(), 3U);
   std::set<std::string> numbers;
-  for (const Verdict& verdict : verdicts()) {
+  for (const TheoremVerdict& verdict : theorem_verdicts()) {
     numbers.insert(verdict.number);
     EXPECT_NE(rows.find(verdict.label + "\t" + verdict.number + "\n"), std::string::npos) << verdict.number;
     EXPECT_FALSE(verdict.as_printed.empty() || verdict.hypotheses.empty() || verdict.constants.empty());
@@ -38,7 +38,7 @@ TEST(Verdicts, are_about_the_three_theorems_and_their_labels) {
 
 TEST(Verdicts, name_pages_that_exist) {
   const std::regex link(R"(\]\(([^)#]+)\))");
-  for (const Verdict& verdict : verdicts()) {
+  for (const TheoremVerdict& verdict : theorem_verdicts()) {
     const std::sregex_iterator first(verdict.proof.begin(), verdict.proof.end(), link);
     ASSERT_NE(first, std::sregex_iterator()) << verdict.number;
     for (auto each = first; each != std::sregex_iterator(); ++each)
@@ -49,7 +49,7 @@ TEST(Verdicts, name_pages_that_exist) {
 TEST(Verdicts, are_a_section_with_all_that_they_say) {
   const std::string text = verdicts_markdown();
   EXPECT_EQ(text.find("\n## Verdicts\n"), 0U);
-  for (const Verdict& verdict : verdicts())
+  for (const TheoremVerdict& verdict : theorem_verdicts())
     for (const std::string& part : {"### " + verdict.number + " (" + verdict.label + ")", verdict.as_printed,
                                     verdict.hypotheses, verdict.constants, verdict.proof})
       EXPECT_NE(text.find(part), std::string::npos) << part;
