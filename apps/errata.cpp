@@ -26,7 +26,7 @@ std::vector<Erratum> errata_of(const ErrataOptions& options) {
 void add_errata(CLI::App& program, Action& chosen) {
   const auto options = std::make_shared<ErrataOptions>();
   CLI::App* command =
-      program.add_subcommand("errata", "Print remarks on the preprint of the paper, with what reproduces them");
+      program.add_subcommand("errata", "Print remarks on the preprint of the paper, with commands that reproduce them");
   command->add_option("files", options->files, "TOML files, one finding each (default: those of the library)");
   command->add_flag("--json", options->json, "Print JSON (default: Markdown)");
   command->footer(

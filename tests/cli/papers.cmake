@@ -82,7 +82,7 @@ foreach(changed certificates/run-square.json.zst exports/run-torus-3.vtu)
   delcert_cli_test(bundle-changed-${name} STATUS 1 OUTPUT "fails: sha256sum -c" ERROR "^$" FIXTURES bundle
     COMMAND ${bundle_works} supplement.zip $<TARGET_FILE_DIR:delcert-check> ${changed})
 endforeach()
-delcert_cli_test(bundle-onto-a-file STATUS 3 OUTPUT "^$" ERROR "supplement.zip: there is such a file; it is not replaced" FIXTURES run-square bundle
+delcert_cli_test(bundle-onto-a-file STATUS 3 OUTPUT "^$" ERROR "supplement.zip: the file exists and is not replaced" FIXTURES run-square bundle
   COMMAND ${delcert} bundle run-square.json.zst ${supplement} --output supplement.zip)
 delcert_cli_test(bundle-of-changed STATUS 3 OUTPUT "^$" ERROR "export-unsealed.json: the seal is wrong" FIXTURES export-forged
   COMMAND ${delcert} bundle export-unsealed.json ${supplement} --output never.zip)
