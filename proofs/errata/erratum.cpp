@@ -82,7 +82,7 @@ class ErratumReader {
   bool boolean(const std::string& key) const {
     const toml::node& node = toml_.required(table_, key);
     const auto value = node.value_exact<bool>();
-    if (!value) toml_.fail(node.source(), "the key " + key + " wants true or false");
+    if (!value) toml_.fail(node.source(), "the key " + key + " expects true or false");
     return *value;
   }
 

@@ -68,10 +68,10 @@ TEST(Erratum, has_one_of_five_kinds) {
 TEST(Erratum, is_refused_with_the_place_of_what_is_wrong) {
   EXPECT_EQ(message_of(with("label", "")), "file.toml:1:1: the key label is missing");
   EXPECT_EQ(message_of(with("label", "lable = 'x'")), "file.toml:1:1: unknown key lable, did you mean label?");
-  EXPECT_EQ(message_of(with("printed", "printed = 3")), "file.toml:5:11: the key printed wants a string");
-  EXPECT_EQ(message_of(with("wrong", "wrong = ''")), "file.toml:6:9: the key wrong wants a string that is not empty");
+  EXPECT_EQ(message_of(with("printed", "printed = 3")), "file.toml:5:11: the key printed expects a string");
+  EXPECT_EQ(message_of(with("wrong", "wrong = ''")), "file.toml:6:9: the key wrong expects a string that is not empty");
   EXPECT_EQ(message_of(with("decidable", "decidable = 'yes'")),
-            "file.toml:7:13: the key decidable wants true or false");
+            "file.toml:7:13: the key decidable expects true or false");
   EXPECT_EQ(message_of(with("decidable", "decidable = false")), "file.toml:8:11: a command, but decidable is false");
   EXPECT_EQ(message_of(with("command", "")), "file.toml:1:1: the key command is missing");
   EXPECT_EQ(message_of(with("number", "")), "file.toml:1:1: the key number is missing");
