@@ -102,7 +102,8 @@ Proof.
   assert (E : g ^ (m + 1) = g ^ k * (g ^ (m - k) * g)).
   { replace (m + 1)%nat with (k + ((m - k) + 1))%nat by lia; rewrite !pow_add; ring. }
   assert (F : 0 < g ^ (m - k) * g <= g).
-  { split; [now apply Rmult_lt_0_compat |]; rewrite <- (Rmult_1_l g) at 2; apply Rmult_le_compat_r; lra. }
+  { split; [now apply Rmult_lt_0_compat |].
+    assert (g ^ (m - k) * g <= 1 * g) by (apply Rmult_le_compat_r; lra); lra. }
   assert (G : 0 <= g ^ (m + 1) <= g ^ k * g).
   { rewrite E; split; [apply Rmult_le_pos; lra | apply Rmult_le_compat_l; lra]. }
   assert (Q : sqrt xi <= g ^ k * g / 4).
