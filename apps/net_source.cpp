@@ -34,7 +34,7 @@ void NetSource::add_options(CLI::App& command, bool with_file) {
                   "On sphere-2: the icosahedron, its faces divided by F, as the net")
       ->type_name("F")
       ->excludes(lattice_option);
-  command.add_option("--relax", relaxation_steps, "Space forms: so many of Lloyd's steps for the net (default 0)")
+  command.add_option("--relax", relaxation_steps, "Space forms: number of Lloyd's steps for the net (default 0)")
       ->type_name("STEPS");
   command
       .add_option(
@@ -84,7 +84,7 @@ void NetSource::refuse_sizing() const {
 template <int m>
 std::optional<TorusSizing<m>> NetSource::torus_sizing(const FlatSpace<m>& space) const {
   if (sizing.text.empty()) return std::nullopt;
-  require_radius("--radius, the greatest that --sizing is to have");
+  require_radius("--radius, the greatest radius of --sizing");
   return delcert::torus_sizing<m>(sizing, space, approximate_double(*radius));
 }
 

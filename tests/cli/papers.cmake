@@ -95,7 +95,7 @@ endforeach()
 delcert_cli_test(bundle-has-the-checker STATUS 0 OUTPUT "^source.zip: [0-9]+ files, 1 certificate, not verified, and the source of the checker\n.*checker/proofs/checker/main.cpp: OK" ERROR "^$"
   FIXTURES run-square COMMAND sh -c "rm -rf source.zip source-of-checker && mkdir source-of-checker && \"$1\" bundle run-square.json.zst --title x --author y --output source.zip \
     && cd source-of-checker && cmake -E tar xf ../source.zip && sha256sum -c SHA256SUMS" sh ${delcert})
-delcert_cli_test(bundle-onto-a-file STATUS 3 OUTPUT "^$" ERROR "supplement.zip: there is such a file; it is not replaced" FIXTURES run-square bundle
+delcert_cli_test(bundle-onto-a-file STATUS 3 OUTPUT "^$" ERROR "supplement.zip: the file exists and is not replaced" FIXTURES run-square bundle
   COMMAND ${delcert} bundle run-square.json.zst ${supplement} --output supplement.zip)
 delcert_cli_test(bundle-of-changed STATUS 3 OUTPUT "^$" ERROR "export-unsealed.json: the seal is wrong" FIXTURES export-forged
   COMMAND ${delcert} bundle export-unsealed.json ${supplement} --output never.zip)
