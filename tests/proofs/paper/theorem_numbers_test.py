@@ -49,5 +49,19 @@ class Numbers(unittest.TestCase):
                          ["one: the paper has no label lem:c"])
 
 
+class Errata(unittest.TestCase):
+    """The twin of the test of the errata: each number of theirs, altered, is found out."""
+
+    def test_every_number_can_fail(self):
+        here = pathlib.Path(theorem_numbers.__file__).resolve().parent
+        numbers = dict(row.split("\t") for row in (here / "theorem_numbers.tsv").read_text(encoding="utf-8").splitlines())
+        entries = theorem_numbers.load(here.parent / "errata")
+        self.assertGreater(len(entries), 30)
+        self.assertEqual(theorem_numbers.check(entries, numbers), [])
+        for name, entry in entries.items():
+            wrong = {**entry, "number": entry["number"] + "1"}
+            self.assertEqual(len(theorem_numbers.check({**entries, name: wrong}, numbers)), 1, name)
+
+
 if __name__ == "__main__":
     unittest.main()
