@@ -2,8 +2,8 @@
 
 #include <fstream>
 
-#include "apps/attack_report.hpp"
 #include "proofs/certificate/file_text.hpp"
+#include "properties/attack/attack_report.hpp"
 #include "support/error.hpp"
 
 namespace delcert {

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "proofs/drawing/cell_data.hpp"
 #include "support/error.hpp"
+#include "support/spelling.hpp"
 
 namespace delcert {
 
@@ -17,7 +19,8 @@ constexpr Figure::Colour colour_of_worst{230, 120, 0};
 
 class Picture {
  public:
-  explicit Picture(const Drawing& drawing) : drawing_(drawing), axes_(drawing.ambient_dimension) {}
+  Picture(const Drawing& drawing, const PictureOptions& options)
+      : drawing_(drawing), axes_(drawing.ambient_dimension), shares_(shares(drawing, options.measure)) {}
 
   Figure figure(const PictureOptions& options) {
     Figure result;
@@ -29,7 +32,7 @@ class Picture {
                                {drawing_.domain[at + axes_], drawing_.domain[at + axes_ + 1]}});
     }
     if (!outline.lines.empty()) result.paths.push_back(outline);
-    result.description = fmt::format("{} triangles, shaded by thickness", shown.size());
+    result.description = fmt::format("{} triangles, shaded by {}", shown.size(), options.measure);
     if (options.has_worst_star) add_worst_star(result, shown);
     if (options.has_scale && has_lengths()) result.scale = round_scale(extent(shown) / 4);
     return result;
@@ -86,9 +89,7 @@ class Picture {
   }
 
   [[nodiscard]] Figure::Path triangle(std::size_t simplex) const {
-    // A triangle's thickness is at most √3/4.
-    const double thickness = drawing_.measures.thickness[drawing_.positions[simplex]];
-    const double share = std::isnan(thickness) ? 0 : std::clamp(4 * thickness / std::sqrt(3.0), 0.0, 1.0);
+    const double share = shares_[simplex];
     const auto shade = [share](double lightest, double range) {
       return static_cast<int>(std::lround(lightest + range * share));
     };
@@ -121,8 +122,30 @@ class Picture {
     if (star.lines.empty()) result.description += "; it is on the other side";
   }
 
+  /// From 0 to 1, for each simplex of the drawing; 0 where nothing could be measured.
+  static std::vector<double> shares(const Drawing& drawing, const std::string& measure) {
+    const std::vector<NamedMeasure> measures = named_measures(drawing);
+    std::vector<std::string_view> names;
+    for (const NamedMeasure& one : measures) names.push_back(one.name);
+    const auto found = std::find(names.begin(), names.end(), measure);
+    if (found == names.end())
+      throw InputError(fmt::format("no measure {} (there is {}){}", shortened(measure), fmt::join(names, ", "),
+                                   suggestion(measure, names)));
+    std::vector<double> result = measures[static_cast<std::size_t>(found - names.begin())].values;
+    // A triangle's thickness is at most √3/4.
+    double greatest = std::sqrt(3.0) / 4;
+    if (measure != "thickness") {
+      greatest = 0;
+      for (const double value : result) greatest = std::isnan(value) ? greatest : std::max(greatest, value);
+    }
+    for (double& value : result)
+      value = std::isnan(value) || greatest <= 0 ? 0 : std::clamp(value / greatest, 0.0, 1.0);
+    return result;
+  }
+
   const Drawing& drawing_;
   std::size_t axes_;
+  std::vector<double> shares_;
 };
 
 /// The position of the least number; none if there is none.
@@ -146,7 +169,7 @@ Figure picture_of(const Drawing& drawing, const PictureOptions& options) {
     throw InputError("pictures are of two-dimensional certificates; this one has dimension " +
                      std::to_string(drawing.dimension));
   }
-  return Picture(drawing).figure(options);
+  return Picture(drawing, options).figure(options);
 }
 
 std::string picture_svg(const Drawing& drawing, const PictureOptions& options) {
