@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "apps/claim_commands.hpp"
 #include "apps/claim_options.hpp"
-#include "apps/commands.hpp"
 #include "apps/interruption.hpp"
 #include "apps/progress_line.hpp"
 #include "properties/attack/attack_report.hpp"
@@ -243,7 +243,7 @@ ExitStatus run_attack(const AttackOptions& options) {
 
 void add_attack(CLI::App& program, Action& chosen) {
   const auto options = std::make_shared<AttackOptions>();
-  CLI::App* command = program.add_subcommand("attack", "Attack claims on random instances, with exact decisions");
+  CLI::App* command = add_named(program, about_attack);
   add_claim_options(*command, options->claims);
   command->add_option("--samples", options->samples,
                       "Samples for each claim and shape (default 1000; less where an instance is costly)");

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "apps/commands.hpp"
+#include "apps/claim_commands.hpp"
 #include "apps/exit_status.hpp"
 #include "apps/interruption.hpp"
 #include "delcert_version.hpp"
@@ -61,6 +61,8 @@ ExitStatus run(int argc, char** argv) {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   if (arguments.size() > 1 && arguments[0] == "check" && !asks_for_help(arguments[1])) {
     chosen = [&]() -> ExitStatus { run_checker({arguments.begin() + 1, arguments.end()}); };
+  } else if (!arguments.empty() && is_left_to_claims(arguments[0])) {
+    chosen = []() -> ExitStatus { hand_over_to_claims(); };
   } else {
     try {
       program.parse(argc, argv);

@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "apps/checker_process.hpp"
+#include "apps/claim_commands.hpp"
 #include "apps/commands.hpp"
-#include "apps/interruption.hpp"
 #include "apps/progress_line.hpp"
-#include "apps/witness_item.hpp"
+#include "apps/witness_file.hpp"
 #include "proofs/publication/certificate_page.hpp"
 #include "support/atomic_file.hpp"
 #include "support/error.hpp"
@@ -46,18 +47,6 @@ CheckRecord checked(const std::string& path) {
   return record;
 }
 
-void add_witnesses(const std::string& path, const std::vector<Witness>& witnesses, std::vector<PageItem>& items) {
-  const InterruptionDeadline deadline;
-  const ShownFile file = shown_file(path);
-  for (const Witness& witness : witnesses) {
-    try {
-      items.push_back(witness_item(witness, replayed(witness), file));
-    } catch (const InputError& error) {
-      throw InputError(path + ": " + error.what());
-    }
-  }
-}
-
 /// Of several the first in this list: what one reader must not miss.
 ExitStatus worst(const std::vector<ExitStatus>& found) {
   for (const ExitStatus status : {ExitStatus::rejected, ExitStatus::malformed, ExitStatus::undecided}) {
@@ -66,7 +55,11 @@ ExitStatus worst(const std::vector<ExitStatus>& found) {
   return ExitStatus::verified;
 }
 
+bool is_about_claims(const std::string& file) { return witness_file(file) != WitnessFile::other; }
+
 ExitStatus write_report(const ReportOptions& options) {
+  if (is_left_to_claims(about_attack.name) && std::ranges::any_of(options.files, is_about_claims))
+    hand_over_to_claims();
   ProgressLine line;
   const Progress progress = line.callback();
   std::vector<PageItem> items;
@@ -74,8 +67,8 @@ ExitStatus write_report(const ReportOptions& options) {
   std::size_t read = 0;
   for (const std::string& file : options.files) {
     progress("reading " + fs::path(file).filename().string(), read++, options.files.size());
-    if (const auto witnesses = witnesses_in(file); !witnesses.empty()) {
-      add_witnesses(file, witnesses, items);
+    if (is_about_claims(file)) {
+      std::ranges::move(witness_items(file, shown_file(file)), std::back_inserter(items));
       continue;
     }
     items.push_back(

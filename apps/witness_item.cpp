@@ -1,7 +1,7 @@
 #include "apps/witness_item.hpp"
 
-#include <fstream>
-
+#include "apps/interruption.hpp"
+#include "apps/witness_file.hpp"
 #include "proofs/certificate/file_text.hpp"
 #include "properties/attack/attack_report.hpp"
 #include "support/error.hpp"
@@ -9,16 +9,6 @@
 namespace delcert {
 
 namespace {
-
-/// Whether the first key of the file is this one.
-bool begins_with(const std::string& path, const std::string& key) {
-  std::ifstream stream(path, std::ios::binary);
-  std::string start(64, '\0');
-  stream.read(start.data(), static_cast<std::streamsize>(start.size()));
-  start.resize(static_cast<std::size_t>(stream.gcount()));
-  std::erase_if(start, [](char letter) { return std::string_view(" \t\r\n").find(letter) != std::string_view::npos; });
-  return start.starts_with("{\"" + key + "\"");
-}
 
 std::vector<Witness> refutations_in(const std::string& path) {
   std::vector<Witness> result;
@@ -35,8 +25,14 @@ std::vector<Witness> refutations_in(const std::string& path) {
 }  // namespace
 
 std::vector<Witness> witnesses_in(const std::string& path) {
-  if (begins_with(path, "delcert_witness")) return {read_witness(path)};
-  if (begins_with(path, "seed")) return refutations_in(path);
+  switch (witness_file(path)) {
+    case WitnessFile::witness:
+      return {read_witness(path)};
+    case WitnessFile::attack:
+      return refutations_in(path);
+    case WitnessFile::other:
+      break;
+  }
   return {};
 }
 
@@ -57,6 +53,19 @@ PageItem witness_item(const Witness& witness, const Replay& replay, const ShownF
     item.data["replay"]["verdict"] = is_refuted(replay.hypotheses) ? "void" : "undecided";
   }
   return item;
+}
+
+std::vector<PageItem> witness_items(const std::string& path, const ShownFile& file) {
+  const InterruptionDeadline deadline;
+  std::vector<PageItem> items;
+  for (const Witness& witness : witnesses_in(path)) {
+    try {
+      items.push_back(witness_item(witness, replayed(witness), file));
+    } catch (const InputError& error) {
+      throw InputError(path + ": " + error.what());
+    }
+  }
+  return items;
 }
 
 }  // namespace delcert

@@ -12,11 +12,11 @@ case ${1-all} in
     install_packages run
     install_packages package
     if [[ -e $build/build.ninja ]]; then configure; else configure DELCERT_TESTS=OFF DELCERT_UNITED_SOURCES=ON; fi
-    build delcert delcert-check delcert-replay delcert_properties
+    build delcert delcert-claims delcert-check delcert-replay delcert_properties
     build man
     ;;
   checker)
-    install_packages checker
+    install_packages check
     install_packages package
     build=$root/build/checker
     cmake -S "$root/proofs/checker" -B "$build" -G Ninja >/dev/null

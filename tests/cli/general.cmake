@@ -14,3 +14,22 @@ delcert_cli_test(unknown-option COMMAND ${delcert} --frobnicate STATUS 64 OUTPUT
 delcert_cli_test(full-disk
   COMMAND sh -c "\"$1\" constants --dim 2 --separation 1 --perturbation 1/4 > /dev/full" sh ${delcert}
   STATUS 70 ERROR "cannot write to standard output")
+
+# delcert and delcert-claims are one program to its users: the first knows of the second's subcommands their names, and hands
+# over, in the same process and with the same arguments.
+set(claims $<TARGET_FILE:delcert-claims>)
+delcert_cli_test(two-programs-one-help STATUS 0 OUTPUT "^$" ERROR "^$"
+  COMMAND bash -c "diff <(\"$1\" --help) <(\"$2\" --help)" bash ${delcert} ${claims})
+delcert_cli_test(left-to-claims STATUS 0 OUTPUT "^(.*)\nUsage: delcert claims .*\nthe same\n$" ERROR "^$"
+  COMMAND bash -c "\"$1\" claims --help && diff <(\"$1\" claims --help) <(\"$2\" claims --help) && echo the same" bash ${delcert} ${claims})
+delcert_cli_test(left-to-claims-arguments STATUS 3 OUTPUT "^$" ERROR "no claim is called .*no such claim"
+  COMMAND ${delcert} attack "no such claim")
+delcert_cli_test(left-to-claims-process STATUS 0 OUTPUT "^the same process\n$" ERROR "^$"
+  COMMAND bash -c "set -m; \"$1\" attack --all --samples 1000000 >/dev/null 2>&1 & \
+for i in $(seq 600); do case $(readlink /proc/$!/exe) in */delcert-claims) echo the same process; break;; esac; sleep 0.1; done; kill -9 $!; wait $! 2>/dev/null; true"
+    bash ${delcert})
+delcert_cli_test(left-to-claims-that-are-missing STATUS 70 OUTPUT "^$"
+  ERROR "^delcert: error: internal: [^\n]*/delcert-claims is not there, and claims are its part; in the source tree ./run builds it\n$"
+  COMMAND bash -c "folder=$(mktemp -d) && cp \"$1\" $folder/delcert && $folder/delcert claims; status=$?; rm -r $folder; exit $status" bash ${delcert})
+delcert_cli_test(left-to-claims-not-the-rest STATUS 0 OUTPUT "^torus-2\n" ERROR "^$"
+  COMMAND bash -c "folder=$(mktemp -d) && cp \"$1\" $folder/delcert && $folder/delcert manifolds torus-2 --names; status=$?; rm -r $folder; exit $status" bash ${delcert})

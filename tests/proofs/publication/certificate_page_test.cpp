@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "proofs/certification/certification.hpp"
 #include "support/atomic_file.hpp"
 #include "support/error.hpp"
+#include "tests/proofs/certificate/small_run.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
@@ -14,16 +14,11 @@ namespace DELCERT_THIS_FILE {
 
 TEST(CertificatePage, has_the_constants_for_the_parameters_and_the_digest_of_the_file) {
   const test::TemporaryFolder folder;
-  CertifyOptions options;
-  options.source.manifold = "torus-2";
-  options.source.lattice = 12;
-  options.source.displacement_exponent = 8;
-  options.choice.mode = RunMode::measured;
-  options.output = (folder / "torus.json").string();
-  (void)certified_run(options, no_progress());
-  const PageItem item = certificate_page_item(options.output, {});
-  EXPECT_EQ(item.data.at("header").at("file_sha256"), shown_file(options.output).sha256);
-  EXPECT_EQ(shown_file(options.output).name, "torus.json");
+  const std::string file = (folder / "torus.json").string();
+  test::small_run().write(file);
+  const PageItem item = certificate_page_item(file, {});
+  EXPECT_EQ(item.data.at("header").at("file_sha256"), shown_file(file).sha256);
+  EXPECT_EQ(shown_file(file).name, "torus.json");
   EXPECT_TRUE(item.data.at("ledger").contains("flake_divisor"));
   EXPECT_THROW((void)certificate_page_item(folder / "tours.json", {}), InputError);
 }
