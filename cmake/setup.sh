@@ -90,7 +90,7 @@ say_what_it_takes() {
 packages_for() {
   local purposes=$1 wanted_purpose purpose package what mark=""
   if [[ $1 == run || $1 == test ]]; then purposes="check run"; fi
-  if [[ $1 == test ]]; then purposes+=" test package"; fi
+  if [[ $1 == test ]]; then purposes+=" test package python"; fi
   if [[ ${2:-} == optional ]]; then mark="?"; fi
   while read -r purpose package what; do
     for wanted_purpose in $purposes; do

@@ -10,6 +10,7 @@ from .errors import MalformedInput, Usage
 from .exact import whole
 from .html import Rows, table
 from .progress import progress_of
+from .simplex_figure import simplex_svg
 
 
 def _listed(value):
@@ -187,8 +188,10 @@ class Witness:
 
     @property
     def vertices(self):
-        """The vertices of a simplex: tuples of Fractions. None where the instance is no simplex."""
-        return self.bindings.get("s") if self.instance == "simplex" else None
+        """The vertices of a simplex: tuples of Fractions. None where the instance is no simplex, or one of which only edges
+        are known."""
+        simplex = self.bindings.get("s")
+        return simplex.get("points") if self.instance == "simplex" and isinstance(simplex, dict) else None
 
     def save(self, path):
         """As a witness file, for `delcert attack --replay` and `delcert report`."""
@@ -206,6 +209,9 @@ class Witness:
         said = f"of {self.claim_name} / {self.conclusion}"
         return f"<witness {said}: " + ", ".join(f"{name} = {_plain(one)}" for name, one in self.bindings.items()) + ">"
 
+    def _repr_svg_(self):
+        return None if self.vertices is None else simplex_svg(self.vertices)
+
     def _repr_html_(self):
         rows = [(name, _plain(one)) for name, one in self.bindings.items()]
         if self.vertices is not None:
@@ -215,7 +221,10 @@ class Witness:
 
 def _exactly(value):
     if isinstance(value, str):
-        return _delcert.exact(value)
+        try:
+            return _delcert.exact(value)
+        except Usage:
+            return value
     if isinstance(value, list):
         return tuple(_exactly(one) for one in value)
     if isinstance(value, dict):
@@ -224,6 +233,8 @@ def _exactly(value):
 
 
 def _plain(value):
+    if isinstance(value, dict):
+        return "; ".join(f"{key} {_plain(one)}" for key, one in value.items())
     if isinstance(value, tuple):
         return "(" + ", ".join(_plain(one) for one in value) + ")"
     return str(value)

@@ -28,7 +28,6 @@ CertifyOptions with_radius(const Rational& radius) {
 CertifyOptions with_lattice(std::uint32_t number) {
   CertifyOptions result;
   result.source.lattice = number;
-  result.source.displacement_exponent = 8;
   result.choice.mode = RunMode::measured;
   return result;
 }
@@ -45,10 +44,11 @@ class Certification : public testing::Test {
 };
 
 TEST_F(Certification, of_every_family_writes_what_it_reports) {
-  const std::vector<Member> members{{"torus-2", with_lattice(12)},
-                                    {"klein-bottle", with_radius(Rational(1, 12))},
+  const std::vector<Member> members{{"torus-2", with_lattice(20)},
+                                    {"klein-bottle", with_radius(Rational(1, 20))},
                                     {"torus-2-hills", with_radius(Rational(1, 40))},
-                                    {"circle", with_radius(Rational(1, 8))}};
+                                    {"sphere-2-stereographic", with_radius(Rational(1, 8))},
+                                    {"trefoil", with_radius(Rational(1, 40))}};
   for (const Member& member : members) {
     const RunReport report = run(member.manifold, member.options);
     const CertificateSummary certificate = read_certificate(folder_ / "certificate.json");
@@ -65,14 +65,14 @@ TEST_F(Certification, of_every_family_writes_what_it_reports) {
 }
 
 TEST_F(Certification, claims_no_more_than_is_asked_for) {
-  CertifyOptions options = with_lattice(12);
+  CertifyOptions options = with_lattice(20);
   options.levels = {"0", "1"};
   EXPECT_EQ(run("torus-2", options).claims.names(), (std::vector<std::string>{"0", "1"}));
 }
 
 TEST_F(Certification, that_is_not_reached_is_refused_and_writes_nothing) {
   CertifyOptions options;
-  options.source.lattice = 12;
+  options.source.lattice = 20;
   options.no_perturbation = true;
   EXPECT_THROW((void)run("torus-2", options), Rejection);
   EXPECT_THROW((void)run("tours-2", options), InputError);
@@ -80,7 +80,7 @@ TEST_F(Certification, that_is_not_reached_is_refused_and_writes_nothing) {
 }
 
 TEST_F(Certification, that_is_ended_by_its_caller_at_any_stage_writes_nothing) {
-  CertifyOptions options = with_lattice(12);
+  CertifyOptions options = with_lattice(20);
   options.source.manifold = "torus-2";
   options.output = (folder_ / "certificate.json").string();
   std::size_t calls = 0;

@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <map>
+#include <set>
 
+#include "proofs/drawing/cell_data.hpp"
 #include "support/error.hpp"
 #include "tests/proofs/drawing/drawn_certificates.hpp"
 
@@ -75,6 +77,23 @@ TEST(Picture, KnowsNoWorstOfWhatWasNotMeasured) {
   for (double& x : drawing.measures.thickness) x = nan;
   EXPECT_FALSE(worst_simplex(drawing));
   EXPECT_EQ(picture_of(drawing, {true, false}).paths.size(), picture_of(drawing, {}).paths.size());
+}
+
+TEST(Picture, IsShadedByTheMeasureThatIsAskedFor) {
+  const Drawing drawing = drawing_of(test::torus_certificate(), {});
+  std::set<std::string> pictures;
+  for (const NamedMeasure& one : named_measures(drawing)) {
+    PictureOptions options;
+    options.measure = one.name;
+    const Figure figure = picture_of(drawing, options);
+    EXPECT_NE(figure.description.find("shaded by " + options.measure), std::string::npos);
+    EXPECT_TRUE(pictures.insert(svg_of(figure)).second) << options.measure;
+  }
+  EXPECT_GE(pictures.size(), 3U);
+  EXPECT_EQ(pictures.count(picture_svg(drawing)), 1U);
+  PictureOptions misspelt;
+  misspelt.measure = "protecton";
+  EXPECT_THROW((void)picture_of(drawing, misspelt), InputError);
 }
 
 TEST(Picture, IsOfDimensionTwoOnly) {
