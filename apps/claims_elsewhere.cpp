@@ -29,5 +29,6 @@ void add_tables(CLI::App& program, Action&) { add_named(program, about_tables); 
 void add_formalise(CLI::App& program, Action&) { add_named(program, about_formalise); }
 
 std::vector<PageItem> witness_items(const std::string&, const ShownFile&) { hand_over_to_claims(); }
+Figure witness_figure(const std::string&) { hand_over_to_claims(); }
 
 }  // namespace delcert

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "proofs/drawing/figure.hpp"
 #include "proofs/report/certificate_item.hpp"
 
 namespace delcert {
@@ -16,5 +17,9 @@ enum class WitnessFile { witness, attack, other };
 /// where it goes on differently, and if there is no refutation in it. delcert, which has no claims, hands over to
 /// delcert-claims instead.
 [[nodiscard]] std::vector<PageItem> witness_items(const std::string& path, const ShownFile& file);
+
+/// A figure of the first witness of such a file, whose description has what the claim says of it, decided anew. Throws
+/// as `witness_items`, and InputError where there is nothing to draw.
+[[nodiscard]] Figure witness_figure(const std::string& path);
 
 }  // namespace delcert

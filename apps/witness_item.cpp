@@ -4,6 +4,7 @@
 #include "apps/witness_file.hpp"
 #include "proofs/certificate/file_text.hpp"
 #include "properties/attack/attack_report.hpp"
+#include "properties/attack/witness_points.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
@@ -44,6 +45,12 @@ PageItem witness_item(const Witness& witness, const Replay& replay, const ShownF
                {"title", replay.claim.title}, {"conclusion", witness.conclusion},
                {"twin", witness.twin},        {"instance", witness.instance_class}};
   item.data["bindings"] = bindings_json(witness.bindings, signature);
+  for (const PointSet& set : drawn_sets(witness))
+    item.data["sets"].push_back({{"name", set.name},
+                                 {"kind", set.is_simplex           ? "simplex"
+                                          : set.points.size() == 1 ? "point"
+                                                                   : "points"},
+                                 {"points", set.points}});
   item.data["replay"] = {{"hypotheses", name_of(replay.hypotheses)}};
   if (replay.conclusion) {
     item.data["replay"]["text"] = replay.conclusion->text;

@@ -135,6 +135,7 @@ install_packages() {
   local -a wanted optional missing=() unsure=() as_root=()
   mapfile -t wanted < <(packages_for "$1")
   mapfile -t optional < <(packages_for "$1" optional)
+  ((${#wanted[@]} > 0)) || { say "cmake/debian-packages.txt has nothing for the purpose $1"; exit 70; }
   if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
     stop_for_packages "This is not Debian or Ubuntu. Needed (under Debian's names):" "${wanted[@]}"
   fi

@@ -11,6 +11,7 @@
 #include "properties/attack/refutations.hpp"
 #include "properties/attack/search_plan.hpp"
 #include "properties/attack/twins.hpp"
+#include "properties/attack/witness_points.hpp"
 #include "python/bindings/call.hpp"
 #include "python/bindings/conversion.hpp"
 #include "python/bindings/parts.hpp"
@@ -158,6 +159,13 @@ void add_claims(py::module_& module) {
   });
   module.def("find_claim", [](const std::string& name_or_file) {
     return ReadClaim(apart([&] { return find_claim(name_or_file); }));
+  });
+  // Empty where there is nothing to draw.
+  module.def("witness_svg", [](const std::string& text) {
+    return apart([&] {
+      const std::vector<PointSet> sets = drawn_sets(parse_witness(text, "the witness"));
+      return sets.empty() ? std::string() : svg_of(figure_of(sets));
+    });
   });
   module.def("claims", [] { return apart([] { return claims(); }); });
 }

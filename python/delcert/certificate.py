@@ -239,7 +239,7 @@ class Certificate:
     # For people.
 
     def picture(self, colour="thickness", model=None, plain=False):
-        """A surface as a `Picture`: triangles are the darker, the greater the measure `colour`; `plain`: without the
+        """A surface or a curve as a `Picture`: triangles are the darker, the greater the measure `colour`; `plain`: without the
         worst star and a scale."""
         return Picture(self._content.picture(colour, model, plain))
 

@@ -10,7 +10,6 @@ from .errors import MalformedInput, Usage
 from .exact import whole
 from .html import Rows, table
 from .progress import progress_of
-from .simplex_figure import simplex_svg
 
 
 def _listed(value):
@@ -210,7 +209,7 @@ class Witness:
         return f"<witness {said}: " + ", ".join(f"{name} = {_plain(one)}" for name, one in self.bindings.items()) + ">"
 
     def _repr_svg_(self):
-        return None if self.vertices is None else simplex_svg(self.vertices)
+        return _delcert.witness_svg(self.text) or None
 
     def _repr_html_(self):
         rows = [(name, _plain(one)) for name, one in self.bindings.items()]

@@ -44,6 +44,13 @@ command_is dpkg-query "$everything"
 on_machine 'install_packages test'
 expect "nothing is said or done where nothing is missing" '[[ $status == 0 && -z $output ]]'
 
+on_machine 'install_packages checker'
+expect "a purpose that no package has is a mistake of ours" '[[ $status == 70 ]] && says "purpose checker"'
+for purpose in $(sed -n 's/.*install_packages \([a-z]\+\).*/\1/p' "$project/run" "$project/test" "$project"/cmake/*.sh); do
+  on_machine "install_packages $purpose"
+  expect "the scripts ask for packages of a purpose that there is, here $purpose" '[[ $status == 0 && -z $output ]]'
+done
+
 machine unknown
 on_machine 'install_packages run'
 expect "elsewhere the list is printed and the status is 69" '[[ $status == 69 ]] && says "not Debian or Ubuntu" && says "libfmt-dev" && says "g++" && says "GMP 6.2"'
