@@ -22,13 +22,13 @@ constexpr double angle_of_view[] = {0.5, 0.4};  ///< radians, about the first an
 /// Sets of one ambient dimension, in coordinates of which the first two are drawn.
 class Panel {
  public:
-  explicit Panel(std::vector<const PointSet*> sets) : sets_(std::move(sets)) {
+  explicit Panel(std::vector<const DrawnSet*> sets) : sets_(std::move(sets)) {
     Eigen::Index count = 0;
-    for (const PointSet* set : sets_) count += static_cast<Eigen::Index>(set->points.size());
+    for (const DrawnSet* set : sets_) count += static_cast<Eigen::Index>(set->points.size());
     const auto ambient = static_cast<Eigen::Index>(sets_.front()->points.front().size());
     Eigen::MatrixXd all(ambient, count);
     Eigen::Index column = 0;
-    for (const PointSet* set : sets_) {
+    for (const DrawnSet* set : sets_) {
       for (const auto& point : set->points)
         all.col(column++) = Eigen::Map<const Eigen::VectorXd>(point.data(), ambient);
     }
@@ -53,7 +53,7 @@ class Panel {
 
   [[nodiscard]] std::string description() const {
     std::vector<std::string> parts;
-    for (const PointSet* set : sets_) {
+    for (const DrawnSet* set : sets_) {
       parts.push_back(set->is_simplex          ? fmt::format("the simplex {}", set->name)
                       : set->points.size() > 1 ? fmt::format("{} points of {}", set->points.size(), set->name)
                                                : fmt::format("the point {}", set->name));
@@ -69,7 +69,7 @@ class Panel {
     };
     Eigen::Index column = 0;
     for (std::size_t at = 0; at < sets_.size(); ++at) {
-      const PointSet& set = *sets_[at];
+      const DrawnSet& set = *sets_[at];
       const Figure::Colour ink = inks.at(at % inks.size());
       const auto count = static_cast<Eigen::Index>(set.points.size());
       const Eigen::Matrix3Xd own = places_.middleCols(column, count);
@@ -135,7 +135,7 @@ class Panel {
     figure.paths.push_back({{{on_page(from), on_page(foot)}}, false, std::nullopt, ink, 1.5, true});
   }
 
-  std::vector<const PointSet*> sets_;
+  std::vector<const DrawnSet*> sets_;
   Eigen::Index rank_ = 0;  ///< the dimension of the affine hull of all points
   Eigen::Matrix3Xd places_;
   double radius_ = 1;  ///< of a ball around the middle that has all points
@@ -143,9 +143,9 @@ class Panel {
 
 }  // namespace
 
-Figure figure_of(const std::vector<PointSet>& sets) {
-  std::map<std::size_t, std::vector<const PointSet*>> by_dimension;
-  for (const PointSet& set : sets) by_dimension[set.points.front().size()].push_back(&set);
+Figure figure_of(const std::vector<DrawnSet>& sets) {
+  std::map<std::size_t, std::vector<const DrawnSet*>> by_dimension;
+  for (const DrawnSet& set : sets) by_dimension[set.points.front().size()].push_back(&set);
   Figure result;
   std::vector<std::string> descriptions;
   const bool is_alone = by_dimension.size() == 1;

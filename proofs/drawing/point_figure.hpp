@@ -8,7 +8,7 @@
 namespace delcert {
 
 /// Points that are drawn together, in doubles.
-struct PointSet {
+struct DrawnSet {
   std::string name;
   bool is_simplex =
       false;  ///< whether the points are the vertices of one: drawn with edges, circumball, least altitude
@@ -20,6 +20,6 @@ struct PointSet {
 /// longest are drawn, without circumballs and altitudes. Sets of different ambient dimensions stand side by side, each
 /// scaled by itself, and there is a bar with a length where there is one alone. The description says what is drawn, and
 /// how. Precondition: not empty.
-[[nodiscard]] Figure figure_of(const std::vector<PointSet>& sets);
+[[nodiscard]] Figure figure_of(const std::vector<DrawnSet>& sets);
 
 }  // namespace delcert

@@ -53,7 +53,8 @@ DrawingOptions drawing_options(const std::string& copies, const std::optional<st
 class ReadCertificate {
  public:
   explicit ReadCertificate(const std::string& path)
-      : content_(apart([&] { return read_certificate(path); })), dimension_(content_.manifold.dimension.value) {}
+      : content_(apart([&] { return read_certificate(path); })),
+        dimension_(static_cast<std::size_t>(content_.manifold.dimension.value)) {}
 
   [[nodiscard]] std::string summary() const {
     nlohmann::ordered_json json = summary_json(content_);

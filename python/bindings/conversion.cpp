@@ -19,7 +19,7 @@ py::object integer_of(const Integer& x) {
 }  // namespace
 
 py::object fraction_of(const Rational& x) {
-  static const py::handle made = py::module_::import("fractions").attr("Fraction").release();
+  static const py::handle made = py::object(py::module_::import("fractions").attr("Fraction")).release();
   return made(integer_of(x.numerator()), integer_of(x.denominator()));
 }
 

@@ -49,7 +49,7 @@ TEST(WitnessPoints, are_there_for_every_class_that_has_points) {
     const auto instance = each->draw(each->shapes().front(), {}, NoLimits(), choices);
     if (!instance) continue;
     const auto sets = drawn_sets({"c", "d", "", each->name(), instance->bindings});
-    for (const PointSet& set : sets) {
+    for (const DrawnSet& set : sets) {
       ASSERT_FALSE(set.points.empty()) << each->name();
       for (const auto& point : set.points) EXPECT_EQ(point.size(), set.points.front().size()) << each->name();
     }
