@@ -162,9 +162,9 @@ void add_claims(py::module_& module) {
   });
   // Empty where there is nothing to draw.
   module.def("witness_svg", [](const std::string& text) {
-    return apart([&] {
-      const std::vector<PointSet> sets = drawn_sets(parse_witness(text, "the witness"));
-      return sets.empty() ? std::string() : svg_of(figure_of(sets));
+    return apart([&]() -> std::string {
+      const std::vector<DrawnSet> sets = drawn_sets(parse_witness(text, "the witness"));
+      return sets.empty() ? "" : svg_of(figure_of(sets));
     });
   });
   module.def("claims", [] { return apart([] { return claims(); }); });

@@ -20,14 +20,15 @@ namespace delcert::python {
 /// An array of so many columns, row by row. Precondition: the columns divide the numbers.
 template <class To, class From>
 [[nodiscard]] pybind11::array_t<To> table_of(const std::vector<From>& numbers, std::size_t columns) {
-  pybind11::array_t<To> result({columns == 0 ? 0 : numbers.size() / columns, columns});
+  const auto rows = static_cast<pybind11::ssize_t>(columns == 0 ? 0 : numbers.size() / columns);
+  pybind11::array_t<To> result({rows, static_cast<pybind11::ssize_t>(columns)});
   To* place = result.mutable_data();
   for (const From& number : numbers) *place++ = static_cast<To>(number);
   return result;
 }
 template <class To, class From>
 [[nodiscard]] pybind11::array_t<To> array_of(const std::vector<From>& numbers) {
-  pybind11::array_t<To> result(numbers.size());
+  pybind11::array_t<To> result(static_cast<pybind11::ssize_t>(numbers.size()));
   To* place = result.mutable_data();
   for (const From& number : numbers) *place++ = static_cast<To>(number);
   return result;
