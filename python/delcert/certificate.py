@@ -3,7 +3,9 @@
 import functools
 import json
 import os
+import shutil
 import tempfile
+import weakref
 from collections.abc import Sequence
 from fractions import Fraction
 from pathlib import Path
@@ -83,10 +85,9 @@ class _Points(Sequence):
 class Certificate:
     """A certified Delaunay triangulation, as its file says: a claim until `check()` is true."""
 
-    def __init__(self, path, report=None, folder=None):
+    def __init__(self, path, report=None, temporary_folder=None):
         self.path = Path(path)
         self.report_of_run = report  # of `certify`: docs/report-format.md
-        self._folder = folder
         self._content = _delcert.ReadCertificate(os.fspath(path))
         self._facts = json.loads(self._content.summary())
         self.manifold, self.family = self._facts["manifold"], self._facts["family"]
@@ -95,6 +96,8 @@ class Certificate:
         self.software = self._facts["software"]
         self.levels = self._facts["levels"]  # as claimed: what `delcert info --json` prints
         self.checked = None  # what `check()` found last
+        if temporary_folder is not None:
+            weakref.finalize(self, shutil.rmtree, temporary_folder)
 
     def check(self):
         """Has delcert-check, a separate program, verify the file."""

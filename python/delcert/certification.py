@@ -3,6 +3,7 @@
 import json
 import os
 import shlex
+import shutil
 import tempfile
 from pathlib import Path
 
@@ -115,8 +116,13 @@ def certify(manifold, *, output=None, progress=None, **options):
             raise Usage(f"{option} asks for lattice")
     folder = None
     if output is None:
-        folder = tempfile.TemporaryDirectory(prefix="delcert-")
-        output = Path(folder.name) / f"{Path(name).stem}.delcert.json.zst"
-    with progress_of(progress) as told:
-        report = json.loads(_delcert.certify(read, os.fspath(output), _command(read), told))
-    return Certificate(output, report, folder)
+        folder = tempfile.mkdtemp(prefix="delcert-")
+        output = Path(folder) / f"{Path(name).stem}.delcert.json.zst"
+    try:
+        with progress_of(progress) as told:
+            report = json.loads(_delcert.certify(read, os.fspath(output), _command(read), told))
+        return Certificate(output, report, folder)
+    except BaseException:
+        if folder is not None:
+            shutil.rmtree(folder)
+        raise

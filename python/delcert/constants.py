@@ -38,8 +38,9 @@ def near(constant):
     """About how large it is: a power of 2 where a float cannot hold it."""
     if constant.lower == 0:
         return "0"
-    if constant.log2 is not None and not -1000 < constant.log2[0] < 1000:
-        return f"about 2^{float(constant.log2[0]):.6g}"
+    exponent = abs(constant.lower.numerator).bit_length() - constant.lower.denominator.bit_length()
+    if not -1000 < exponent < 1000:
+        return f"about 2^{exponent if constant.log2 is None else float(constant.log2[0]):.6g}"
     return f"about {float(constant.lower):.6g}"
 
 
