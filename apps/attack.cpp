@@ -75,7 +75,7 @@ std::vector<Refutation> refutations_of(const std::vector<Target>& targets, const
 ExitStatus replay_witness(const AttackOptions& options) {
   const InterruptionDeadline deadline;
   if (options.claims.all || options.claims.names.size() > 1 || options.twins) {
-    throw InputError("--replay is about one witness, and at most one claim to take instead of the one it names");
+    throw InputError("--replay takes one witness, and at most one claim in place of the one that the witness names");
   }
   const Witness witness = read_witness(options.replay);
   std::optional<Replay> replay;
@@ -135,7 +135,7 @@ void print(const std::vector<TwinRow>& rows, std::size_t refuted, bool json) {
 
 /// All twins have to be refuted, and every conclusion has one or says why not.
 ExitStatus attack_twins(const AttackOptions& options) {
-  if (!options.log.empty()) throw InputError("--log is about campaigns, not about --twins");
+  if (!options.log.empty()) throw InputError("--log is for campaigns, not for --twins");
   std::vector<TwinRow> rows;
   {
     const InterruptionDeadline deadline;
@@ -213,12 +213,12 @@ ExitStatus report(const std::vector<Target>& targets, const std::vector<Tally>& 
 }
 
 ExitStatus run_attack(const AttackOptions& options) {
-  if (options.latex && !options.replay.empty()) throw InputError("--latex is about campaigns, not about --replay");
+  if (options.latex && !options.replay.empty()) throw InputError("--latex is for campaigns, not for --replay");
   if (!options.replay.empty()) return replay_witness(options);
   if (options.samples == 0 || options.samples > most_samples) throw InputError("--samples takes 1 to 10^10");
-  if (options.latex && options.twins) throw InputError("--latex is about campaigns, not about --twins");
+  if (options.latex && options.twins) throw InputError("--latex is for campaigns, not for --twins");
   if (options.twins) return attack_twins(options);
-  if (options.stored) throw InputError("--stored is about --twins");
+  if (options.stored) throw InputError("--stored needs --twins");
   CampaignPlan plan;
   plan.targets = targets_of(options);
   if (plan.targets.empty()) throw InputError("no claim is about a class with this --shape");
@@ -246,20 +246,19 @@ void add_attack(CLI::App& program, Action& chosen) {
   CLI::App* command = add_named(program, about_attack);
   add_claim_options(*command, options->claims);
   command->add_option("--samples", options->samples,
-                      "Samples for each claim and shape (default 1000; less where an instance is costly)");
+                      "Samples for each claim and shape (default 1000; fewer where an instance is costly)");
   command->add_option("--least", options->least,
-                      "What fewer instances have not refuted counts as hardly attacked (default 100)");
+                      "With fewer instances than this, a conclusion counts as hardly attacked (default 100)");
   command->add_option("--seed", options->seed, "Seed of the random choices (default 0)");
   command->add_option("--threads", options->threads, "Threads (default: all; the result does not depend on it)");
   command->add_option("--log", options->log, "JSON lines, one for each finished block; a campaign goes on from there");
-  command->add_option(
-      "--witnesses", options->witnesses,
-      "Folder for witness files of what is refuted; with --twins what is refuted by one there is not attacked");
+  command->add_option("--witnesses", options->witnesses,
+                      "Folder for witness files; with --twins, a twin that a witness there refutes is not attacked");
   command->add_option("--replay", options->replay,
-                      "Decide again what this witness file says, of the claim that it names or of CLAIM");
+                      "Decide this witness file anew, for the claim that it names or for CLAIM");
   command->add_flag("--twins", options->twins, "Attack the twins, which all have to be refuted, instead of the claims");
   command->add_flag("--stored", options->stored,
-                    "With --twins: only by the witnesses in the folder, nothing is searched");
+                    "With --twins: decide only the witnesses in the folder, search for nothing");
   command->add_flag("--short", options->is_short, "A row of the table for all shapes of the same k");
   CLI::Option* json = command->add_flag("--json", options->json, "Print JSON");
   command->add_flag("--latex", options->latex, "Print the table in LaTeX (longtable, booktabs), and nothing else")

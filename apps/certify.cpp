@@ -65,8 +65,8 @@ void add_certify(CLI::App& program, Action& chosen) {
   CLI::Option* mode =
       command
           ->add_option("--mode", options->choice.mode,
-                       "theory: the paper's constants; measured: chosen tolerances (default theory, on space forms "
-                       "other than flat tori, metric fields and submanifolds measured)")
+                       "theory: the paper's constants; measured: chosen tolerances (default theory; on space "
+                       "forms other than flat tori, metric fields, atlases and submanifolds measured)")
           ->transform(CLI::CheckedTransformer(modes))
           ->type_name("theory|measured");
   command->add_option("--candidates", options->choice.candidates, "Which simplices perturbations are tested against")
@@ -76,20 +76,22 @@ void add_certify(CLI::App& program, Action& chosen) {
   add_exact_option(*command, "--tolerance", options->choice.tolerance, "Measured mode: tolerance in units of ε");
   add_exact_option(*command, "--clearance", options->choice.clearance,
                    "A second tolerance, for candidates that can become Delaunay, in units of ε");
-  command->add_option("--choices", options->choice.choices, "Of so many good perturbations the one with most clearance")
+  command
+      ->add_option("--choices", options->choice.choices,
+                   "Good perturbations of which the one with most clearance is taken")
       ->check(CLI::Range(1, 1000000));
   add_exact_option(*command, "--required-protection", options->required_protection,
-                   "Repair simplices that are not more protected than this, in units of ε");
+                   "Repair simplices whose protection is not above this, in units of ε");
   command->add_option("--repair-rounds", options->repair_rounds, "Rounds of repair before giving up (default 20)")
       ->check(CLI::Range(0, 1000000));
   command
       ->add_option("--refine", options->refinement_rounds,
-                   "Submanifolds: rounds of halving radii where something fails, at most (default 0)")
+                   "Submanifolds: greatest number of rounds that halve radii where something fails (default 0)")
       ->check(CLI::Range(0, 100));
   command->add_flag("--no-perturbation", options->no_perturbation, "Take the net as it is");
   command->add_option_function<std::string>(
       "--levels", [options](const std::string& text) { options->levels = parse_levels(text); },
-      "Levels to claim at most, e.g. 0,1,2,4,5 (default all)");
+      "Claim at most these levels, e.g. 0,1,2,4,5 (default all)");
   command
       ->add_option("--output", options->output, "The certificate (default MANIFOLD.delcert.json.zst); .zst compresses")
       ->type_name("FILE");

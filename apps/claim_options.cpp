@@ -47,7 +47,8 @@ std::vector<Claim> claims_about_instances(const ClaimOptions& options) {
 }
 
 std::vector<Claim> claims_of(const ClaimOptions& options) {
-  if (options.all && !options.names.empty()) throw InputError("--all are all claims: name some, or say --all");
+  if (options.all && !options.names.empty())
+    throw InputError("--all means all claims: name some claims, or give --all");
   if (options.all) return builtin_files();
   if (options.names.empty()) throw InputError("no claim: name some, or say --all");
   std::vector<Claim> result;

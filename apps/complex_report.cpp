@@ -110,7 +110,7 @@ std::string findings_text(const ComplexDescription& complex, const std::string& 
     if (text.empty() && json.at("status") != "verified") text = "\n  " + json.at("status").get<std::string>();
     return text;
   } catch (const nlohmann::json::exception&) {
-    throw std::runtime_error("delcert-check printed what is not its JSON");
+    throw std::runtime_error("the output of delcert-check is not its JSON");
   }
 }
 

@@ -51,7 +51,7 @@ ExportedText export_of(const ExportOptions& options) {
 
 ExitStatus write_export(const ExportOptions& options) {
   if (!options.output.empty() && std::filesystem::exists(std::filesystem::symlink_status(options.output)))
-    throw InputError(options.output + ": there is such a file; it is not replaced");
+    throw InputError(options.output + ": the file exists and is not replaced");
   const ExportedText result = export_of(options);
   if (options.output.empty()) {
     std::cout << result.text;
@@ -99,14 +99,14 @@ void add_export(CLI::App& program, Action& chosen) {
       ->type_name("NAME");
   const CLI::Option* copies = add_name_option<DrawingCopies>(
       *command, "--copies", {DrawingCopies::quotient, DrawingCopies::cell, DrawingCopies::glued},
-      "Each label once; each simplex once, in one fundamental cell (as a rule); the cell "
-      "and what touches it",
+      "Each label once; each simplex once, in one fundamental cell (the default); the cell "
+      "and all copies that touch it",
       [options](DrawingCopies chosen_copies) { options->request.drawing.copies = chosen_copies; });
   const CLI::Option* model = add_name_option<DrawingModel>(
       *command, "--model",
       {DrawingModel::unit, DrawingModel::conformal, DrawingModel::stereographic, DrawingModel::gnomonic,
        DrawingModel::space},
-      "Coordinates; each family has a usual model",
+      "The model for coordinates; each family has a default",
       [options](DrawingModel chosen_model) { options->request.drawing.model = chosen_model; });
   command->add_flag("--only-verified", options->only_verified,
                     "Run delcert-check first, and write nothing unless it verifies");
@@ -130,7 +130,7 @@ void add_export(CLI::App& program, Action& chosen) {
         throw CLI::ValidationError(option->get_name(), "there are no coordinates in files" + of_format);
     }
     if (is_drawn && options->request.simplify)
-      throw CLI::ValidationError("--simplify", "what is left would have no measures; not in files" + of_format);
+      throw CLI::ValidationError("--simplify", "the result would have no measures; not in files" + of_format);
     if (options->request.is_exact && options->request.format->name != "json")
       throw CLI::ValidationError("--exact", "there are no exact numbers in files" + of_format);
     chosen = [options] { return write_export(*options); };

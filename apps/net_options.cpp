@@ -27,7 +27,7 @@ void add_net_options(CLI::App& command, NetSource& source, bool with_file) {
       ->type_name("F")
       ->excludes(lattice_option);
   command
-      .add_option("--relax", source.relaxation_steps, "Space forms: so many of Lloyd's steps for the net (default 0)")
+      .add_option("--relax", source.relaxation_steps, "Space forms: number of Lloyd's steps for the net (default 0)")
       ->type_name("STEPS");
   command
       .add_option(

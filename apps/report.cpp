@@ -97,7 +97,7 @@ void add_report(CLI::App& program, Action& chosen) {
                     "Run delcert-check on each certificate and show what it says (the default)");
   command->footer(
       "Exit status: 0 written, and every certificate verified (with --no-check: written), 1 one is rejected, 3 one is\n"
-      "malformed, 2 one is undecided. The page is written in all of these cases, if it can be read at all.\n\n"
+      "malformed, 2 one is undecided. In all of these cases the page is written, if the files can be read at all.\n\n"
       "Examples:\n"
       "  delcert report torus-3.json.zst --output torus-3.html\n"
       "  delcert report bolza.json.zst klein-bottle.json.zst found/my-claim.radius.json --output gallery.html");

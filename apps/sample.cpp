@@ -62,7 +62,7 @@ ExitStatus sample(const SampleOptions& options) {
 
 void add_sample(CLI::App& program, Action& chosen) {
   const auto options = std::make_shared<SampleOptions>();
-  CLI::App* command = program.add_subcommand("sample", "Make a net of a manifold and measure it, certified");
+  CLI::App* command = program.add_subcommand("sample", "Make a net of a manifold and measure it with certified bounds");
   add_net_options(*command, options->source, false);
   command->add_option("--output", options->output, "The point file to write")->required()->type_name("FILE");
   command->add_flag("--json", options->json, "Print JSON");

@@ -147,7 +147,7 @@ void add_tighten(CLI::App& program, Action& chosen) {
   CLI::App* command = add_named(program, about_tighten);
   add_claim_options(*command, options->claims);
   command->add_option("--evaluations", options->evaluations,
-                      "Instances to try for each conclusion and shape (default 4000; less where one is costly)");
+                      "Instances to try for each conclusion and shape (default 4000; fewer where one is costly)");
   command->add_option("--seed", options->seed, "Seed of the search (default 0)");
   command->add_option("--threads", options->threads, "Threads (default: all; the result does not depend on it)");
   command->add_option("--log", options->log,
@@ -156,7 +156,8 @@ void add_tighten(CLI::App& program, Action& chosen) {
   CLI::Option* json = command->add_flag("--json", options->json, "Print JSON");
   command->add_flag("--latex", options->latex, "Print the table in LaTeX (longtable, booktabs)")->excludes(json);
   command->footer(
-      "The ratio is that of the smaller side to the larger one as the conclusion has them, certified; above 1 the\n"
+      "The ratio is that of the side which the conclusion calls smaller to the other side. It is certified; above 1 "
+      "the\n"
       "conclusion is refuted (exit status 1).\n\n"
       "Examples:\n"
       "  delcert tighten thickness-and-singular-value --shape 2,2\n"

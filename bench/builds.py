@@ -8,7 +8,8 @@ table of docs/performance.md between its marks and cmake/build-costs.tsv, from w
   bench/builds.py render         the table and the file again from the record
   bench/builds.py check          whether they are those of the record
 
-Processor seconds are those of all compilers and linkers together, so other work on the machine matters little.
+Processor seconds are those of all compilers and linkers together. Other work on the machine makes them more, by a third and above
+where several processes wait for each core, so the table has the load: how many processes ran or waited, ours among them.
 """
 
 import argparse
@@ -47,7 +48,8 @@ def built(clone, build, target, jobs):
     steps = re.findall(r"^\[\d+/(\d+)\]", output, re.MULTILINE)
     return {"steps": int(steps[-1]) if steps else 0,
             "processor": round(after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime),
-            "wall": round(time.monotonic() - begin), "megabytes": round(megabytes_in(build) - size)}
+            "wall": round(time.monotonic() - begin), "load": round(os.getloadavg()[2], 1),
+            "megabytes": round(megabytes_in(build) - size)}
 
 
 def configured(clone, folder, tests):
@@ -81,16 +83,16 @@ def sums_of(targets):
         rows.append(("and then attack, prove", first + [targets[PROGRAMS[2]]]))
     if "all" in targets:
         rows.append(("`./test`: everything", [targets["all"]]))
-    return [(title, parts[-1]["commit"], {key: sum(part[key] for part in parts) for key in ("steps", "processor", "megabytes")})
-            for title, parts in rows]
+    return [(title, parts[-1]["commit"], max(part["load"] for part in parts),
+             {key: sum(part[key] for part in parts) for key in ("steps", "processor", "megabytes")}) for title, parts in rows]
 
 
 def table(record):
-    lines = ["| | what is built | steps | processor seconds | minutes on two idle cores, at least | MB in `build/` |",
-             "|---|---|--:|--:|--:|--:|"]
+    lines = ["| | what is built | steps | processor seconds | load | minutes on two cores | MB in `build/` |",
+             "|---|---|--:|--:|--:|--:|--:|"]
     for name, one in record.items():
-        for title, commit, total in sums_of(one):
-            lines.append(f"| {name}, {commit} | {title} | {total['steps']} | {total['processor']} | "
+        for title, commit, load, total in sums_of(one):
+            lines.append(f"| {name}, {commit} | {title} | {total['steps']} | {total['processor']} | {load} | "
                          f"{total['processor'] / 120:.1f} | {total['megabytes']} |")
     return "\n".join(lines) + "\n"
 

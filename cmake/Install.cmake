@@ -35,6 +35,16 @@ install(FILES ${PROJECT_SOURCE_DIR}/cmake/completions/delcert DESTINATION ${CMAK
   COMPONENT delcert)
 install(FILES ${PROJECT_SOURCE_DIR}/cmake/completions/_delcert DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions
   COMPONENT delcert)
+# What the checker is built from: `delcert bundle` puts it into supplements.
+file(STRINGS ${PROJECT_SOURCE_DIR}/cmake/checker-source.txt checker_source)
+foreach(path IN LISTS checker_source)
+  if(path MATCHES "/$")
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/${path} DESTINATION ${CMAKE_INSTALL_DATADIR}/delcert/checker-source/${path} COMPONENT delcert)
+  else()
+    cmake_path(GET path PARENT_PATH folder)
+    install(FILES ${PROJECT_SOURCE_DIR}/${path} DESTINATION ${CMAKE_INSTALL_DATADIR}/delcert/checker-source/${folder} COMPONENT delcert)
+  endif()
+endforeach()
 # ./run asks whether what is installed is what stands here.
 install(FILES ${PROJECT_BINARY_DIR}/generated/commit DESTINATION ${CMAKE_INSTALL_DATADIR}/delcert COMPONENT delcert)
 install(DIRECTORY ${PROJECT_BINARY_DIR}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT delcert OPTIONAL

@@ -24,7 +24,7 @@ class MeshFamily final : public Family {
     report.graphs->ambient_dimension = zero_set_.ambient();
     if (manifold.dimension != Dimension(2) || zero_set_.ambient() != 3)
       throw InputError(manifold.name +
-                       ": with --complex a mesh of triangles in space is certified, and this is no surface in space");
+                       ": --complex certifies a mesh of triangles in space, but this is not a surface in space");
   }
 
   void make_net(const NetSource& source, const Progress& progress) override {
@@ -36,7 +36,7 @@ class MeshFamily final : public Family {
     std::sort(simplices_.begin(), simplices_.end());
     const auto twice = std::adjacent_find(simplices_.begin(), simplices_.end());
     if (twice != simplices_.end())
-      throw Rejection(fmt::format("{}: the triangle {} is there twice", file_, fmt::join(*twice, " ")));
+      throw Rejection(fmt::format("{}: the triangle {} occurs twice", file_, fmt::join(*twice, " ")));
     report.sampling_radius = source.radius ? *source.radius : radius_for(mesh);
     report.points = mesh.points.size();
     report.simplices = simplices_.size();
@@ -97,7 +97,7 @@ class MeshFamily final : public Family {
     }
     std::sort(squares.begin(), squares.end());
     const Rational& most = squares[squares.size() * 9 / 10];
-    if (most == Rational(0)) throw Rejection("a mesh of which nearly all edges have no length");
+    if (most == Rational(0)) throw Rejection("nearly all edges of the mesh have length 0");
     const Rational half = square_root_upper(most, 20) / Rational(2);
     return rounded_up(half, binary_exponent(half) - 11);
   }
@@ -122,7 +122,8 @@ class MeshFamily final : public Family {
 
 std::unique_ptr<Family> family_of_mesh(const AnyManifold& manifold, const std::string& file) {
   if (const auto* submanifold = std::get_if<SubmanifoldDescription>(&manifold)) {
-    if (submanifold->mesh) throw InputError("--complex is for manifolds by equations, and not for those by a mesh");
+    if (submanifold->mesh)
+      throw InputError("--complex is for manifolds given by equations, not for those given by a mesh");
     return std::make_unique<MeshFamily>(*submanifold, file);
   }
   throw InputError("--complex with --manifold is for submanifolds; without it for a complex with group elements");

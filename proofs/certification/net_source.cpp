@@ -51,7 +51,7 @@ void NetSource::refuse_sizing() const {
 template <int m>
 std::optional<TorusSizing<m>> NetSource::torus_sizing(const FlatSpace<m>& space) const {
   if (sizing.text.empty()) return std::nullopt;
-  require_radius("--radius, the greatest that --sizing is to have");
+  require_radius("--radius, the greatest radius of --sizing");
   return delcert::torus_sizing<m>(sizing, space, approximate_double(*radius));
 }
 

@@ -78,7 +78,7 @@ delcert_cli_test(figure-curve STATUS 0 ERROR "^$" OUTPUT "not verified.; [0-9]+ 
   sh ${delcert})
 
 # Bundles: the same bytes again, commands of the README that succeed, and one that fails where a byte is changed.
-set(supplement --title "A & b" --author "Doe, Jane" --license CC-BY-4.0)
+set(supplement --no-checker --title "A & b" --author "Doe, Jane" --license CC-BY-4.0)
 set(bundle_works ${CMAKE_CURRENT_LIST_DIR}/bundle_works.sh)
 delcert_cli_test(bundle STATUS 0 ERROR "^$" FIXTURES run-square run-torus-3 FIXTURE_SETUP bundle
   OUTPUT "^supplement.zip: 14 files, 2 certificates, not verified\n$"
@@ -92,7 +92,10 @@ foreach(changed certificates/run-square.json.zst exports/run-torus-3.vtu)
   delcert_cli_test(bundle-changed-${name} STATUS 1 OUTPUT "fails: sha256sum -c" ERROR "^$" FIXTURES bundle
     COMMAND ${bundle_works} supplement.zip $<TARGET_FILE_DIR:delcert-check> ${changed})
 endforeach()
-delcert_cli_test(bundle-onto-a-file STATUS 3 OUTPUT "^$" ERROR "supplement.zip: there is such a file; it is not replaced" FIXTURES run-square bundle
+delcert_cli_test(bundle-has-the-checker STATUS 0 OUTPUT "^source.zip: [0-9]+ files, 1 certificate, not verified, and the source of the checker\n.*checker/proofs/checker/main.cpp: OK" ERROR "^$"
+  FIXTURES run-square COMMAND sh -c "rm -rf source.zip source-of-checker && mkdir source-of-checker && \"$1\" bundle run-square.json.zst --title x --author y --output source.zip \
+    && cd source-of-checker && cmake -E tar xf ../source.zip && sha256sum -c SHA256SUMS" sh ${delcert})
+delcert_cli_test(bundle-onto-a-file STATUS 3 OUTPUT "^$" ERROR "supplement.zip: the file exists and is not replaced" FIXTURES run-square bundle
   COMMAND ${delcert} bundle run-square.json.zst ${supplement} --output supplement.zip)
 delcert_cli_test(bundle-of-changed STATUS 3 OUTPUT "^$" ERROR "export-unsealed.json: the seal is wrong" FIXTURES export-forged
   COMMAND ${delcert} bundle export-unsealed.json ${supplement} --output never.zip)

@@ -28,7 +28,7 @@ delcert_cli_test(certify-sizing-of-a-ball STATUS 3 OUTPUT "^$" ERROR "--sizing i
   COMMAND ${delcert} certify --manifold disk --radius 1/12 --sizing ${CMAKE_CURRENT_LIST_DIR}/sizings/steep.txt --output never.json)
 delcert_cli_test(certify-sizing-by-curvature-of-a-torus STATUS 3 OUTPUT "^$" ERROR "a flat torus has no curvature"
   COMMAND ${delcert} certify --manifold torus-2 --radius 1/32 --sizing curvature:1/10,1/10 --output never.json)
-delcert_cli_test(certify-sizing-without-radius STATUS 3 OUTPUT "^$" ERROR "the greatest that --sizing is to have"
+delcert_cli_test(certify-sizing-without-radius STATUS 3 OUTPUT "^$" ERROR "the greatest radius of --sizing"
   COMMAND ${delcert} certify --manifold torus-2 --sizing ${CMAKE_CURRENT_LIST_DIR}/sizings/steep.txt --output never.json)
 delcert_cli_test(sample-with-sizing STATUS 0 OUTPUT "points in graded.txt.*in the charts separation" ERROR "^$" FIXTURE_SETUP run-graded-points
   COMMAND ${delcert} sample --manifold torus-2 --radius 1/32 --sizing ${PROJECT_SOURCE_DIR}/examples/sizings/torus-2.txt --seed 1 --output graded.txt)

@@ -6,16 +6,23 @@ import { webp } from "./webp.mjs";
 
 const [modules, pages, images] = process.argv.slice(2), browser = await Browser.start(modules);
 const width = 1000, height = 735;
+const worst = async (page) => {
+  await page.locator("button.worst").click();
+  await page.getByRole("button", { name: "Reset" }).click();
+};
 const views = {
-  "seifert-weber": async () => {},
-  "bolza-surface": async (page) => {
-    await page.locator("button.worst").click();
-    await page.getByRole("button", { name: "Reset" }).click();
-  },
+  "torus-2": worst,
+  "sphere-2": worst,
+  "bolza-surface": worst,
+  "klein-bottle": worst,
   "torus-3": async (page) => {
     await page.getByLabel("Cut").selectOption("0");
     await page.getByLabel("Size of simplices").fill("80");
   },
+  "sphere-3": worst,
+  "poincare-sphere": async () => {},
+  "seifert-weber": async () => {},
+  "attack": async () => {},
 };
 for (const [name, arrange] of Object.entries(views)) {
   const { page } = await browser.open(join(pages, `${name}.html`));
