@@ -4,14 +4,14 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <thread>
 
-#include "apps/attack_report.hpp"
 #include "apps/claim_commands.hpp"
 #include "apps/claim_options.hpp"
 #include "apps/interruption.hpp"
 #include "apps/progress_line.hpp"
+#include "properties/attack/attack_report.hpp"
+#include "properties/attack/refutations.hpp"
 #include "properties/attack/replay.hpp"
 #include "properties/attack/twins.hpp"
 #include "support/atomic_file.hpp"
@@ -59,24 +59,15 @@ std::string write_witness(const std::string& folder, const std::string& name, co
   return path.string();
 }
 
-/// One for each conclusion of each claim that was refuted: the first violation in the first shape where there is one,
-/// made simpler.
 std::vector<Refutation> refutations_of(const std::vector<Target>& targets, const std::vector<Tally>& tallies,
                                        const AttackOptions& options, const Progress& progress) {
   std::vector<Refutation> result;
-  std::set<std::pair<std::string, std::string>> seen;
-  for (std::size_t at = 0; at < targets.size(); ++at) {
-    const Claim& claim = targets[at].claim;
-    for (std::size_t conclusion = 0; conclusion < tallies[at].conclusions.size(); ++conclusion) {
-      const ConclusionTally& tally = tallies[at].conclusions[conclusion];
-      const std::string& name = claim.conclusions[conclusion].name;
-      if (tally.violated == 0 || !seen.emplace(claim.name, name).second) continue;
-      const auto instance = sample_instance(claim, targets[at].shape, options.seed, tally.first_violation);
-      const Witness witness = shrunk_witness(claim, conclusion, instance.value().bindings, progress);
-      result.push_back({claim.name, name, targets[at].shape, tally.first_violation, witness_text(witness), ""});
-      if (options.witnesses.empty()) continue;
-      result.back().file = write_witness(options.witnesses, witness_file_name(claim, name), result.back().witness);
-    }
+  for (const FoundRefutation& found : refutations_in(targets, tallies, options.seed, progress)) {
+    const auto& [claim, shape, samples] = targets[found.target];
+    const std::string& name = claim.conclusions[found.conclusion].name;
+    result.push_back({claim.name, name, shape, found.sample, witness_text(found.witness), ""});
+    if (options.witnesses.empty()) continue;
+    result.back().file = write_witness(options.witnesses, witness_file_name(claim, name), result.back().witness);
   }
   return result;
 }

@@ -58,8 +58,9 @@ void add_bundle(CLI::App& program, Action& chosen) {
       ->required()
       ->allow_extra_args(false);
   command->add_option("--license", options->facts.license, "An SPDX identifier, for example CC-BY-4.0 (default: none)");
-  command->add_flag("--checker,!--no-checker", options->has_checker,
-                    "Put the source of delcert-check into the archive, so that it can be built from there (the default)");
+  command->add_flag(
+      "--checker,!--no-checker", options->has_checker,
+      "Put the source of delcert-check into the archive, so that it can be built from there (the default)");
   command->footer(
       "Certificates, their manifolds, exports, checksums, references, and descriptions for Zenodo, CodeMeta and "
       "RO-Crate.\n"

@@ -18,8 +18,8 @@ inline constexpr CommandName about_claims{"claims", "The claims of the library, 
 inline constexpr CommandName about_attack{"attack", "Attack claims on random instances, with exact decisions"};
 inline constexpr CommandName about_tighten{"tighten", "Search for the instances that come nearest to refuting a claim"};
 inline constexpr CommandName about_prove{"prove", "Prove the numeric steps of claims for all parameters"};
-inline constexpr CommandName about_errata{"errata",
-                                          "Print remarks on the preprint of the paper, with commands that reproduce them"};
+inline constexpr CommandName about_errata{
+    "errata", "Print remarks on the preprint of the paper, with commands that reproduce them"};
 inline constexpr CommandName about_tables{
     "tables", "Print the constants of the lemmas: the paper's, provable by the same proof, shown necessary"};
 inline constexpr CommandName about_formalise{"formalise", "Write the steps of proofs as files for Coq"};

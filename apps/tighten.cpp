@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "apps/attack_report.hpp"
 #include "apps/claim_commands.hpp"
 #include "apps/claim_options.hpp"
 #include "apps/interruption.hpp"
 #include "apps/progress_line.hpp"
 #include "proofs/publication/latex_table.hpp"
+#include "properties/attack/attack_report.hpp"
 #include "properties/attack/search_plan.hpp"
 #include "properties/attack/twins.hpp"
 #include "support/atomic_file.hpp"

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "apps/attack_report.hpp"
 #include "apps/witness_file.hpp"
 #include "apps/witness_item.hpp"
+#include "properties/attack/attack_report.hpp"
 #include "properties/attack/witness_points.hpp"
 #include "support/error.hpp"
 
@@ -10,7 +10,7 @@ namespace delcert {
 
 Figure witness_figure(const std::string& path) {
   const Witness witness = witnesses_in(path).front();
-  const std::vector<PointSet> sets = drawn_sets(witness);
+  const std::vector<DrawnSet> sets = drawn_sets(witness);
   if (sets.empty()) throw InputError("there is nothing to draw in this witness: it is numbers");
   Figure figure = figure_of(sets);
   const Replay replay = replayed(witness);

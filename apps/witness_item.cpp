@@ -1,9 +1,9 @@
 #include "apps/witness_item.hpp"
 
-#include "apps/attack_report.hpp"
 #include "apps/interruption.hpp"
 #include "apps/witness_file.hpp"
 #include "proofs/certificate/file_text.hpp"
+#include "properties/attack/attack_report.hpp"
 #include "properties/attack/witness_points.hpp"
 #include "support/error.hpp"
 
@@ -45,7 +45,7 @@ PageItem witness_item(const Witness& witness, const Replay& replay, const ShownF
                {"title", replay.claim.title}, {"conclusion", witness.conclusion},
                {"twin", witness.twin},        {"instance", witness.instance_class}};
   item.data["bindings"] = bindings_json(witness.bindings, signature);
-  for (const PointSet& set : drawn_sets(witness))
+  for (const DrawnSet& set : drawn_sets(witness))
     item.data["sets"].push_back({{"name", set.name},
                                  {"kind", set.is_simplex           ? "simplex"
                                           : set.points.size() == 1 ? "point"

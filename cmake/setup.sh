@@ -84,13 +84,13 @@ say_what_it_takes() {
     "(Where it was measured: $sum processor seconds.)"
 }
 
-# packages_for check | run | test | package: the packages needed for it, one a line. What a run needs includes what checking
+# packages_for check | run | test | package | python: the packages needed for it, one a line. What a run needs includes what checking
 # needs, and what the tests need includes all. With `optional` those instead that a distribution need not have,
 # as what they hold may be in another package: their purpose ends with a question mark.
 packages_for() {
   local purposes=$1 wanted_purpose purpose package what mark=""
   if [[ $1 == run || $1 == test ]]; then purposes="check run"; fi
-  if [[ $1 == test ]]; then purposes+=" test package"; fi
+  if [[ $1 == test ]]; then purposes+=" test package python"; fi
   if [[ ${2:-} == optional ]]; then mark="?"; fi
   while read -r purpose package what; do
     for wanted_purpose in $purposes; do
@@ -129,7 +129,7 @@ known_packages() {
   done
 }
 
-# install_packages check | run | test | package
+# install_packages check | run | test | package | python
 install_packages() {
   [[ -z ${DELCERT_SKIP_PACKAGES:-} ]] || return 0
   local -a wanted optional missing=() unsure=() as_root=()

@@ -116,9 +116,8 @@ std::string svg_of(const Figure& figure) {
   }
   for (const Figure::Name& name : figure.names) {
     const auto [x, y] = page.place(name.at);
-    out += fmt::format(
-        "<text x=\"{:.2f}\" y=\"{:.2f}\" font-family=\"serif\" font-size=\"18\" fill=\"{}\">{}</text>\n",
-        x + name_distance, y - name_distance, rgb(name.ink), in_markup(name.text));
+    out += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-family=\"serif\" font-size=\"18\" fill=\"{}\">{}</text>\n",
+                       x + name_distance, y - name_distance, rgb(name.ink), in_markup(name.text));
   }
   if (figure.scale) {
     const auto [from, to] = page.bar(figure.scale->length);
@@ -161,8 +160,8 @@ std::string tikz_of(const Figure& figure) {
   }
   for (const Figure::Name& name : figure.names) {
     const auto [x, y] = page.place(name.at);
-    out += fmt::format("\\node[above right,inner sep=1.5pt,{}] at ({:.2f},{:.2f}) {{{}}};\n", tikz_colour("text", name.ink),
-                       x, y, latex_text(name.text));
+    out += fmt::format("\\node[above right,inner sep=1.5pt,{}] at ({:.2f},{:.2f}) {{{}}};\n",
+                       tikz_colour("text", name.ink), x, y, latex_text(name.text));
   }
   if (figure.scale) {
     const auto [from, to] = page.bar(figure.scale->length);

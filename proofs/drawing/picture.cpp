@@ -6,7 +6,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "proofs/drawing/cell_data.hpp"
 #include "support/error.hpp"
+#include "support/spelling.hpp"
 
 namespace delcert {
 
@@ -21,7 +23,11 @@ constexpr double width_of_gap = 11;  ///< around an edge of a curve, in what is 
 
 class Picture {
  public:
-  explicit Picture(const Drawing& drawing) : drawing_(drawing), axes_(drawing.ambient_dimension), corners_(drawing.dimension + 1) {}
+  Picture(const Drawing& drawing, const PictureOptions& options)
+      : drawing_(drawing),
+        axes_(drawing.ambient_dimension),
+        corners_(drawing.dimension + 1),
+        shares_(is_curve() ? std::vector<double>() : shares(drawing, options.measure)) {}
 
   Figure figure(const PictureOptions& options) {
     Figure result;
@@ -40,7 +46,8 @@ class Picture {
                                {drawing_.domain[at + axes_], drawing_.domain[at + axes_ + 1]}});
     }
     if (!outline.lines.empty()) result.paths.push_back(outline);
-    result.description = fmt::format("{} {}", shown.size(), is_curve() ? "edges" : "triangles, shaded by thickness");
+    result.description = is_curve() ? fmt::format("{} edges", shown.size())
+                                    : fmt::format("{} triangles, shaded by {}", shown.size(), options.measure);
     if (options.has_worst_star) add_worst_star(result, shown);
     if (options.has_scale && has_lengths()) result.scale = round_scale(extent(shown) / 4);
     return result;
@@ -80,7 +87,8 @@ class Picture {
     std::vector<std::size_t> result(drawing_.simplex_count());
     std::iota(result.begin(), result.end(), std::size_t{0});
     if (axes_ == 2) return result;
-    if (drawing_.is_oriented && !is_curve()) std::erase_if(result, [this](std::size_t simplex) { return area(simplex) <= 0; });
+    if (drawing_.is_oriented && !is_curve())
+      std::erase_if(result, [this](std::size_t simplex) { return area(simplex) <= 0; });
     std::stable_sort(result.begin(), result.end(),
                      [this](std::size_t a, std::size_t b) { return height(a) < height(b); });
     return result;
@@ -105,9 +113,7 @@ class Picture {
   }
 
   [[nodiscard]] Figure::Path triangle(std::size_t simplex) const {
-    // A triangle's thickness is at most √3/4.
-    const double thickness = drawing_.measures.thickness[drawing_.positions[simplex]];
-    const double share = std::isnan(thickness) ? 0 : std::clamp(4 * thickness / std::sqrt(3.0), 0.0, 1.0);
+    const double share = shares_[simplex];
     const auto shade = [share](double lightest, double range) {
       return static_cast<int>(std::lround(lightest + range * share));
     };
@@ -125,7 +131,8 @@ class Picture {
   void add_vertices(Figure& result) const {
     for (std::size_t vertex = 0; vertex < drawing_.vertex_count(); ++vertex) {
       result.dots.push_back({{drawing_.coordinates[vertex * axes_], drawing_.coordinates[vertex * axes_ + 1]},
-                             vertex_radius(), colour_of_curve});
+                             vertex_radius(),
+                             colour_of_curve});
     }
   }
   /// In pixels: smaller where there are many.
@@ -137,8 +144,7 @@ class Picture {
     if (!position) return;
     std::uint32_t centre = 0;
     for (std::size_t simplex = 0; simplex < drawing_.simplex_count(); ++simplex) {
-      if (drawing_.positions[simplex] == *position)
-        centre = least_label(simplex);
+      if (drawing_.positions[simplex] == *position) centre = least_label(simplex);
     }
     Figure::Path star{{}, !is_curve(), std::nullopt, colour_of_worst, 3};
     Figure::Path worst = star;
@@ -159,9 +165,31 @@ class Picture {
     if (star.lines.empty()) result.description += "; it is on the other side";
   }
 
+  /// From 0 to 1, for each simplex of the drawing; 0 where nothing could be measured.
+  static std::vector<double> shares(const Drawing& drawing, const std::string& measure) {
+    const std::vector<NamedMeasure> measures = named_measures(drawing);
+    std::vector<std::string_view> names;
+    for (const NamedMeasure& one : measures) names.push_back(one.name);
+    const auto found = std::find(names.begin(), names.end(), measure);
+    if (found == names.end())
+      throw InputError(fmt::format("no measure {} (there is {}){}", shortened(measure), fmt::join(names, ", "),
+                                   suggestion(measure, names)));
+    std::vector<double> result = measures[static_cast<std::size_t>(found - names.begin())].values;
+    // A triangle's thickness is at most √3/4.
+    double greatest = std::sqrt(3.0) / 4;
+    if (measure != "thickness") {
+      greatest = 0;
+      for (const double value : result) greatest = std::isnan(value) ? greatest : std::max(greatest, value);
+    }
+    for (double& value : result)
+      value = std::isnan(value) || greatest <= 0 ? 0 : std::clamp(value / greatest, 0.0, 1.0);
+    return result;
+  }
+
   const Drawing& drawing_;
   std::size_t axes_;
   std::size_t corners_;  ///< of a simplex
+  std::vector<double> shares_;
 };
 
 /// The position of the least number; none if there is none.
@@ -185,7 +213,7 @@ Figure picture_of(const Drawing& drawing, const PictureOptions& options) {
     throw InputError("pictures are of certificates of dimension 1 or 2; this one has dimension " +
                      std::to_string(drawing.dimension));
   }
-  return Picture(drawing).figure(options);
+  return Picture(drawing, options).figure(options);
 }
 
 std::string picture_svg(const Drawing& drawing, const PictureOptions& options) {

@@ -14,21 +14,21 @@ namespace delcert {
 namespace {
 
 constexpr std::array<Figure::Colour, 4> inks{{{31, 78, 121}, {181, 55, 31}, {45, 125, 70}, {122, 79, 163}}};
-constexpr std::size_t most_names = 40;         ///< vertices of larger sets have no numbers
-constexpr double relative_rank = 1e-9;         ///< below it, relative to the greatest, an extent is taken to be zero
-constexpr double distance_of_panels = 2.6;     ///< for drawings of radius one
+constexpr std::size_t most_names = 40;          ///< vertices of larger sets have no numbers
+constexpr double relative_rank = 1e-9;          ///< below it, relative to the greatest, an extent is taken to be zero
+constexpr double distance_of_panels = 2.6;      ///< for drawings of radius one
 constexpr double angle_of_view[] = {0.5, 0.4};  ///< radians, about the first and the second axis
 
 /// Sets of one ambient dimension, in coordinates of which the first two are drawn.
 class Panel {
  public:
-  explicit Panel(std::vector<const PointSet*> sets) : sets_(std::move(sets)) {
+  explicit Panel(std::vector<const DrawnSet*> sets) : sets_(std::move(sets)) {
     Eigen::Index count = 0;
-    for (const PointSet* set : sets_) count += static_cast<Eigen::Index>(set->points.size());
+    for (const DrawnSet* set : sets_) count += static_cast<Eigen::Index>(set->points.size());
     const auto ambient = static_cast<Eigen::Index>(sets_.front()->points.front().size());
     Eigen::MatrixXd all(ambient, count);
     Eigen::Index column = 0;
-    for (const PointSet* set : sets_) {
+    for (const DrawnSet* set : sets_) {
       for (const auto& point : set->points)
         all.col(column++) = Eigen::Map<const Eigen::VectorXd>(point.data(), ambient);
     }
@@ -53,8 +53,8 @@ class Panel {
 
   [[nodiscard]] std::string description() const {
     std::vector<std::string> parts;
-    for (const PointSet* set : sets_) {
-      parts.push_back(set->is_simplex         ? fmt::format("the simplex {}", set->name)
+    for (const DrawnSet* set : sets_) {
+      parts.push_back(set->is_simplex          ? fmt::format("the simplex {}", set->name)
                       : set->points.size() > 1 ? fmt::format("{} points of {}", set->points.size(), set->name)
                                                : fmt::format("the point {}", set->name));
     }
@@ -69,7 +69,7 @@ class Panel {
     };
     Eigen::Index column = 0;
     for (std::size_t at = 0; at < sets_.size(); ++at) {
-      const PointSet& set = *sets_[at];
+      const DrawnSet& set = *sets_[at];
       const Figure::Colour ink = inks.at(at % inks.size());
       const auto count = static_cast<Eigen::Index>(set.points.size());
       const Eigen::Matrix3Xd own = places_.middleCols(column, count);
@@ -78,7 +78,8 @@ class Panel {
         if (!is_projected() && count > 2) add_ball_and_altitude(figure, own, ink, on_page, factor);
         Figure::Path edges{{}, false, std::nullopt, ink, 2};
         for (Eigen::Index a = 0; a < count; ++a) {
-          for (Eigen::Index b = a + 1; b < count; ++b) edges.lines.push_back({on_page(own.col(a)), on_page(own.col(b))});
+          for (Eigen::Index b = a + 1; b < count; ++b)
+            edges.lines.push_back({on_page(own.col(a)), on_page(own.col(b))});
         }
         if (!edges.lines.empty()) figure.paths.push_back(edges);
       }
@@ -134,7 +135,7 @@ class Panel {
     figure.paths.push_back({{{on_page(from), on_page(foot)}}, false, std::nullopt, ink, 1.5, true});
   }
 
-  std::vector<const PointSet*> sets_;
+  std::vector<const DrawnSet*> sets_;
   Eigen::Index rank_ = 0;  ///< the dimension of the affine hull of all points
   Eigen::Matrix3Xd places_;
   double radius_ = 1;  ///< of a ball around the middle that has all points
@@ -142,15 +143,16 @@ class Panel {
 
 }  // namespace
 
-Figure figure_of(const std::vector<PointSet>& sets) {
-  std::map<std::size_t, std::vector<const PointSet*>> by_dimension;
-  for (const PointSet& set : sets) by_dimension[set.points.front().size()].push_back(&set);
+Figure figure_of(const std::vector<DrawnSet>& sets) {
+  std::map<std::size_t, std::vector<const DrawnSet*>> by_dimension;
+  for (const DrawnSet& set : sets) by_dimension[set.points.front().size()].push_back(&set);
   Figure result;
   std::vector<std::string> descriptions;
   const bool is_alone = by_dimension.size() == 1;
   for (const auto& [dimension, own] : by_dimension) {
     const Panel panel(own);
-    panel.draw(result, distance_of_panels * static_cast<double>(descriptions.size()), is_alone ? 1 : 1 / panel.radius());
+    panel.draw(result, distance_of_panels * static_cast<double>(descriptions.size()),
+               is_alone ? 1 : 1 / panel.radius());
     if (is_alone) result.scale = round_scale(panel.radius() / 2);
     descriptions.push_back(panel.description());
   }

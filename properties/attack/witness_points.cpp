@@ -57,7 +57,7 @@ class Collector {
         sets.push_back({name, false, {doubles_of(child)}});
       } else if (part.is_object() && (key == "points" || key == "vertices") && has_lists &&
                  std::all_of(child.begin(), child.end(), is_coordinates)) {
-        PointSet set{name, is_simplex, {}};
+        DrawnSet set{name, is_simplex, {}};
         for (const Json& point : child) set.points.push_back(doubles_of(point));
         sets.push_back(std::move(set));
       } else if (part.is_object() && key == "squared_edges" && has_lists) {
@@ -68,17 +68,17 @@ class Collector {
     }
   }
 
-  std::vector<PointSet> sets;
+  std::vector<DrawnSet> sets;
 };
 
 }  // namespace
 
-std::vector<PointSet> drawn_sets(const Witness& witness) {
+std::vector<DrawnSet> drawn_sets(const Witness& witness) {
   const Json bindings = bindings_json(witness.bindings, instance_class(witness.instance_class).signature());
   Collector collector;
   for (const auto& [name, value] : bindings.items()) collector.visit(name, false, value);
   // A number beyond the range of doubles has no place on a page.
-  std::erase_if(collector.sets, [](const PointSet& set) {
+  std::erase_if(collector.sets, [](const DrawnSet& set) {
     return std::any_of(set.points.begin(), set.points.end(), [](const std::vector<double>& point) {
       return std::any_of(point.begin(), point.end(), [](double x) { return !std::isfinite(x); });
     });

@@ -28,7 +28,9 @@ TEST(Figure, is_svg_with_the_ordinate_upwards) {
   EXPECT_TRUE(has(svg, "d=\"M12.00 708.00L708.00 12.00\" fill=\"none\"")) << svg;
   EXPECT_TRUE(has(svg, "<circle cx=\"360.00\" cy=\"360.00\" r=\"174.00\"")) << svg;
   EXPECT_TRUE(has(svg, ">0.2</text>")) << svg;
-  EXPECT_TRUE(has(svg, "d=\"M708.00 708.00L12.00 12.00\" fill=\"none\" stroke=\"rgb(0 0 0)\" stroke-width=\"1.00\" stroke-dasharray"));
+  EXPECT_TRUE(has(
+      svg,
+      "d=\"M708.00 708.00L12.00 12.00\" fill=\"none\" stroke=\"rgb(0 0 0)\" stroke-width=\"1.00\" stroke-dasharray"));
   EXPECT_TRUE(has(svg, "<circle cx=\"708.00\" cy=\"708.00\" r=\"3.00\" fill=\"rgb(4 5 6)\"/>")) << svg;
   EXPECT_TRUE(has(svg, "<text x=\"18.00\" y=\"6.00\"")) << svg;
   EXPECT_TRUE(has(svg, "fill=\"rgb(7 8 9)\">a_0 &amp; b</text>")) << svg;

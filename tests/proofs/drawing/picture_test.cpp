@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <map>
+#include <set>
 
+#include "proofs/drawing/cell_data.hpp"
 #include "support/error.hpp"
 #include "tests/proofs/drawing/drawn_certificates.hpp"
 
@@ -77,6 +79,23 @@ TEST(Picture, KnowsNoWorstOfWhatWasNotMeasured) {
   EXPECT_EQ(picture_of(drawing, {true, false}).paths.size(), picture_of(drawing, {}).paths.size());
 }
 
+TEST(Picture, IsShadedByTheMeasureThatIsAskedFor) {
+  const Drawing drawing = drawing_of(test::torus_certificate(), {});
+  std::set<std::string> pictures;
+  for (const NamedMeasure& one : named_measures(drawing)) {
+    PictureOptions options;
+    options.measure = one.name;
+    const Figure figure = picture_of(drawing, options);
+    EXPECT_NE(figure.description.find("shaded by " + options.measure), std::string::npos);
+    EXPECT_TRUE(pictures.insert(svg_of(figure)).second) << options.measure;
+  }
+  EXPECT_GE(pictures.size(), 3U);
+  EXPECT_EQ(pictures.count(picture_svg(drawing)), 1U);
+  PictureOptions misspelt;
+  misspelt.measure = "protecton";
+  EXPECT_THROW((void)picture_of(drawing, misspelt), InputError);
+}
+
 /// A trefoil of chords, drawn from above.
 Drawing trefoil(std::size_t count) {
   Drawing drawing;
@@ -104,7 +123,8 @@ TEST(Picture, OfACurveInSpaceHasGapsWhereItPassesBehind) {
   ASSERT_EQ(figure.paths.size(), 2 * 90U + 2);
   EXPECT_EQ(figure.dots.size(), 90U);
   ASSERT_TRUE(figure.scale);
-  EXPECT_NE(figure.description.find("90 edges; the star of label 7 is marked"), std::string::npos) << figure.description;
+  EXPECT_NE(figure.description.find("90 edges; the star of label 7 is marked"), std::string::npos)
+      << figure.description;
   // Each edge lies on a gap of its own, and above all edges that are farther from the eye.
   for (std::size_t at = 0; at < 180; at += 2) {
     EXPECT_EQ(figure.paths[at].lines, figure.paths[at + 1].lines);

@@ -44,7 +44,7 @@ TEST(PointFigure, of_a_tetrahedron_is_seen_from_a_corner) {
 }
 
 TEST(PointFigure, of_four_dimensions_is_projected_and_says_so) {
-  PointSet set{"s", true, {{0, 0, 0, 0}}};
+  DrawnSet set{"s", true, {{0, 0, 0, 0}}};
   for (std::size_t axis = 0; axis < 4; ++axis) {
     set.points.push_back({0, 0, 0, 0});
     set.points.back()[axis] = static_cast<double>(axis + 1);
@@ -66,7 +66,8 @@ TEST(PointFigure, of_flat_simplices_and_single_points_has_no_ball) {
 }
 
 TEST(PointFigure, puts_sets_of_other_dimensions_side_by_side) {
-  const Figure figure = figure_of({{"a", true, {{0, 0}, {1, 0}, {0, 1}}}, {"b", true, {{0}, {100}}}, {"c", false, {{5, 5}}}});
+  const Figure figure =
+      figure_of({{"a", true, {{0, 0}, {1, 0}, {0, 1}}}, {"b", true, {{0}, {100}}}, {"c", false, {{5, 5}}}});
   EXPECT_FALSE(figure.scale) << "they have scales of their own";
   EXPECT_EQ(figure.description, "the simplex b; the simplex a, the point c");
   double rightmost_of_b = -10;
@@ -78,7 +79,7 @@ TEST(PointFigure, puts_sets_of_other_dimensions_side_by_side) {
 }
 
 TEST(PointFigure, has_no_numbers_in_a_crowd) {
-  PointSet crowd{"net", false, {}};
+  DrawnSet crowd{"net", false, {}};
   for (int at = 0; at < 60; ++at) crowd.points.push_back({std::cos(at), std::sin(2 * at)});
   EXPECT_TRUE(figure_of({crowd}).names.empty());
   crowd.points.resize(30);

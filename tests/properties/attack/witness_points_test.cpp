@@ -31,7 +31,8 @@ TEST(WitnessPoints, of_squared_edges_have_these_distances) {
   for (std::size_t i = 1; i < 4; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       double sum = 0;
-      for (std::size_t axis = 0; axis < 3; ++axis) sum += std::pow(sets[0].points[i][axis] - sets[0].points[j][axis], 2);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        sum += std::pow(sets[0].points[i][axis] - sets[0].points[j][axis], 2);
       EXPECT_NEAR(sum, static_cast<double>(edges[i - 1][j]), 1e-12) << i << " " << j;
     }
   }
@@ -48,7 +49,7 @@ TEST(WitnessPoints, are_there_for_every_class_that_has_points) {
     const auto instance = each->draw(each->shapes().front(), {}, NoLimits(), choices);
     if (!instance) continue;
     const auto sets = drawn_sets({"c", "d", "", each->name(), instance->bindings});
-    for (const PointSet& set : sets) {
+    for (const DrawnSet& set : sets) {
       ASSERT_FALSE(set.points.empty()) << each->name();
       for (const auto& point : set.points) EXPECT_EQ(point.size(), set.points.front().size()) << each->name();
     }
