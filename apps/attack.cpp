@@ -222,6 +222,8 @@ ExitStatus run_attack(const AttackOptions& options) {
     throw Undecided("not finished: " + std::to_string(outcome.finished) + " of " + std::to_string(outcome.blocks) +
                     " blocks after " + options.until + "; the same command goes on from them, in " + options.log);
   }
+  decide_anew(options.log, outcome.plan, outcome.records, plan.threads, line.callback());
+  line.clear();
   if (!options.part.empty()) return report_part(options, outcome, plan.part);
   return report_outcome(plan.targets, outcome.tallies, options.outcome(), line.callback());
 }

@@ -12,7 +12,6 @@
 #include "apps/claim_options.hpp"
 #include "apps/interruption.hpp"
 #include "apps/progress_line.hpp"
-#include "properties/attack/campaign_recheck.hpp"
 #include "support/atomic_file.hpp"
 #include "support/error.hpp"
 
@@ -110,7 +109,7 @@ ExitStatus run_merge(const MergeOptions& options) {
   ProgressLine line;
   {
     const InterruptionDeadline deadline;
-    require_evidence(campaign.plan, campaign.finished, threads_or_all(options.threads), line.callback());
+    decide_anew(options.output, campaign.plan, campaign.finished, threads_or_all(options.threads), line.callback());
   }
   line.clear();
   write_file_atomically(options.output, merged_text(campaign, logs));

@@ -5,6 +5,8 @@
 #include <thread>
 
 #include "apps/build_commit.hpp"
+#include "properties/attack/campaign_recheck.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 
@@ -15,6 +17,16 @@ std::string software_name() {
 
 unsigned threads_or_all(unsigned threads) {
   return threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
+}
+
+void decide_anew(const std::string& log, const CampaignPlan& plan, const std::map<Block, BlockRecord>& finished,
+                 unsigned threads, const Progress& progress) {
+  if (log.empty()) return;
+  try {
+    require_evidence(plan, finished, threads, progress);
+  } catch (const Rejection& rejection) {
+    throw Rejection(log + ": " + rejection.what());
+  }
 }
 
 }  // namespace delcert

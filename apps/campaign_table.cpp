@@ -9,7 +9,6 @@
 #include "apps/progress_line.hpp"
 #include "properties/attack/campaign.hpp"
 #include "properties/attack/campaign_merge.hpp"
-#include "properties/attack/campaign_recheck.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
@@ -36,7 +35,7 @@ ExitStatus run_table(const TableOptions& options) {
   if (!missing.empty()) throw Undecided(options.log + ": " + missing_text(log.plan, missing));
   const InterruptionDeadline deadline;
   ProgressLine line;
-  require_evidence(log.plan, log.finished, threads_or_all(options.threads), line.callback());
+  decide_anew(options.log, log.plan, log.finished, threads_or_all(options.threads), line.callback());
   line.clear();
   const OutcomeOptions outcome{log.plan.seed,    options.least, options.witnesses,
                                options.is_short, options.json,  options.latex};

@@ -84,7 +84,7 @@ CampaignOutcome run_campaign(const CampaignPlan& asked, const Progress& progress
     log.append(block, std::move(record));
   };
   run_jobs(missing.size(), plan.threads, job, [&] { progress("attack", done, total); });
-  return {tallies_of(plan, log.finished()), log.finished().size(), blocks.size()};
+  return {tallies_of(plan, log.finished()), log.finished(), plan, log.finished().size(), blocks.size()};
 }
 
 }  // namespace delcert

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -12,9 +13,11 @@ namespace delcert {
 
 /// What came of a campaign, or of its part.
 struct CampaignOutcome {
-  std::vector<Tally> tallies;  ///< of the targets, in their order
-  std::uint64_t finished = 0;  ///< blocks of the part
-  std::uint64_t blocks = 0;    ///< as many as it has
+  std::vector<Tally> tallies;            ///< of the targets, in their order
+  std::map<Block, BlockRecord> records;  ///< of the blocks that are finished
+  CampaignPlan plan;                     ///< with the sizes of blocks of its log
+  std::uint64_t finished = 0;            ///< blocks of the part
+  std::uint64_t blocks = 0;              ///< as many as it has
   [[nodiscard]] bool is_finished() const { return finished == blocks; }
 };
 

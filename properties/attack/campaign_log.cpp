@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kind = "campaign";
+constexpr const char* kind_of_log = "campaign";
 
 void require(bool fits, const std::string& complaint) {
   if (!fits) throw InputError(complaint);
@@ -153,7 +153,7 @@ CampaignRecord read_campaign(const std::filesystem::path& path) {
   CampaignRecord result;
   result.path = path;
   JobLogContents contents = read_job_log(
-      path, kind, [&](const Json& line, std::size_t) { result.plan = plan_from(line); },
+      path, kind_of_log, [&](const Json& line, std::size_t) { result.plan = plan_from(line); },
       [&](const Json& line, std::size_t number) { add_line(result, line, number); });
   result.writers = std::move(contents.writers);
   result.is_torn = !contents.file.torn.empty();
@@ -165,7 +165,7 @@ CampaignLog::CampaignLog(const CampaignPlan& plan) : plan_(plan) {
   contents_.path = plan.log;
   contents_.plan = plan;
   log_ = std::make_unique<JobLog>(
-      plan.log, kind, plan.log.empty() ? Json() : header_of(plan),
+      plan.log, kind_of_log, plan.log.empty() ? Json() : header_of(plan),
       [this](const Json& line, std::size_t) { agree(plan_, contents_, line); },
       [this](const Json& line, std::size_t number) { add_line(contents_, line, number); });
   bool extend = false;

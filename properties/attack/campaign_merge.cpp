@@ -81,7 +81,8 @@ std::string merged_text(const MergedCampaign& campaign, const std::vector<Campai
                        {"sum", log->sum}});
   }
   Chain chain;
-  std::string result = chain.seal(header_of(campaign.plan)) + "\n" + chain.seal({{"merged", sources}}) + "\n";
+  std::string result = chain.seal(header_of(campaign.plan)) + "\n";
+  result += chain.seal({{"merged", sources}}) + "\n";
   for (const auto& [block, record] : campaign.finished) result += chain.seal(record_json(block, record)) + "\n";
   return result;
 }

@@ -47,6 +47,16 @@ Json targets_json(const CampaignPlan& plan, const ClaimTexts& claims, bool with_
   return result;
 }
 
+/// The files are for witnesses, which name them. Results do not depend on them, nor does the digest.
+Json claims_json(const CampaignPlan& plan, const ClaimTexts& claims) {
+  Json result = Json::array();
+  for (std::size_t at = 0; at < plan.targets.size(); ++at) {
+    if (claims.numbers[at] != result.size()) continue;
+    result.push_back({{"file", plan.targets[at].claim.file}, {"text", claims.texts[claims.numbers[at]]}});
+  }
+  return result;
+}
+
 std::string digest_of(const CampaignPlan& plan, const ClaimTexts& claims) {
   const Json all{{"software", plan.software},
                  {"seed", plan.seed},
@@ -123,7 +133,7 @@ Json header_of(const CampaignPlan& plan) {
           {"software", plan.software},
           {"seed", plan.seed},
           {"part", {plan.part.number, plan.part.of}},
-          {"claims", claims.texts},
+          {"claims", claims_json(plan, claims)},
           {"targets", targets_json(plan, claims, true)},
           {"digest", digest_of(plan, claims)}};
 }
@@ -141,9 +151,10 @@ CampaignPlan plan_from(const Json& header) {
     throw InputError(text_of(plan.part) + " is no part: the first number is at least 1 and at most the second");
   }
   std::vector<Claim> claims;
-  for (const Json& text : header.at("claims")) {
-    claims.push_back(parse_claim(text.get<std::string>(), "claim " + std::to_string(claims.size()), full_vocabulary(),
-                                 all_signatures()));
+  for (const Json& json : header.at("claims")) {
+    claims.push_back(parse_claim(json.at("text").get<std::string>(), "claim " + std::to_string(claims.size()),
+                                 full_vocabulary(), all_signatures()));
+    json.at("file").get_to(claims.back().file);
   }
   for (const Json& json : header.at("targets")) {
     const Shape shape{json.at("k").get<int>(), json.at("m").get<int>()};

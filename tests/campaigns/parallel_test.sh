@@ -14,10 +14,10 @@ ln -s "$program" bin/delcert
 export PATH=$work/bin:$PATH HOME=$work PARALLEL=-j2
 fail() { echo "FAILED: $*"; exit 1; }
 
-attack=("$source/examples/claims/circumradius-below-edge.toml" --shape "2,2" --shape "3,3" --samples 16000 --seed 4)
+attack=("$source/examples/claims/circumradius-below-edge.toml" --shape "2,2" --shape "6,6" --samples 16000 --seed 4)
 # Files that are not there cannot be killed: the killers wait for them.
-kill_writer found/part-3.jsonl 4 "$program" & third=$!
-kill_writer found/part-6.jsonl 5 "$program" & sixth=$!
+kill_writer found/part-3.jsonl 12 "$program" & third=$!
+kill_writer found/part-6.jsonl 13 "$program" & sixth=$!
 bash "$source/examples/campaigns/gnu-parallel.sh" 8 found "${attack[@]}" >table.txt 2>errors.txt
 status=$?
 cat errors.txt

@@ -23,12 +23,12 @@ fail() { echo "FAILED: $*"; tail -n 20 "$work"/cluster/*.log "$work"/*.txt 2>/de
 job_is_over() { [[ -z $(squeue --noheader --jobs "$1" 2>/dev/null) ]]; }
 
 start_cluster "$work/cluster" || fail "Slurm does not start"
-attack=("$source/examples/claims/circumradius-below-edge.toml" --shape "2,2" --shape "3,3" --samples 40000 --seed 4)
+attack=("$source/examples/claims/circumradius-below-edge.toml" --shape "2,2" --shape "6,6" --samples 40000 --seed 4)
 array=$(sbatch --parsable --array=1-8 "$source/examples/campaigns/slurm-array.sh" found "${attack[@]}") || fail "sbatch"
 whole=$(sbatch --parsable --dependency=afterok:"$array" --output merge.txt \
   --wrap 'delcert campaign merge found/part-*.jsonl --output found/whole.jsonl') || fail "sbatch of the merge"
-kill_writer found/part-3.jsonl 4 "$program" & third=$!
-kill_writer found/part-6.jsonl 5 "$program" & sixth=$!
+kill_writer found/part-3.jsonl 25 "$program" & third=$!
+kill_writer found/part-6.jsonl 26 "$program" & sixth=$!
 wait_until 900 job_is_over "$array" || fail "the array does not end"
 wait $third || fail "part 3 was not killed"
 wait $sixth || fail "part 6 was not killed"

@@ -31,7 +31,7 @@ class CampaignParts : public testing::Test {
   }
   [[nodiscard]] static Arguments attack(const Arguments& rest, const std::string& samples = "5000") {
     return joined({DELCERT_PROGRAM, "attack", DELCERT_CLAIMS "/circumradius-by-thickness.toml",
-                   DELCERT_CLAIMS "/circumradius-below-edge.toml", "--shape", "2,2", "--shape", "3,3", "--seed", "4",
+                   DELCERT_CLAIMS "/circumradius-below-edge.toml", "--shape", "2,2", "--shape", "5,5", "--seed", "4",
                    "--samples", samples},
                   rest);
   }

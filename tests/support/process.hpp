@@ -8,19 +8,15 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
 
-namespace delcert::test {
+#include "tests/support/content_of.hpp"
 
-inline std::string content_of(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
+namespace delcert::test {
 
 /// A program on its own, its streams in files.
 class Process {

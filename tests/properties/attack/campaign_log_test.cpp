@@ -154,8 +154,8 @@ TEST_F(CampaignLogFile, a_first_line_that_does_not_fit_its_digest_is_refused) {
   EXPECT_TRUE(is_at(1, error(), "the digest is not that")) << error();
   test::write_lines(path_, good_);
   test::forge(path_, [](LogLines& lines) {
-    auto text = lines[0]["claims"][0].get<std::string>();
-    lines[0]["claims"][0] = text.replace(text.find("longest_edge"), 12, "shortest_edge");
+    auto text = lines[0]["claims"][0]["text"].get<std::string>();
+    lines[0]["claims"][0]["text"] = text.replace(text.find("longest_edge"), 12, "shortest_edge");
   });
   EXPECT_TRUE(is_at(1, error(), "the digest is not that")) << error();
 }

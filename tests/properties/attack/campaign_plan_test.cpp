@@ -95,6 +95,7 @@ TEST(CampaignPlan, comes_back_from_its_header) {
   EXPECT_EQ(back.seed, 3U);
   EXPECT_EQ(back.part, plan.part);
   EXPECT_EQ(back.targets[1].samples, 35U);
+  EXPECT_EQ(back.targets[1].claim.file, "right.toml");
   EXPECT_NO_THROW(require_same_campaign(plan, back));
 }
 
@@ -112,13 +113,14 @@ TEST(CampaignPlan, a_header_that_says_something_else_than_its_digest_is_refused)
   EXPECT_NE(changed([](Json& json) { json["targets"][0]["block"] = 20; }).find(digest), std::string::npos);
   EXPECT_NE(changed([](Json& json) { json["targets"].erase(2); }).find(digest), std::string::npos);
   EXPECT_NE(changed([](Json& json) {
-              auto text = json["claims"][0].get<std::string>();
-              json["claims"][0] = text.replace(text.find("<="), 2, "< ");
+              auto text = json["claims"][0]["text"].get<std::string>();
+              json["claims"][0]["text"] = text.replace(text.find("<="), 2, "< ");
             }).find(digest),
             std::string::npos);
   // The twin: samples and parts are no part of what the digest is of.
   EXPECT_EQ(changed([](Json& json) { json["targets"][0]["samples"] = 66; }), "no error");
   EXPECT_EQ(changed([](Json& json) { json["part"] = {2, 2}; }), "no error");
+  EXPECT_EQ(changed([](Json& json) { json["claims"][0]["file"] = "elsewhere.toml"; }), "no error");
 }
 
 TEST(CampaignPlan, a_header_that_is_none_is_refused) {
@@ -135,7 +137,7 @@ TEST(CampaignPlan, a_header_that_is_none_is_refused) {
   EXPECT_NE(changed([](Json& json) { json["targets"][0]["claim"] = 2; }).find("no claim 2"), std::string::npos);
   EXPECT_NE(changed([](Json& json) { json["targets"][0]["k"] = 9; }).find("does not have this shape"),
             std::string::npos);
-  EXPECT_NE(changed([](Json& json) { json["claims"][0] = "name = 1"; }).find("claim 0:1"), std::string::npos);
+  EXPECT_NE(changed([](Json& json) { json["claims"][0]["text"] = "name = 1"; }).find("claim 0:1"), std::string::npos);
   EXPECT_TRUE(changed([](Json& json) { json.erase("seed"); }).starts_with("JSON: "));
 }
 

@@ -5,12 +5,12 @@
 #include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "properties/attack/campaign.hpp"
 #include "tests/properties/attack/small_claims.hpp"
+#include "tests/support/content_of.hpp"
 
 namespace delcert::test {
 
@@ -36,13 +36,6 @@ inline std::string text_of(const std::vector<Tally>& tallies) {
   std::string result;
   for (const Tally& tally : tallies) result += tally_json(tally).dump() + "\n";
   return result;
-}
-
-inline std::string content_of(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::stringstream buffer;
-  buffer << stream.rdbuf();
-  return buffer.str();
 }
 
 using LogLines = std::vector<nlohmann::ordered_json>;
