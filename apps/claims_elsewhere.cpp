@@ -7,7 +7,7 @@ namespace delcert {
 
 namespace {
 
-constexpr CommandName left_to_claims[] = {about_claims, about_attack, about_tighten,  about_prove,
+constexpr CommandName left_to_claims[] = {about_claims, about_attack, about_campaign, about_tighten,  about_prove,
                                           about_errata, about_tables, about_formalise};
 
 }  // namespace
@@ -22,6 +22,7 @@ bool is_left_to_claims(std::string_view subcommand) {
 // Never parsed: main hands over before.
 void add_claims(CLI::App& program, Action&) { add_named(program, about_claims); }
 void add_attack(CLI::App& program, Action&) { add_named(program, about_attack); }
+void add_campaign(CLI::App& program, Action&) { add_named(program, about_campaign); }
 void add_tighten(CLI::App& program, Action&) { add_named(program, about_tighten); }
 void add_prove(CLI::App& program, Action&) { add_named(program, about_prove); }
 void add_errata(CLI::App& program, Action&) { add_named(program, about_errata); }
