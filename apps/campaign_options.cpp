@@ -4,7 +4,7 @@
 #include <delcert_version.hpp>
 #include <thread>
 
-#include "apps/build_commit.hpp"
+#include "support/build_commit.hpp"
 #include "properties/attack/campaign_recheck.hpp"
 #include "support/error.hpp"
 
