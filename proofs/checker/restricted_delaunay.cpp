@@ -307,6 +307,16 @@ class CoveredDisc {
   double wide_, bend_ = 0;  // in the intrinsic case labels that are farther in the chart are not said to be near
 };
 
+/// M is so steep at most where it is no farther than this from the origin of a chart: less near it (sub.graph), but for
+/// meshes.
+Interval slope_within(const TangentCharts& charts, Label i, double distance) {
+  const Interval& slope = charts.manifold().slope.filter;
+  if (charts.polyhedron() != nullptr) return slope;
+  const Interval share = exactly_at(distance) / charts.patch(i).radius.filter;
+  const Interval here = slope * (Interval(1) + Interval(7) * share) / Interval(8);
+  return exactly_at(std::min(slope.upper(), here.upper()));
+}
+
 /// 4.density: in some chart the circumradius, and what the simplex is moved by there, are small.
 void check_dense(const TangentCharts& charts, const GraphTriangulation& triangulation, Report& report) {
   const Certificate& c = charts.certificate();
@@ -327,7 +337,15 @@ void check_dense(const TangentCharts& charts, const GraphTriangulation& triangul
       const Simplex<Interval> simplex(c.metric, vertices);
       if (simplex.complete != Verdict::proved) continue;
       const double moved = triangulation.movement_in(labels[k], s);
-      least = std::min(least, (stretch * Interval::between(0, upper_root(simplex.radius_squared) + moved)).upper());
+      double farthest = 0;  // what is over the simplex, from the origin of the chart
+      for (std::size_t v = 0; v <= c.m_size(); ++v) {
+        const TangentChart<Interval>& chart = charts.chart(labels[k]);
+        farthest = std::max(farthest, norm_above(transposed_times(chart.tangent, charts.point(labels[v]) - chart.centre)));
+      }
+      const Interval steepest = slope_within(charts, labels[k], farthest + moved);
+      least = std::min(least, (square_root(Interval(1) + square(steepest)) *
+                               Interval::between(0, upper_root(simplex.radius_squared) + moved))
+                                  .upper());
     }
     if (least <= smallest) continue;
     // What is over the simplex may be nearest to these.
