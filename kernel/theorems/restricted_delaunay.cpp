@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t labels_at_a_time = 64;
 constexpr long digits_of_density = 12;
 /// Readers bound changes of slopes otherwise, and less well.
-const Interval room_for_readers = Interval::exactly(1.5);
+const Interval room_for_readers = Interval::exactly(1.25);
 /// Boxes are halved so often.
 constexpr int most_halvings = 12;
 
