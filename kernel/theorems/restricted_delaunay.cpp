@@ -27,7 +27,8 @@ Interval stretch_of(const Rational& slope) { return square_root(Interval(1) + sq
 Interval slope_within(const GraphVertices& vertices, std::uint32_t j, const Interval& distance, const Interval& slope) {
   if (!vertices.manifold.is_smooth()) return slope;
   const Interval share = distance / scalar_from<Interval>(vertices.charts[j].data().radius);
-  return Interval::exactly(std::min(slope.upper(), (slope * (Interval(1) + Interval(7) * share) / Interval(8)).upper()));
+  return Interval::exactly(
+      std::min(slope.upper(), (slope * (Interval(1) + Interval(7) * share) / Interval(8)).upper()));
 }
 
 /// How far, along M, a point over the simplex is from a vertex, at most: by the simplex's circumradius in the chart of

@@ -342,8 +342,8 @@ Polyhedron::Hull Polyhedron::hull(Label i, std::size_t s, double displacement) c
   return result;
 }
 
-/// With A symmetric, s + A y has the slope <e, A e> along a unit vector e, and slopes of facets differ from it most at a
-/// corner. Least squares choose s and A.
+/// With A symmetric, s + A y has the slope <e, A e> along a unit vector e, and slopes of facets differ from it most at
+/// a corner. Least squares choose s and A.
 Polyhedron::Change Polyhedron::slope_change(Label i, const Matrix<Interval>& point, double wide) const {
   const TangentChart<Interval>& chart = charts_.chart(i);
   const Matrix<Interval> home = transposed_times(chart.tangent, point - chart.centre);

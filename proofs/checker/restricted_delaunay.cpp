@@ -63,8 +63,8 @@ class CoveredDisc {
         slope_(charts.manifold().slope.filter.upper()),
         stretch_(upper_root(Interval(1) + square(charts.manifold().slope.filter))),
         height_(transposed_times(charts.chart(i).normal, charts.point(i) - charts.chart(i).centre)),
-        home_(upper_root(squared_norm(
-            transposed_times(charts.chart(i).tangent, charts.point(i) - charts.chart(i).centre)))),
+        home_(upper_root(
+            squared_norm(transposed_times(charts.chart(i).tangent, charts.point(i) - charts.chart(i).centre)))),
         wide_(std::min(2 * radius_.upper(), (charts.patch(i).radius.filter - exactly_at(home_)).lower() * 0.999)) {
     find_rivals();
     if (c_.intrinsic) bound_changes();
@@ -173,14 +173,14 @@ class CoveredDisc {
       for (std::size_t a = 0; a < m_; ++a) place[a] = middle[a];
       for (std::size_t a = 0; a < q_; ++a) z[a] = exactly_at(anchor.height[a]);
       const double farthest = upper_root(squared_length(middle)) + reach;
-      rate = std::max(rate, bend_about(charts_.point(i_) + chart.tangent * place + chart.normal * z, anchor.error, reach,
-                                       slope_within(charts_, i_, home_ + farthest).upper()));
+      rate = std::max(rate, bend_about(charts_.point(i_) + chart.tangent * place + chart.normal * z, anchor.error,
+                                       reach, slope_within(charts_, i_, home_ + farthest).upper()));
     }
     rate_ = std::min(rate_, rate);
   }
 
-  /// A bound of the second derivative of the heights of M over the places within a distance of that of a point; over the
-  /// place M is within the error of the point, and nowhere steeper than the slope.
+  /// A bound of the second derivative of the heights of M over the places within a distance of that of a point; over
+  /// the place M is within the error of the point, and nowhere steeper than the slope.
   double bend_about(const Matrix<Interval>& point, double error, double wide, double slope) {
     const TangentChart<Interval>& chart = charts_.chart(i_);
     const std::size_t N = m_ + q_;
@@ -401,7 +401,8 @@ void check_dense(const TangentCharts& charts, const GraphTriangulation& triangul
       double farthest = 0;  // what is over the simplex, from the origin of the chart
       for (std::size_t v = 0; v <= c.m_size(); ++v) {
         const TangentChart<Interval>& chart = charts.chart(labels[k]);
-        farthest = std::max(farthest, norm_above(transposed_times(chart.tangent, charts.point(labels[v]) - chart.centre)));
+        farthest =
+            std::max(farthest, norm_above(transposed_times(chart.tangent, charts.point(labels[v]) - chart.centre)));
       }
       const Interval steepest = slope_within(charts, labels[k], farthest + moved);
       least = std::min(least, (square_root(Interval(1) + square(steepest)) *
