@@ -6,6 +6,7 @@
 #include <iterator>
 #include <memory>
 
+#include "apps/checker_source.hpp"
 #include "apps/commands.hpp"
 #include "support/atomic_file.hpp"
 #include "support/error.hpp"
@@ -18,6 +19,7 @@ struct BundleOptions {
   std::vector<std::string> files;
   std::string output;
   BundleFacts facts;
+  bool has_checker = true;
 };
 
 std::string bytes_of_file(const std::string& file) {
@@ -34,10 +36,12 @@ ExitStatus write_bundle(const BundleOptions& options) {
   for (const std::string& file : options.files)
     certificates.push_back(
         {std::filesystem::path(file).filename().string(), bytes_of_file(file), read_certificate(file)});
-  const std::vector<ArchiveFile> files = bundle_files(certificates, options.facts);
+  const std::vector<ArchiveFile> checker = options.has_checker ? checker_source() : std::vector<ArchiveFile>();
+  const std::vector<ArchiveFile> files = bundle_files(certificates, options.facts, checker);
   write_file_atomically(options.output, zip_archive(files));
   std::cout << options.output << ": " << files.size() << " files, " << certificates.size()
-            << (certificates.size() == 1 ? " certificate" : " certificates") << ", not verified\n";
+            << (certificates.size() == 1 ? " certificate" : " certificates") << ", not verified"
+            << (checker.empty() ? "" : ", and the source of the checker") << "\n";
   return ExitStatus::verified;
 }
 
@@ -54,6 +58,9 @@ void add_bundle(CLI::App& program, Action& chosen) {
       ->required()
       ->allow_extra_args(false);
   command->add_option("--license", options->facts.license, "An SPDX identifier, for example CC-BY-4.0 (default: none)");
+  command->add_flag(
+      "--checker,!--no-checker", options->has_checker,
+      "Put the source of delcert-check into the archive, so that it can be built from there (the default)");
   command->footer(
       "Certificates, their manifolds, exports, checksums, references, and descriptions for Zenodo, CodeMeta and "
       "RO-Crate.\n"

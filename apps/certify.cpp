@@ -2,13 +2,13 @@
 #include <memory>
 #include <sstream>
 
-#include "apps/build_commit.hpp"
 #include "apps/certification.hpp"
 #include "apps/certify_complex.hpp"
 #include "apps/command_line.hpp"
 #include "apps/commands.hpp"
 #include "apps/exact_option.hpp"
-#include "kernel/parallel/threads.hpp"
+#include "apps/net_options.hpp"
+#include "support/build_commit.hpp"
 
 namespace delcert {
 
@@ -28,7 +28,7 @@ LevelSelection parse_levels(const std::string& text) {
 }
 
 /// --complex in the place of --manifold; what is about nets is not for it.
-void add_complex_option(CLI::App& command, const std::shared_ptr<CertifyOptions>& options) {
+void add_complex_option(CLI::App& command, const std::shared_ptr<CertifyCommand>& options) {
   command.get_option("--manifold")->required(false);
   command
       .add_option("--complex", options->complex,
@@ -54,10 +54,10 @@ void require_manifold_or_complex(const CLI::App& command) {
 }  // namespace
 
 void add_certify(CLI::App& program, Action& chosen) {
-  const auto options = std::make_shared<CertifyOptions>();
+  const auto options = std::make_shared<CertifyCommand>();
   CLI::App* command =
       program.add_subcommand("certify", "Perturb a net, compute its Delaunay complex and write a certificate");
-  options->source.add_options(*command, true);
+  add_net_options(*command, options->source, true);
   add_complex_option(*command, options);
   const std::map<std::string, RunMode> modes{{"theory", RunMode::theory}, {"measured", RunMode::measured}};
   const std::map<std::string, CandidateRule> rules{
@@ -125,12 +125,7 @@ void add_certify(CLI::App& program, Action& chosen) {
       chosen = [options] { return certify_complex(*options); };
       return;
     }
-    chosen = [options] {
-      const ThreadLimit limit(options->threads);
-      options->choice.seed = options->source.seed;
-      if (options->no_perturbation) options->choice.mode = RunMode::none;
-      return certify(*options);
-    };
+    chosen = [options] { return certify(*options); };
   });
 }
 

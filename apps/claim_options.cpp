@@ -82,9 +82,4 @@ std::vector<Shape> shapes_of(const ClaimOptions& options, const Claim& claim) {
   return result;
 }
 
-std::string text_of(const Shape& shape) {
-  const std::string m = "m=" + std::to_string(shape.m);
-  return shape.k == 0 ? m : "k=" + std::to_string(shape.k) + " " + m;
-}
-
 }  // namespace delcert

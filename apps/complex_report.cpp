@@ -7,9 +7,9 @@
 #include <stdexcept>
 
 #include "apps/printable.hpp"
-#include "apps/report_parts.hpp"
-#include "apps/run_report.hpp"
 #include "proofs/certificate/content.hpp"
+#include "proofs/certification/report_parts.hpp"
+#include "proofs/certification/run_report.hpp"
 
 namespace delcert {
 

@@ -4,8 +4,8 @@
 #include <iostream>
 #include <memory>
 
+#include "apps/claim_commands.hpp"
 #include "apps/claim_options.hpp"
-#include "apps/commands.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "proofs/formal/step_lemma.hpp"
 #include "support/error.hpp"
@@ -72,7 +72,7 @@ ExitStatus formalise(const FormaliseOptions& options) {
 }  // namespace
 
 void add_formalise(CLI::App& program, Action& chosen) {
-  CLI::App* command = program.add_subcommand("formalise", "Write the steps of proofs as files for Coq");
+  CLI::App* command = add_named(program, about_formalise);
   const auto options = std::make_shared<FormaliseOptions>();
   add_claim_options(*command, options->claims);
   command->add_option("--step", options->steps, "Only the steps of this name; may be repeated");

@@ -3,10 +3,10 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.hpp"
-#include "apps/text_table.hpp"
 #include "kernel/manifold/manifold_list.hpp"
 #include "support/error.hpp"
 #include "support/spelling.hpp"
+#include "support/text_table.hpp"
 
 namespace delcert {
 

@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "apps/attack_report.hpp"
+#include "apps/claim_commands.hpp"
 #include "apps/claim_options.hpp"
-#include "apps/commands.hpp"
 #include "apps/interruption.hpp"
 #include "apps/progress_line.hpp"
 #include "proofs/publication/latex_table.hpp"
+#include "properties/attack/attack_report.hpp"
 #include "properties/attack/search_plan.hpp"
 #include "properties/attack/twins.hpp"
 #include "support/atomic_file.hpp"
@@ -144,8 +144,7 @@ ExitStatus run_tighten(const TightenOptions& options) {
 
 void add_tighten(CLI::App& program, Action& chosen) {
   const auto options = std::make_shared<TightenOptions>();
-  CLI::App* command =
-      program.add_subcommand("tighten", "Search for the instances that come nearest to refuting a claim");
+  CLI::App* command = add_named(program, about_tighten);
   add_claim_options(*command, options->claims);
   command->add_option("--evaluations", options->evaluations,
                       "Instances to try for each conclusion and shape (default 4000; fewer where one is costly)");

@@ -99,6 +99,15 @@ Proof. intros; nra. Qed.
 Lemma abs_le_of_squares a b : 0 <= b -> a * a <= b * b -> Rabs a <= b.
 Proof. intros; apply Rabs_le; split; nra. Qed.
 
+Lemma at_most_quotient a b x : 0 < b -> x * b <= a -> x <= a / b.
+Proof. intros Hb H; apply Rmult_le_reg_r with b; trivial; now replace (a / b * b) with a by (field; lra). Qed.
+
+Lemma quotient_at_most a b x : 0 < b -> a <= x * b -> a / b <= x.
+Proof. intros Hb H; apply Rmult_le_reg_r with b; trivial; now replace (a / b * b) with a by (field; lra). Qed.
+
+Lemma quotient_nonneg a b : 0 <= a -> 0 < b -> 0 <= a / b.
+Proof. intros Ha Hb; apply at_most_quotient; lra. Qed.
+
 (** Cauchy and Schwarz, squared. *)
 Lemma cauchy_schwarz_squared n u v : dot n u v * dot n u v <= dot n u u * dot n v v.
 Proof.

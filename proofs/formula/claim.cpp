@@ -63,14 +63,14 @@ class ClaimReader : FormulaReader {
     const toml::node* node = table.get("status");
     if (node == nullptr) return ClaimStatus::user;
     const std::string text = string(table, "status", true);
-    for (const ClaimStatus candidate : {ClaimStatus::paper, ClaimStatus::mended, ClaimStatus::user}) {
+    for (const ClaimStatus candidate : claim_statuses) {
       if (text != name_of(candidate)) continue;
       if (candidate != ClaimStatus::user && !table.contains("source")) {
         fail(node->source(), "a claim of the paper says where it stands there: the key source is missing");
       }
       return candidate;
     }
-    fail(node->source(), "a status is \"paper\", \"mended\" or \"user\", not \"" + shortened(text) + "\"");
+    fail(node->source(), "a status is \"paper\", \"mended\", \"sharper\" or \"user\", not \"" + shortened(text) + "\"");
   }
 
   void read_parameters(const toml::table& table, Claim& claim) {

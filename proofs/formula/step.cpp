@@ -102,6 +102,8 @@ std::string_view name_of(ClaimStatus status) {
       return "paper";
     case ClaimStatus::mended:
       return "mended";
+    case ClaimStatus::sharper:
+      return "sharper";
     default:
       return "user";
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -18,10 +19,15 @@ struct Statement {
 };
 
 enum class ClaimStatus : unsigned char {
-  paper,   ///< as the paper states it
-  mended,  ///< with what the paper's statement lacks
-  user     ///< not in the paper
+  paper,    ///< as the paper states it
+  mended,   ///< with what the paper's statement lacks
+  sharper,  ///< what the paper could have claimed: a better constant or exponent, with a proof
+  user      ///< not in the paper
 };
+
+/// All of them, in the order of the enumeration.
+inline constexpr std::array claim_statuses = {ClaimStatus::paper, ClaimStatus::mended, ClaimStatus::sharper,
+                                              ClaimStatus::user};
 
 [[nodiscard]] std::string_view name_of(ClaimStatus status);
 

@@ -60,16 +60,17 @@ class StepReader {
     const toml::node* node = table_.get("status");
     if (node == nullptr) return status_of_file;
     const std::string text = reader_.string(table_, "status", true);
-    for (const ClaimStatus candidate : {ClaimStatus::paper, ClaimStatus::mended, ClaimStatus::user}) {
+    for (const ClaimStatus candidate : claim_statuses) {
       if (text == name_of(candidate)) return candidate;
     }
-    reader_.fail(node->source(), "a status is \"paper\", \"mended\" or \"user\", not \"" + shortened(text) + "\"");
+    reader_.fail(node->source(),
+                 "a status is \"paper\", \"mended\", \"sharper\" or \"user\", not \"" + shortened(text) + "\"");
   }
 
   void read_lines() {
     const toml::node* node = table_.get("lines");
     if (node == nullptr) {
-      if (step_.status == ClaimStatus::user) return;
+      if (step_.status == ClaimStatus::user || step_.status == ClaimStatus::sharper) return;
       reader_.fail(table_.source(), "a step of the paper says where it stands there: the key lines is missing");
     }
     step_.lines = reader_.string(table_, "lines", true);

@@ -4,7 +4,7 @@
 usage: coverage.py [--list] [--paper PAPER.tex]
 
 Reads relations.tsv (what extract_relations.py lists), the claim files in proofs/claims/, and here claims.toml and
-reasons.toml. A relation is mapped if its line is among the `lines` of a step that is not a user's, or if a claim is
+reasons.toml. A relation is mapped if its line is among the `lines` of a step of the paper or a mended one, or if a claim is
 about a label that it stands under, or if claims.toml names a claim for its line, or else if reasons.toml gives a reason.
 Prints the figures, and with --list every entry with what it is mapped to. Exit status 1 for each of: a relation that is
 mapped to nothing; lines without a relation that have a reason or a claim; a claim that does not exist; with --paper a
@@ -57,7 +57,8 @@ def cover(relations, claim_files, named_claims, reasons):
             if "show" in file and status != "user":
                 by_label.setdefault(label, stem)
         for step in file.get("step", []):
-            if step.get("status", status) != "user":
+            # A sharper step is about what the paper could have claimed, and stands at no line of it.
+            if step.get("status", status) not in ("user", "sharper"):
                 for line in lines_of(step["lines"]):
                     steps.setdefault(line, f"{stem}/{step['name']}")
     for entry in named_claims:

@@ -147,7 +147,7 @@ delcert_cli_test(homology-without-simplices STATUS 3 OUTPUT "^$" ERROR "points.t
   COMMAND ${delcert} homology points.txt)
 delcert_cli_test(info-json STATUS 0 OUTPUT "\"levels_claimed\": .*\"homology\": \"Z, Z.2, Z\"" ERROR "^$" FIXTURES run-square
   COMMAND ${delcert} info run-square.json.zst --json)
-delcert_cli_test(info-picture-of-dimension-3 STATUS 3 ERROR "pictures are of two-dimensional" FIXTURES run-torus-3
+delcert_cli_test(info-picture-of-dimension-3 STATUS 3 ERROR "pictures are of certificates of dimension 1 or 2" FIXTURES run-torus-3
   COMMAND ${delcert} info run-torus-3.json.zst --picture never.svg)
 delcert_cli_test(info-no-file STATUS 3 OUTPUT "^$" ERROR "no-such-file.json: cannot be opened"
   COMMAND ${delcert} info no-such-file.json)

@@ -76,6 +76,7 @@ TEST(Claims, what_may_be_missing_has_its_default) {
 TEST(Claims, statuses_have_names) {
   EXPECT_EQ(name_of(ClaimStatus::paper), "paper");
   EXPECT_EQ(name_of(ClaimStatus::mended), "mended");
+  EXPECT_EQ(name_of(ClaimStatus::sharper), "sharper");
   EXPECT_EQ(name_of(ClaimStatus::user), "user");
 }
 

@@ -81,7 +81,7 @@ TEST(Steps, of_the_paper_say_where_they_stand) {
   EXPECT_EQ(error_of(paper), "f.toml:4:1: a step of the paper says where it stands there: the key lines is missing");
   EXPECT_EQ(error_of(paper + "status = 'user'\n"), "accepted");
   EXPECT_EQ(error_of(paper + "status = 'papers'\n"),
-            "f.toml:7:10: a status is \"paper\", \"mended\" or \"user\", not \"papers\"");
+            "f.toml:7:10: a status is \"paper\", \"mended\", \"sharper\" or \"user\", not \"papers\"");
   for (const char* fits : {"1", "12-13", "1, 3-4, 10"})
     EXPECT_EQ(error_of(paper + "lines = '" + fits + "'\n"), "accepted");
   for (const char* wrong : {"", "0", "3-2", "1,2", "5, 4", "1-", "x", "1, "}) {

@@ -61,6 +61,7 @@ TEST(StepRange, errors_say_where) {
 TEST(Steps, statuses_have_names) {
   EXPECT_EQ(name_of(ClaimStatus::paper), "paper");
   EXPECT_EQ(name_of(ClaimStatus::mended), "mended");
+  EXPECT_EQ(name_of(ClaimStatus::sharper), "sharper");
   EXPECT_EQ(name_of(ClaimStatus::user), "user");
 }
 
