@@ -1,20 +1,23 @@
 #include <algorithm>
+#include <charconv>
+#include <chrono>
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <set>
-#include <thread>
+#include <optional>
 
-#include "apps/attack_report.hpp"
+#include "apps/attack_outcome.hpp"
+#include "apps/campaign_options.hpp"
+#include "apps/claim_commands.hpp"
 #include "apps/claim_options.hpp"
-#include "apps/commands.hpp"
 #include "apps/interruption.hpp"
 #include "apps/progress_line.hpp"
+#include "properties/attack/attack_report.hpp"
+#include "properties/attack/refutations.hpp"
 #include "properties/attack/replay.hpp"
 #include "properties/attack/twins.hpp"
-#include "support/atomic_file.hpp"
+#include "support/duration.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
@@ -30,14 +33,20 @@ struct AttackOptions {
   std::string log;
   std::string witnesses;
   std::string replay;
+  std::string part;
+  std::string until;
+  std::string progress_every;
   bool twins = false;
   bool stored = false;
   bool is_short = false;
   bool json = false;
   bool latex = false;
+
+  [[nodiscard]] OutcomeOptions outcome() const { return {seed, least, witnesses, is_short, json, latex}; }
 };
 
 constexpr std::uint64_t most_samples = 10000000000;
+constexpr std::chrono::seconds usual_progress_every(60);
 
 std::vector<Target> targets_of(const AttackOptions& options) {
   std::vector<Target> result;
@@ -50,41 +59,10 @@ std::vector<Target> targets_of(const AttackOptions& options) {
   return result;
 }
 
-std::string write_witness(const std::string& folder, const std::string& name, const std::string& text) {
-  const std::filesystem::path path = std::filesystem::path(folder) / name;
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (failure) throw InputError("--witnesses " + folder + ": " + failure.message());
-  write_file_atomically(path, text);
-  return path.string();
-}
-
-/// One for each conclusion of each claim that was refuted: the first violation in the first shape where there is one,
-/// made simpler.
-std::vector<Refutation> refutations_of(const std::vector<Target>& targets, const std::vector<Tally>& tallies,
-                                       const AttackOptions& options, const Progress& progress) {
-  std::vector<Refutation> result;
-  std::set<std::pair<std::string, std::string>> seen;
-  for (std::size_t at = 0; at < targets.size(); ++at) {
-    const Claim& claim = targets[at].claim;
-    for (std::size_t conclusion = 0; conclusion < tallies[at].conclusions.size(); ++conclusion) {
-      const ConclusionTally& tally = tallies[at].conclusions[conclusion];
-      const std::string& name = claim.conclusions[conclusion].name;
-      if (tally.violated == 0 || !seen.emplace(claim.name, name).second) continue;
-      const auto instance = sample_instance(claim, targets[at].shape, options.seed, tally.first_violation);
-      const Witness witness = shrunk_witness(claim, conclusion, instance.value().bindings, progress);
-      result.push_back({claim.name, name, targets[at].shape, tally.first_violation, witness_text(witness), ""});
-      if (options.witnesses.empty()) continue;
-      result.back().file = write_witness(options.witnesses, witness_file_name(claim, name), result.back().witness);
-    }
-  }
-  return result;
-}
-
 ExitStatus replay_witness(const AttackOptions& options) {
   const InterruptionDeadline deadline;
   if (options.claims.all || options.claims.names.size() > 1 || options.twins) {
-    throw InputError("--replay is about one witness, and at most one claim to take instead of the one it names");
+    throw InputError("--replay takes one witness, and at most one claim in place of the one that the witness names");
   }
   const Witness witness = read_witness(options.replay);
   std::optional<Replay> replay;
@@ -144,7 +122,7 @@ void print(const std::vector<TwinRow>& rows, std::size_t refuted, bool json) {
 
 /// All twins have to be refuted, and every conclusion has one or says why not.
 ExitStatus attack_twins(const AttackOptions& options) {
-  if (!options.log.empty()) throw InputError("--log is about campaigns, not about --twins");
+  if (!options.log.empty()) throw InputError("--log is for campaigns, not for --twins");
   std::vector<TwinRow> rows;
   {
     const InterruptionDeadline deadline;
@@ -162,125 +140,134 @@ ExitStatus attack_twins(const AttackOptions& options) {
   return refuted == rows.size() ? ExitStatus::verified : ExitStatus::rejected;
 }
 
-/// Claims none of whose samples met the hypotheses, in any shape.
-std::vector<std::string> never_met(const std::vector<Target>& targets, const std::vector<Tally>& tallies) {
-  std::map<std::string, std::uint64_t> met;
-  for (std::size_t at = 0; at < targets.size(); ++at) met[targets[at].claim.name] += tallies[at].met();
-  std::vector<std::string> result;
-  for (const auto& [name, count] : met) {
-    if (count == 0) result.push_back(name);
-  }
-  return result;
-}
-
-void print_json(const std::vector<Target>& targets, const std::vector<Tally>& tallies,
-                const std::vector<Refutation>& refutations, const AttackOptions& options) {
-  nlohmann::ordered_json json{{"seed", options.seed},
-                              {"least_instances", options.least},
-                              {"targets", attack_json(targets, tallies, options.least)},
-                              {"totals", totals_json(attack_totals(targets, tallies), options.least)}};
-  json["refutations"] = nlohmann::ordered_json::array();
-  for (const Refutation& one : refutations) {
-    json["refutations"].push_back({{"sample", one.sample}, {"witness", nlohmann::ordered_json::parse(one.witness)}});
-  }
-  std::cout << json.dump(1) << "\n";
-}
-
-void print_text(const std::vector<Target>& targets, const std::vector<Tally>& tallies,
-                const std::vector<Refutation>& refutations, const AttackOptions& options) {
-  std::cout << attack_table(targets, tallies, options.least, options.is_short);
-  const std::string totals = totals_text(attack_totals(targets, tallies), options.least);
-  if (!totals.empty()) std::cout << "\n" << totals;
-  for (const Refutation& one : refutations) {
-    std::cout << "\nrefuted: " << one.claim << " / " << one.conclusion << " in " << text_of(one.shape) << ", sample "
-              << one.sample << (one.file.empty() ? "" : ", " + one.file) << "\n"
-              << one.witness;
-  }
-  for (const std::string& name : never_met(targets, tallies)) {
-    std::cout << "\nnot attacked: " << name << ", no sample met its hypotheses\n";
-  }
-}
-
-ExitStatus report(const std::vector<Target>& targets, const std::vector<Tally>& tallies, const AttackOptions& options,
-                  const Progress& progress) {
-  const auto refutations = refutations_of(targets, tallies, options, progress);
+/// Of a part there is no table: what it found is part of the whole.
+ExitStatus report_part(const AttackOptions& options, const CampaignOutcome& outcome, const Part& part) {
   if (options.json) {
-    print_json(targets, tallies, refutations, options);
-  } else if (options.latex) {
-    std::cout << attack_latex(targets, tallies, options.least, options.is_short);
+    std::cout << nlohmann::ordered_json{{"part", {part.number, part.of}},
+                                        {"blocks", outcome.blocks},
+                                        {"finished", outcome.finished},
+                                        {"log", options.log}}
+                     .dump(1)
+              << "\n";
   } else {
-    print_text(targets, tallies, refutations, options);
+    std::cout << "part " << text_of(part) << ": " << outcome.finished << " of " << outcome.blocks
+              << " blocks are finished in " << options.log << "\n";
   }
-  if (!refutations.empty()) return ExitStatus::rejected;
-  const bool undecided =
-      std::any_of(tallies.begin(), tallies.end(), [](const Tally& tally) { return tally.undecided() > 0; });
-  const auto totals = attack_totals(targets, tallies);
-  const bool hardly_attacked = std::any_of(totals.begin(), totals.end(), [&](const AttackTotal& total) {
-    return total.tally.held == 0 || total.tally.held < options.least;
-  });
-  return undecided || hardly_attacked ? ExitStatus::undecided : ExitStatus::verified;
+  return ExitStatus::verified;
 }
 
-ExitStatus run_attack(const AttackOptions& options) {
-  if (options.latex && !options.replay.empty()) throw InputError("--latex is about campaigns, not about --replay");
-  if (!options.replay.empty()) return replay_witness(options);
-  if (options.samples == 0 || options.samples > most_samples) throw InputError("--samples takes 1 to 10^10");
-  if (options.latex && options.twins) throw InputError("--latex is about campaigns, not about --twins");
-  if (options.twins) return attack_twins(options);
-  if (options.stored) throw InputError("--stored is about --twins");
+Part part_from(const std::string& text) {
+  if (text.empty()) return {};
+  Part result;
+  const std::size_t slash = text.find('/');
+  const char* end = text.data() + text.size();
+  const auto [first_end, first_error] = std::from_chars(text.data(), end, result.number);
+  if (slash != std::string::npos && first_error == std::errc{} && first_end == text.data() + slash) {
+    const auto [last_end, last_error] = std::from_chars(first_end + 1, end, result.of);
+    if (last_error == std::errc{} && last_end == end && result.number >= 1 && result.number <= result.of) return result;
+  }
+  throw InputError("--part " + text + ": a part such as 3/8 was expected, from 1/8 to 8/8");
+}
+
+CampaignPlan plan_from(const AttackOptions& options) {
   CampaignPlan plan;
   plan.targets = targets_of(options);
   if (plan.targets.empty()) throw InputError("no claim is about a class with this --shape");
   plan.seed = options.seed;
-  plan.threads = options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
+  plan.part = part_from(options.part);
+  plan.software = software_name();
+  plan.threads = threads_or_all(options.threads);
   plan.log = options.log;
+  return plan;
+}
+
+std::optional<std::chrono::seconds> duration_from(const std::string& option, const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  try {
+    return parse_duration(text);
+  } catch (const InputError& error) {
+    throw InputError(option + " " + error.what());
+  }
+}
+
+void require_log_for(const AttackOptions& options) {
+  for (const auto& [name, value] : {std::pair("--part", options.part), std::pair("--until", options.until)}) {
+    if (!value.empty() && options.log.empty()) throw InputError(std::string(name) + " wants a --log to go on from");
+  }
+}
+
+ExitStatus run_attack(const AttackOptions& options) {
+  if (options.latex && !options.replay.empty()) throw InputError("--latex is for campaigns, not for --replay");
+  if (!options.replay.empty()) return replay_witness(options);
+  if (options.samples == 0 || options.samples > most_samples) throw InputError("--samples takes 1 to 10^10");
+  if (options.latex && options.twins) throw InputError("--latex is for campaigns, not for --twins");
+  if (options.twins) return attack_twins(options);
+  if (options.stored) throw InputError("--stored needs --twins");
+  require_log_for(options);
+  const auto limit = duration_from("--until", options.until);
+  const auto every = duration_from("--progress-every", options.progress_every);
+  const CampaignPlan plan = plan_from(options);
   ProgressLine line;
+  if (!options.log.empty()) line.also_without_terminal(every.value_or(usual_progress_every));
   const InterruptionDeadline deadline(options.log.empty() ? Interrupted().what()
                                                           : InterruptedWithLog(options.log).what());
-  std::vector<Tally> tallies;
+  CampaignOutcome outcome;
   try {
-    tallies = run_campaign(plan, line.callback());
+    outcome = run_campaign(plan, line.callback(), limit);
   } catch (const Interrupted&) {
     if (options.log.empty()) throw;
     throw InterruptedWithLog(options.log);
   }
   line.clear();
-  return report(plan.targets, tallies, options, line.callback());
+  if (!outcome.is_finished()) {
+    throw Undecided("not finished: " + std::to_string(outcome.finished) + " of " + std::to_string(outcome.blocks) +
+                    " blocks after " + options.until + "; the same command goes on from them, in " + options.log);
+  }
+  decide_anew(options.log, outcome.plan, outcome.records, plan.threads, line.callback());
+  line.clear();
+  if (!options.part.empty()) return report_part(options, outcome, plan.part);
+  return report_outcome(plan.targets, outcome.tallies, options.outcome(), line.callback());
 }
 
 }  // namespace
 
 void add_attack(CLI::App& program, Action& chosen) {
   const auto options = std::make_shared<AttackOptions>();
-  CLI::App* command = program.add_subcommand("attack", "Attack claims on random instances, with exact decisions");
+  CLI::App* command = add_named(program, about_attack);
   add_claim_options(*command, options->claims);
   command->add_option("--samples", options->samples,
-                      "Samples for each claim and shape (default 1000; less where an instance is costly)");
+                      "Samples for each claim and shape (default 1000; fewer where an instance is costly)");
   command->add_option("--least", options->least,
-                      "What fewer instances have not refuted counts as hardly attacked (default 100)");
+                      "With fewer instances than this, a conclusion counts as hardly attacked (default 100)");
   command->add_option("--seed", options->seed, "Seed of the random choices (default 0)");
   command->add_option("--threads", options->threads, "Threads (default: all; the result does not depend on it)");
   command->add_option("--log", options->log, "JSON lines, one for each finished block; a campaign goes on from there");
-  command->add_option(
-      "--witnesses", options->witnesses,
-      "Folder for witness files of what is refuted; with --twins what is refuted by one there is not attacked");
+  command->add_option("--part", options->part,
+                      "i/n: only the i-th of n parts, into its --log; delcert campaign merge puts them together");
+  command->add_option("--until", options->until,
+                      "Begin no block after this time (90s, 45min, 8h, 2d); status 2 if that was not all");
+  command->add_option("--progress-every", options->progress_every,
+                      "With --log and without a terminal: a line on standard error so often (default 60s)");
+  command->add_option("--witnesses", options->witnesses,
+                      "Folder for witness files; with --twins, a twin that a witness there refutes is not attacked");
   command->add_option("--replay", options->replay,
-                      "Decide again what this witness file says, of the claim that it names or of CLAIM");
+                      "Decide this witness file anew, for the claim that it names or for CLAIM");
   command->add_flag("--twins", options->twins, "Attack the twins, which all have to be refuted, instead of the claims");
   command->add_flag("--stored", options->stored,
-                    "With --twins: only by the witnesses in the folder, nothing is searched");
+                    "With --twins: decide only the witnesses in the folder, search for nothing");
   command->add_flag("--short", options->is_short, "A row of the table for all shapes of the same k");
   CLI::Option* json = command->add_flag("--json", options->json, "Print JSON");
   command->add_flag("--latex", options->latex, "Print the table in LaTeX (longtable, booktabs), and nothing else")
       ->excludes(json);
   command->footer(
       "Exit status: 0 nothing is refuted, by at least 100 instances for each conclusion (or --least), 1 something is\n"
-      "refuted, 2 something is undecided or hardly attacked.\n"
+      "refuted, 2 something is undecided or hardly attacked, or --until came before the end.\n"
       "With --twins: 0 all are refuted, 1 some are not.\n\n"
       "Examples:\n"
       "  delcert attack thickness-and-singular-value --samples 10000 --seed 1\n"
       "  delcert attack my-claim.toml --shape 2,2 --shape 2,3 --witnesses found\n"
       "  delcert attack --all --samples 10000 --log campaign.jsonl\n"
+      "  delcert attack --all --samples 10000 --part 3/8 --log part-3.jsonl --until 8h\n"
       "  delcert attack --replay found/my-claim.conclusion-1.json");
   command->callback([options, &chosen] { chosen = [options] { return run_attack(*options); }; });
 }

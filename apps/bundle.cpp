@@ -6,6 +6,7 @@
 #include <iterator>
 #include <memory>
 
+#include "apps/checker_source.hpp"
 #include "apps/commands.hpp"
 #include "support/atomic_file.hpp"
 #include "support/error.hpp"
@@ -18,6 +19,7 @@ struct BundleOptions {
   std::vector<std::string> files;
   std::string output;
   BundleFacts facts;
+  bool has_checker = true;
 };
 
 std::string bytes_of_file(const std::string& file) {
@@ -29,15 +31,17 @@ std::string bytes_of_file(const std::string& file) {
 
 ExitStatus write_bundle(const BundleOptions& options) {
   if (std::filesystem::exists(std::filesystem::symlink_status(options.output)))
-    throw InputError(options.output + ": there is such a file; it is not replaced");
+    throw InputError(options.output + ": the file exists and is not replaced");
   std::vector<BundledCertificate> certificates;
   for (const std::string& file : options.files)
     certificates.push_back(
         {std::filesystem::path(file).filename().string(), bytes_of_file(file), read_certificate(file)});
-  const std::vector<ArchiveFile> files = bundle_files(certificates, options.facts);
+  const std::vector<ArchiveFile> checker = options.has_checker ? checker_source() : std::vector<ArchiveFile>();
+  const std::vector<ArchiveFile> files = bundle_files(certificates, options.facts, checker);
   write_file_atomically(options.output, zip_archive(files));
   std::cout << options.output << ": " << files.size() << " files, " << certificates.size()
-            << (certificates.size() == 1 ? " certificate" : " certificates") << ", not verified\n";
+            << (certificates.size() == 1 ? " certificate" : " certificates") << ", not verified"
+            << (checker.empty() ? "" : ", and the source of the checker") << "\n";
   return ExitStatus::verified;
 }
 
@@ -49,15 +53,18 @@ void add_bundle(CLI::App& program, Action& chosen) {
       program.add_subcommand("bundle", "Put certificates into a ZIP archive, for the supplement of a paper");
   command->add_option("CERTIFICATE", options->files, "Certificates, plain or compressed")->required();
   command->add_option("--output", options->output, "The archive to write")->type_name("FILE")->required();
-  command->add_option("--title", options->facts.title, "What it is called")->required();
+  command->add_option("--title", options->facts.title, "The title of the supplement")->required();
   command->add_option("--author", options->facts.authors, "\"Family, Given\"; may be repeated")
       ->required()
       ->allow_extra_args(false);
-  command->add_option("--license", options->facts.license, "Of SPDX, for example CC-BY-4.0 (default: none is stated)");
+  command->add_option("--license", options->facts.license, "An SPDX identifier, for example CC-BY-4.0 (default: none)");
+  command->add_flag(
+      "--checker,!--no-checker", options->has_checker,
+      "Put the source of delcert-check into the archive, so that it can be built from there (the default)");
   command->footer(
       "Certificates, their manifolds, exports, checksums, references, and descriptions for Zenodo, CodeMeta and "
       "RO-Crate.\n"
-      "The same files give the same bytes. Nothing is verified: run delcert check before.\n\n"
+      "The same files give the same bytes. Nothing is verified: run delcert check first.\n\n"
       "Examples:\n"
       "  delcert bundle torus.json.zst bolza.json.zst --title \"Supplement\" --author \"Doe, Jane\" --output "
       "supplement.zip");

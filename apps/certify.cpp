@@ -2,13 +2,13 @@
 #include <memory>
 #include <sstream>
 
-#include "apps/build_commit.hpp"
 #include "apps/certification.hpp"
 #include "apps/certify_complex.hpp"
 #include "apps/command_line.hpp"
 #include "apps/commands.hpp"
 #include "apps/exact_option.hpp"
-#include "kernel/parallel/threads.hpp"
+#include "apps/net_options.hpp"
+#include "support/build_commit.hpp"
 
 namespace delcert {
 
@@ -28,7 +28,7 @@ LevelSelection parse_levels(const std::string& text) {
 }
 
 /// --complex in the place of --manifold; what is about nets is not for it.
-void add_complex_option(CLI::App& command, const std::shared_ptr<CertifyOptions>& options) {
+void add_complex_option(CLI::App& command, const std::shared_ptr<CertifyCommand>& options) {
   command.get_option("--manifold")->required(false);
   command
       .add_option("--complex", options->complex,
@@ -54,10 +54,10 @@ void require_manifold_or_complex(const CLI::App& command) {
 }  // namespace
 
 void add_certify(CLI::App& program, Action& chosen) {
-  const auto options = std::make_shared<CertifyOptions>();
+  const auto options = std::make_shared<CertifyCommand>();
   CLI::App* command =
       program.add_subcommand("certify", "Perturb a net, compute its Delaunay complex and write a certificate");
-  options->source.add_options(*command, true);
+  add_net_options(*command, options->source, true);
   add_complex_option(*command, options);
   const std::map<std::string, RunMode> modes{{"theory", RunMode::theory}, {"measured", RunMode::measured}};
   const std::map<std::string, CandidateRule> rules{
@@ -65,8 +65,8 @@ void add_certify(CLI::App& program, Action& chosen) {
   CLI::Option* mode =
       command
           ->add_option("--mode", options->choice.mode,
-                       "theory: the paper's constants; measured: chosen tolerances (default theory, on space forms "
-                       "other than flat tori, metric fields and submanifolds measured)")
+                       "theory: the paper's constants; measured: chosen tolerances (default theory; on space "
+                       "forms other than flat tori, metric fields, atlases and submanifolds measured)")
           ->transform(CLI::CheckedTransformer(modes))
           ->type_name("theory|measured");
   command->add_option("--candidates", options->choice.candidates, "Which simplices perturbations are tested against")
@@ -76,20 +76,22 @@ void add_certify(CLI::App& program, Action& chosen) {
   add_exact_option(*command, "--tolerance", options->choice.tolerance, "Measured mode: tolerance in units of ε");
   add_exact_option(*command, "--clearance", options->choice.clearance,
                    "A second tolerance, for candidates that can become Delaunay, in units of ε");
-  command->add_option("--choices", options->choice.choices, "Of so many good perturbations the one with most clearance")
+  command
+      ->add_option("--choices", options->choice.choices,
+                   "Good perturbations of which the one with most clearance is taken")
       ->check(CLI::Range(1, 1000000));
   add_exact_option(*command, "--required-protection", options->required_protection,
-                   "Repair simplices that are not more protected than this, in units of ε");
+                   "Repair simplices whose protection is not above this, in units of ε");
   command->add_option("--repair-rounds", options->repair_rounds, "Rounds of repair before giving up (default 20)")
       ->check(CLI::Range(0, 1000000));
   command
       ->add_option("--refine", options->refinement_rounds,
-                   "Submanifolds: rounds of halving radii where something fails, at most (default 0)")
+                   "Submanifolds: greatest number of rounds that halve radii where something fails (default 0)")
       ->check(CLI::Range(0, 100));
   command->add_flag("--no-perturbation", options->no_perturbation, "Take the net as it is");
   command->add_option_function<std::string>(
       "--levels", [options](const std::string& text) { options->levels = parse_levels(text); },
-      "Levels to claim at most, e.g. 0,1,2,4,5 (default all)");
+      "Claim at most these levels, e.g. 0,1,2,4,5 (default all)");
   command
       ->add_option("--output", options->output, "The certificate (default MANIFOLD.delcert.json.zst); .zst compresses")
       ->type_name("FILE");
@@ -123,12 +125,7 @@ void add_certify(CLI::App& program, Action& chosen) {
       chosen = [options] { return certify_complex(*options); };
       return;
     }
-    chosen = [options] {
-      const ThreadLimit limit(options->threads);
-      options->choice.seed = options->source.seed;
-      if (options->no_perturbation) options->choice.mode = RunMode::none;
-      return certify(*options);
-    };
+    chosen = [options] { return certify(*options); };
   });
 }
 

@@ -56,7 +56,7 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 template <int m>
-ExitStatus certify(const CertifyOptions& options, const ComplexDescription& complex, ProgressLine& line,
+ExitStatus certify(const CertifyCommand& options, const ComplexDescription& complex, ProgressLine& line,
                    StageClock& clock, const Progress& progress) {
   clock.begin("place simplices, search for loops");
   const GivenComplex<m> given = place_complex<m>(complex);
@@ -92,7 +92,7 @@ ExitStatus certify(const CertifyOptions& options, const ComplexDescription& comp
 
 }  // namespace
 
-ExitStatus certify_complex(const CertifyOptions& options) {
+ExitStatus certify_complex(const CertifyCommand& options) {
   ProgressLine line;
   StageClock clock;
   const Progress progress = clock.callback(line.callback());

@@ -47,7 +47,8 @@ std::vector<Claim> claims_about_instances(const ClaimOptions& options) {
 }
 
 std::vector<Claim> claims_of(const ClaimOptions& options) {
-  if (options.all && !options.names.empty()) throw InputError("--all are all claims: name some, or say --all");
+  if (options.all && !options.names.empty())
+    throw InputError("--all means all claims: name some claims, or give --all");
   if (options.all) return builtin_files();
   if (options.names.empty()) throw InputError("no claim: name some, or say --all");
   std::vector<Claim> result;
@@ -79,11 +80,6 @@ std::vector<Shape> shapes_of(const ClaimOptions& options, const Claim& claim) {
     }
   }
   return result;
-}
-
-std::string text_of(const Shape& shape) {
-  const std::string m = "m=" + std::to_string(shape.m);
-  return shape.k == 0 ? m : "k=" + std::to_string(shape.k) + " " + m;
 }
 
 }  // namespace delcert

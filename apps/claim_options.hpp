@@ -31,7 +31,4 @@ void add_claim_options(CLI::App& command, ClaimOptions& options);
 /// or "m", and for one that the class does not have; among all claims such a one is left out instead.
 [[nodiscard]] std::vector<Shape> shapes_of(const ClaimOptions& options, const Claim& claim);
 
-/// "k=2 m=3", "m=2" for a class without k.
-[[nodiscard]] std::string text_of(const Shape& shape);
-
 }  // namespace delcert

@@ -3,8 +3,8 @@
 #include <iostream>
 #include <memory>
 
+#include "apps/claim_commands.hpp"
 #include "apps/claim_options.hpp"
-#include "apps/commands.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "proofs/formula/latex.hpp"
 #include "properties/attack/claim_library.hpp"
@@ -78,7 +78,7 @@ ExitStatus list_classes() {
 }  // namespace
 
 void add_claims(CLI::App& program, Action& chosen) {
-  CLI::App* command = program.add_subcommand("claims", "The claims of the library, and what claims can speak of");
+  CLI::App* command = add_named(program, about_claims);
   command->require_subcommand(0, 1);
   CLI::App* show = command->add_subcommand("show", "Print claims, of the library or from TOML files");
   const auto options = std::make_shared<ClaimOptions>();

@@ -25,6 +25,7 @@ void add_homology(CLI::App& program, Action& chosen);
 void add_export(CLI::App& program, Action& chosen);
 void add_claims(CLI::App& program, Action& chosen);
 void add_attack(CLI::App& program, Action& chosen);
+void add_campaign(CLI::App& program, Action& chosen);
 void add_tighten(CLI::App& program, Action& chosen);
 void add_formalise(CLI::App& program, Action& chosen);
 void add_prove(CLI::App& program, Action& chosen);

@@ -7,9 +7,9 @@
 #include <stdexcept>
 
 #include "apps/printable.hpp"
-#include "apps/report_parts.hpp"
-#include "apps/run_report.hpp"
 #include "proofs/certificate/content.hpp"
+#include "proofs/certification/report_parts.hpp"
+#include "proofs/certification/run_report.hpp"
 
 namespace delcert {
 
@@ -110,7 +110,7 @@ std::string findings_text(const ComplexDescription& complex, const std::string& 
     if (text.empty() && json.at("status") != "verified") text = "\n  " + json.at("status").get<std::string>();
     return text;
   } catch (const nlohmann::json::exception&) {
-    throw std::runtime_error("delcert-check printed what is not its JSON");
+    throw std::runtime_error("the output of delcert-check is not its JSON");
   }
 }
 

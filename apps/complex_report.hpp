@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "apps/stage_clock.hpp"
 #include "kernel/manifold/complex_file.hpp"
 #include "proofs/certificate/given_complex_claims.hpp"
+#include "proofs/certification/stage_clock.hpp"
 
 namespace delcert {
 

@@ -4,9 +4,9 @@
 
 #include "apps/commands.hpp"
 #include "apps/exact_option.hpp"
-#include "apps/ledger_text.hpp"
 #include "apps/list_option.hpp"
 #include "kernel/formula/formula_error.hpp"
+#include "proofs/publication/ledger_text.hpp"
 
 namespace delcert {
 

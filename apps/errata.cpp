@@ -1,7 +1,7 @@
 #include <iostream>
 #include <memory>
 
-#include "apps/commands.hpp"
+#include "apps/claim_commands.hpp"
 #include "proofs/errata/errata_text.hpp"
 
 namespace delcert {
@@ -25,8 +25,7 @@ std::vector<Erratum> errata_of(const ErrataOptions& options) {
 
 void add_errata(CLI::App& program, Action& chosen) {
   const auto options = std::make_shared<ErrataOptions>();
-  CLI::App* command =
-      program.add_subcommand("errata", "Print remarks on the preprint of the paper, with what reproduces them");
+  CLI::App* command = add_named(program, about_errata);
   command->add_option("files", options->files, "TOML files, one finding each (default: those of the library)");
   command->add_flag("--json", options->json, "Print JSON (default: Markdown)");
   command->footer(

@@ -9,7 +9,7 @@
 #include "apps/checker_process.hpp"
 #include "apps/commands.hpp"
 #include "proofs/certificate/reader.hpp"
-#include "proofs/drawing/export_format.hpp"
+#include "proofs/drawing/certificate_export.hpp"
 #include "support/atomic_file.hpp"
 #include "support/error.hpp"
 #include "support/spelling.hpp"
@@ -20,11 +20,8 @@ namespace {
 
 struct ExportOptions {
   std::string file;
-  const ExportFormat* format = nullptr;
-  DrawingOptions drawing;
+  ExportRequest request;
   bool only_verified = false;
-  bool is_exact = false;
-  bool simplify = false;
   std::string output;
 };
 
@@ -38,44 +35,14 @@ Verification verified(const std::string& file) {
   throw std::runtime_error("delcert-check ended with status " + std::to_string(status));
 }
 
-struct Exported {
-  std::string text;
-  std::string summary;
-};
-
-Exported with_coordinates(const ExportOptions& options, ExportContent content) {
-  const Drawing drawing = drawing_of(content.certificate, options.drawing);
-  content.drawing = &drawing;
-  return {options.format->text(content),
-          fmt::format("{} vertices, {} simplices of dimension {}, approximate", drawing.vertex_count(),
-                      drawing.simplex_count(), drawing.dimension)};
-}
-
-Exported without_coordinates(const ExportOptions& options, ExportContent content) {
-  LabelComplex complex = label_complex(content.certificate);
-  if (options.simplify) {
-    const std::size_t before = complex.simplex_count();
-    Simplification less = simplified(content.certificate, complex);
-    complex = std::move(less.complex);
-    content.note =
-        fmt::format("simplified from {} to {} simplices by {} contractions of edges, homology {} before and after",
-                    before, complex.simplex_count(), less.contractions, fmt::join(less.homology, ", "));
-  }
-  content.complex = &complex;
-  return {options.format->text(content),
-          fmt::format("{} vertices, {} simplices of dimension {}{}{}", complex.labels.size(), complex.simplex_count(),
-                      complex.dimension, content.note.empty() ? "" : ", ", content.note)};
-}
-
-Exported exported(const ExportOptions& options) {
+ExportedText export_of(const ExportOptions& options) {
   const CertificateSummary certificate = read_certificate(options.file);
   try {
     require_seal(certificate);
-    options.format->check(certificate);
-    ExportContent content{certificate};
-    content.is_exact = options.is_exact;
-    if (options.only_verified) content.verification = verified(options.file);
-    return options.format->has_coordinates ? with_coordinates(options, content) : without_coordinates(options, content);
+    options.request.format->check(certificate);
+    ExportRequest request = options.request;
+    if (options.only_verified) request.verification = verified(options.file);
+    return exported(certificate, request);
   } catch (const InputError& error) {
     const std::string message = error.what();
     throw InputError(message.starts_with(options.file) ? message : options.file + ": " + message);
@@ -84,8 +51,8 @@ Exported exported(const ExportOptions& options) {
 
 ExitStatus write_export(const ExportOptions& options) {
   if (!options.output.empty() && std::filesystem::exists(std::filesystem::symlink_status(options.output)))
-    throw InputError(options.output + ": there is such a file; it is not replaced");
-  const Exported result = exported(options);
+    throw InputError(options.output + ": the file exists and is not replaced");
+  const ExportedText result = export_of(options);
   if (options.output.empty()) {
     std::cout << result.text;
   } else {
@@ -122,7 +89,7 @@ void add_export(CLI::App& program, Action& chosen) {
   command->add_option("FILE", options->file, "A certificate, plain or compressed")->required();
   const auto read_format = [options](const std::string& name) {
     try {
-      options->format = &export_format(name);
+      options->request.format = &export_format(name);
     } catch (const std::invalid_argument& error) {
       throw CLI::ValidationError("--format", error.what());
     }
@@ -132,19 +99,19 @@ void add_export(CLI::App& program, Action& chosen) {
       ->type_name("NAME");
   const CLI::Option* copies = add_name_option<DrawingCopies>(
       *command, "--copies", {DrawingCopies::quotient, DrawingCopies::cell, DrawingCopies::glued},
-      "Each label once; each simplex once, in one fundamental cell (as a rule); the cell "
-      "and what touches it",
-      [options](DrawingCopies chosen_copies) { options->drawing.copies = chosen_copies; });
-  const CLI::Option* model =
-      add_name_option<DrawingModel>(*command, "--model",
-                                    {DrawingModel::unit, DrawingModel::conformal, DrawingModel::stereographic,
-                                     DrawingModel::gnomonic, DrawingModel::space},
-                                    "Coordinates; each family has a usual model",
-                                    [options](DrawingModel chosen_model) { options->drawing.model = chosen_model; });
+      "Each label once; each simplex once, in one fundamental cell (the default); the cell "
+      "and all copies that touch it",
+      [options](DrawingCopies chosen_copies) { options->request.drawing.copies = chosen_copies; });
+  const CLI::Option* model = add_name_option<DrawingModel>(
+      *command, "--model",
+      {DrawingModel::unit, DrawingModel::conformal, DrawingModel::stereographic, DrawingModel::gnomonic,
+       DrawingModel::space},
+      "The model for coordinates; each family has a default",
+      [options](DrawingModel chosen_model) { options->request.drawing.model = chosen_model; });
   command->add_flag("--only-verified", options->only_verified,
                     "Run delcert-check first, and write nothing unless it verifies");
-  command->add_flag("--exact", options->is_exact, "json: with the exact coordinates of the certificate");
-  command->add_flag("--simplify", options->simplify,
+  command->add_flag("--exact", options->request.is_exact, "json: with the exact coordinates of the certificate");
+  command->add_flag("--simplify", options->request.simplify,
                     "Formats without coordinates: fewer simplices, by contractions of edges under the link condition");
   command->add_option("--output", options->output, "The file to write; standard output without it")->type_name("FILE");
   std::string footer = "Formats:\n";
@@ -156,15 +123,15 @@ void add_export(CLI::App& program, Action& chosen) {
                   "  delcert export bolza.json.zst --format off --copies glued --model gnomonic --output bolza.off\n"
                   "  delcert export poincare.json.zst --format isosig --simplify");
   command->callback([options, copies, model, &chosen] {
-    const bool is_drawn = options->format->has_coordinates;
-    const std::string of_format = " of the format " + std::string(options->format->name);
+    const bool is_drawn = options->request.format->has_coordinates;
+    const std::string of_format = " of the format " + std::string(options->request.format->name);
     for (const CLI::Option* option : {copies, model}) {
       if (!is_drawn && option->count() > 0)
         throw CLI::ValidationError(option->get_name(), "there are no coordinates in files" + of_format);
     }
-    if (is_drawn && options->simplify)
-      throw CLI::ValidationError("--simplify", "what is left would have no measures; not in files" + of_format);
-    if (options->is_exact && options->format->name != "json")
+    if (is_drawn && options->request.simplify)
+      throw CLI::ValidationError("--simplify", "the result would have no measures; not in files" + of_format);
+    if (options->request.is_exact && options->request.format->name != "json")
       throw CLI::ValidationError("--exact", "there are no exact numbers in files" + of_format);
     chosen = [options] { return write_export(*options); };
   });

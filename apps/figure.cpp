@@ -1,10 +1,10 @@
-#include <algorithm>
-#include <array>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 
+#include "apps/claim_commands.hpp"
 #include "apps/commands.hpp"
+#include "apps/witness_file.hpp"
 #include "proofs/drawing/certificate_facts.hpp"
 #include "proofs/drawing/picture.hpp"
 #include "support/atomic_file.hpp"
@@ -20,6 +20,14 @@ struct FigureOptions {
   bool plain = false;
 };
 
+Figure figure_of_certificate(const FigureOptions& options) {
+  const CertificateSummary certificate = read_certificate(options.file);
+  require_seal(certificate);
+  Figure figure = picture_of(drawing_of(certificate, {}), {!options.plain, !options.plain});
+  figure.description = origin_text(certificate, Verification::not_asked) + "; " + figure.description;
+  return figure;
+}
+
 ExitStatus write_figure(const FigureOptions& options) {
   const std::string ending = std::filesystem::path(options.output).extension().string();
   if (ending != ".svg" && ending != ".tikz" && ending != ".tex") {
@@ -28,16 +36,17 @@ ExitStatus write_figure(const FigureOptions& options) {
         ": the name ends in .svg, or in .tikz or .tex for a tikzpicture (of SVG, rsvg-convert -f pdf makes "
         "PDF)");
   }
-  const CertificateSummary certificate = read_certificate(options.file);
+  const bool is_witness = witness_file(options.file) != WitnessFile::other;
+  if (is_witness && is_left_to_claims(about_attack.name)) hand_over_to_claims();
   try {
-    require_seal(certificate);
-    Figure figure = picture_of(drawing_of(certificate, {}), {!options.plain, !options.plain});
-    figure.description = origin_text(certificate, Verification::not_asked) + "; " + figure.description;
+    Figure figure = is_witness ? witness_figure(options.file) : figure_of_certificate(options);
+    if (options.plain) figure.scale.reset();
     write_file_atomically(options.output, ending == ".svg" ? svg_of(figure) : tikz_of(figure));
     std::cout << options.output << ": " << figure.description << "\n";
   } catch (const InputError& error) {
     const std::string message = error.what();
-    throw InputError(message.starts_with(options.output) ? message : options.file + ": " + message);
+    const bool is_located = message.starts_with(options.output) || message.starts_with(options.file);
+    throw InputError(is_located ? message : options.file + ": " + message);
   }
   return ExitStatus::verified;
 }
@@ -46,17 +55,21 @@ ExitStatus write_figure(const FigureOptions& options) {
 
 void add_figure(CLI::App& program, Action& chosen) {
   const auto options = std::make_shared<FigureOptions>();
-  CLI::App* command = program.add_subcommand("figure", "Draw the complex of a two-dimensional certificate for a paper");
-  command->add_option("FILE", options->file, "A certificate, plain or compressed")->required();
+  CLI::App* command =
+      program.add_subcommand("figure", "Draw a certificate of dimension 1 or 2, or a witness, for a paper");
+  command->add_option("FILE", options->file, "A certificate, plain or compressed, or a witness of attack or tighten")
+      ->required();
   command->add_option("--output", options->output, "The file to write: x.svg, or x.tikz or x.tex for a tikzpicture")
       ->type_name("FILE")
       ->required();
   command->add_flag("--plain", options->plain, "Neither mark the worst star nor draw a scale");
   command->footer(
-      "One copy of every triangle, the darker the thicker; the star of a point of the least protection is marked.\n\n"
+      "One copy of every triangle, the darker the thicker; the star of a point of the least protection is marked. Of a "
+      "witness, its simplices with circumscribed balls and least altitudes.\n\n"
       "Examples:\n"
       "  delcert figure torus-2.json.zst --output torus-2.svg\n"
-      "  delcert figure bolza.json.zst --output bolza.tikz");
+      "  delcert figure bolza.json.zst --output bolza.tikz\n"
+      "  delcert figure witness.json --output witness.svg");
   command->callback([options, &chosen] { chosen = [options] { return write_figure(*options); }; });
 }
 

@@ -4,8 +4,8 @@
 #include <iostream>
 #include <memory>
 
+#include "apps/claim_commands.hpp"
 #include "apps/claim_options.hpp"
-#include "apps/commands.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "proofs/formal/step_lemma.hpp"
 #include "support/error.hpp"
@@ -44,7 +44,7 @@ std::map<std::string, Rational> constants_of(const Step& step, const FormaliseOp
 void write(const std::filesystem::path& file, const std::string& text) {
   std::error_code error;
   std::filesystem::create_directories(file.parent_path(), error);
-  if (error) throw InputError(file.parent_path().string() + ": cannot be made a folder: " + error.message());
+  if (error) throw InputError(file.parent_path().string() + ": the folder cannot be created: " + error.message());
   std::ofstream stream(file);
   stream << text;
   if (!stream.flush()) throw InputError(file.string() + ": cannot be written");
@@ -72,18 +72,17 @@ ExitStatus formalise(const FormaliseOptions& options) {
 }  // namespace
 
 void add_formalise(CLI::App& program, Action& chosen) {
-  CLI::App* command = program.add_subcommand("formalise", "Write the steps of proofs as files for Coq");
+  CLI::App* command = add_named(program, about_formalise);
   const auto options = std::make_shared<FormaliseOptions>();
   add_claim_options(*command, options->claims);
   command->add_option("--step", options->steps, "Only the steps of this name; may be repeated");
   command->add_option("--constant", options->constants, "NAME=VALUE: another value for a constant of the steps");
   command->add_option("--into", options->folder, "The folder for the files")->capture_default_str();
   command->footer(
-      "For each step a file, a lemma about real numbers with its proof, and a line: the file's stem, the step, and "
-      "what\n"
-      "the proof is: a certificate that Coq checks, a search by Coq's tactics, a refutation by the prover's "
-      "counterexample\n"
-      "of a step that is false, or none if Coq has no such formulas.\n"
+      "Writes a file for each step, a lemma about real numbers with its proof, and prints a line: the file's stem, "
+      "the\n"
+      "step, and the kind of proof: a certificate that Coq checks, a search by Coq's tactics, a refutation of a false\n"
+      "step by the prover's counterexample, or none if Coq has no such formulas.\n"
       "Nothing is proved before coqc has accepted the files: proofs/formal/check.sh compiles them.\n\n"
       "Examples:\n"
       "  delcert formalise thickness-under-distortion --into build/coq\n"

@@ -66,7 +66,8 @@ void add_homology(CLI::App& program, Action& chosen) {
       ->required();
   command->add_flag("--json", options->json, "Print JSON");
   command->footer(
-      "Of the file only the key \"simplices\" is looked at: rows of m + 1 labels and m more integers, which do not "
+      "The command reads only the key \"simplices\" of the file: rows of m + 1 labels and m more integers, which do "
+      "not\n"
       "matter.\n\n"
       "Examples:\n"
       "  delcert homology lens-space-5-2.json.zst\n"

@@ -9,16 +9,16 @@
 
 #include "apps/commands.hpp"
 #include "apps/printable.hpp"
-#include "apps/run_report.hpp"
-#include "apps/text_table.hpp"
 #include "kernel/number/decimal_bounds.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "proofs/certificate/stated_levels.hpp"
 #include "proofs/certificate/summary_json.hpp"
+#include "proofs/certification/run_report.hpp"
 #include "proofs/drawing/picture.hpp"
 #include "proofs/publication/certificate_table.hpp"
 #include "support/atomic_file.hpp"
 #include "support/error.hpp"
+#include "support/text_table.hpp"
 
 namespace delcert {
 

@@ -70,7 +70,7 @@ std::vector<int> integer_list(const std::string& option, const std::string& text
     int first = 0;
     int last = 0;
     if (!read_integer(begin, first) || !read_integer(end, last))
-      list.fail("\"" + std::string(part) + "\" is no integer and no range: write 2, 2..6 or 1,3..5");
+      list.fail("\"" + std::string(part) + "\" is neither an integer nor a range: write 2, 2..6 or 1,3..5");
     if (last < first) list.fail("the range " + std::string(part) + " ends below its beginning");
     for (long value = first; value <= last; ++value) list.add(static_cast<int>(value), part);
   }

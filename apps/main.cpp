@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "apps/commands.hpp"
+#include "apps/claim_commands.hpp"
 #include "apps/exit_status.hpp"
 #include "apps/interruption.hpp"
 #include "delcert_version.hpp"
@@ -15,10 +15,10 @@
 namespace delcert {
 namespace {
 
-constexpr AddCommand commands[] = {add_constants, add_sample,    add_certify,   add_check,    add_info,
-                                   add_cite,      add_figure,    add_bundle,    add_homology, add_export,
-                                   add_claims,    add_attack,    add_tighten,   add_prove,    add_errata,
-                                   add_tables,    add_formalise, add_manifolds, add_report};
+constexpr AddCommand commands[] = {add_constants, add_sample, add_certify,   add_check,     add_info,
+                                   add_cite,      add_figure, add_bundle,    add_homology,  add_export,
+                                   add_claims,    add_attack, add_campaign,  add_tighten,   add_prove,
+                                   add_errata,    add_tables, add_formalise, add_manifolds, add_report};
 
 /// Rigour rests on rounding that is really directed, on no contraction, on the libraries: refuse to go on without.
 bool arithmetic_is_sound() {
@@ -61,6 +61,8 @@ ExitStatus run(int argc, char** argv) {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   if (arguments.size() > 1 && arguments[0] == "check" && !asks_for_help(arguments[1])) {
     chosen = [&]() -> ExitStatus { run_checker({arguments.begin() + 1, arguments.end()}); };
+  } else if (!arguments.empty() && is_left_to_claims(arguments[0])) {
+    chosen = []() -> ExitStatus { hand_over_to_claims(); };
   } else {
     try {
       program.parse(argc, argv);

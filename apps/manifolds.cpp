@@ -3,10 +3,10 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.hpp"
-#include "apps/text_table.hpp"
 #include "kernel/manifold/manifold_list.hpp"
 #include "support/error.hpp"
 #include "support/spelling.hpp"
+#include "support/text_table.hpp"
 
 namespace delcert {
 
@@ -26,7 +26,7 @@ std::vector<ListedManifold> with_word(const std::string& word) {
     names.push_back(one.name);
     if ((one.name + "\n" + one.kind + "\n" + one.about).find(word) != std::string::npos) found.push_back(one);
   }
-  if (found.empty()) throw InputError("no built-in manifold speaks of " + shortened(word) + suggestion(word, names));
+  if (found.empty()) throw InputError("no built-in manifold mentions " + shortened(word) + suggestion(word, names));
   return found;
 }
 
@@ -51,7 +51,7 @@ void print(const std::vector<ListedManifold>& list, const ManifoldsOptions& opti
 void add_manifolds(CLI::App& program, Action& chosen) {
   const auto options = std::make_shared<ManifoldsOptions>();
   CLI::App* command = program.add_subcommand("manifolds", "List the built-in manifolds");
-  command->add_option("WORD", options->word, "Those only in whose name, kind or description this is");
+  command->add_option("WORD", options->word, "List only manifolds whose name, kind or description has this");
   command->add_flag("--names", options->names, "Print names only, one a line");
   command->add_flag("--json", options->json, "Print JSON");
   command->footer(

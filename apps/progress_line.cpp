@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>
@@ -9,6 +10,7 @@
 #include <utility>
 
 #include "apps/interruption.hpp"
+#include "support/duration.hpp"
 
 namespace delcert {
 
@@ -25,13 +27,6 @@ bool standard_error_is_a_terminal() {
   return isatty(STDERR_FILENO) != 0 && terminal != nullptr && std::string_view(terminal) != "dumb";
 }
 
-std::string duration_text(std::int64_t milliseconds) {
-  const std::int64_t seconds = (milliseconds + 999) / 1000;
-  if (seconds < 120) return std::to_string(seconds) + " s";
-  if (seconds < 7200) return std::to_string(seconds / 60) + " min";
-  return std::to_string(seconds / 3600) + " h " + std::to_string(seconds / 60 % 60) + " min";
-}
-
 }  // namespace
 
 ProgressLine::ProgressLine() : ProgressLine(std::cerr, standard_error_is_a_terminal()) {}
@@ -41,25 +36,42 @@ ProgressLine::ProgressLine(std::ostream& out, bool shown, Now now)
 
 ProgressLine::~ProgressLine() { clear(); }
 
+void ProgressLine::also_without_terminal(Milliseconds every) {
+  if (!shown_) every_ = every;
+}
+
+std::string ProgressLine::text(std::size_t done, std::size_t total, Milliseconds elapsed) const {
+  std::string result = stage_ + ": " + std::to_string(done);
+  if (total != 0) result += "/" + std::to_string(total) + " (" + std::to_string(done * 100 / total) + " %)";
+  result += ", " + duration_text(elapsed);
+  // What was there when the stage began says nothing of how fast it is.
+  const std::size_t done_since = done - std::min(done, done_before_);
+  if (done_since != 0 && done < total) {
+    const double share = static_cast<double>(total - done) / static_cast<double>(done_since);
+    const Milliseconds remaining(static_cast<std::int64_t>(static_cast<double>(elapsed.count()) * share));
+    result += ", about " + duration_text(remaining) + " left";
+  }
+  return result;
+}
+
 void ProgressLine::update(std::string_view stage, std::size_t done, std::size_t total) {
-  if (!shown_) return;
+  if (!shown_ && !every_) return;
   const Clock::time_point now = now_();
   if (stage != stage_) {
     stage_ = stage;
     stage_start_ = now;
+    done_before_ = done;
+    if (every_) last_drawn_ = now;
   }
   const auto elapsed = std::chrono::duration_cast<Milliseconds>(now - stage_start_);
-  if (elapsed < before_first || now - last_drawn_ < between) return;
+  if (now - last_drawn_ < every_.value_or(between)) return;
+  if (shown_ && elapsed < before_first) return;
   last_drawn_ = now;
-
-  out_ << erase_line << stage_ << ": " << done;
-  if (total != 0) out_ << '/' << total << " (" << done * 100 / total << " %)";
-  out_ << ", " << duration_text(elapsed.count());
-  if (done != 0 && done < total) {
-    const auto remaining = elapsed.count() * static_cast<std::int64_t>(total - done) / static_cast<std::int64_t>(done);
-    out_ << ", about " << duration_text(remaining) << " left";
+  if (!shown_) {
+    out_ << text(done, total, elapsed) << std::endl;
+    return;
   }
-  out_ << std::flush;
+  out_ << erase_line << text(done, total, elapsed) << std::flush;
   on_screen_ = true;
 }
 

@@ -7,8 +7,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "apps/claim_commands.hpp"
 #include "apps/claim_options.hpp"
-#include "apps/commands.hpp"
 #include "apps/interruption.hpp"
 #include "apps/proof_report.hpp"
 #include "proofs/prover/proof_log.hpp"
@@ -169,12 +169,12 @@ ExitStatus run_prove(const ProveOptions& options) {
 
 void add_prove(CLI::App& program, Action& chosen) {
   const auto options = std::make_shared<ProveOptions>();
-  CLI::App* command = program.add_subcommand("prove", "Prove the numeric steps of claims for all parameters");
+  CLI::App* command = add_named(program, about_prove);
   command->add_option("claims", options->claims.names,
                       "Claims: names of the library (delcert claims lists them) or TOML files");
   command->add_flag("--all", options->claims.all, "All files of the library");
   command->add_option("--step", options->steps, "Only the step of this name; may be repeated");
-  command->add_flag("--slack", options->slack, "Also the best value of each constant with which a step goes through");
+  command->add_flag("--slack", options->slack, "Also find the best value of each constant for which a step is proved");
   command->add_flag("--mutate", options->mutate, "Count the constants that are refuted once moved past their slack");
   command->add_option("--log", options->log, "Write a log of the proofs, for delcert-replay, into this folder");
   command->add_flag("--json", options->json, "Print JSON");

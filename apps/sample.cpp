@@ -5,9 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.hpp"
-#include "apps/family.hpp"
+#include "apps/net_options.hpp"
 #include "apps/progress_line.hpp"
 #include "kernel/number/exact_text.hpp"
+#include "proofs/certification/family.hpp"
 #include "support/atomic_file.hpp"
 
 namespace delcert {
@@ -61,8 +62,8 @@ ExitStatus sample(const SampleOptions& options) {
 
 void add_sample(CLI::App& program, Action& chosen) {
   const auto options = std::make_shared<SampleOptions>();
-  CLI::App* command = program.add_subcommand("sample", "Make a net of a manifold and measure it, certified");
-  options->source.add_options(*command, false);
+  CLI::App* command = program.add_subcommand("sample", "Make a net of a manifold and measure it with certified bounds");
+  add_net_options(*command, options->source, false);
   command->add_option("--output", options->output, "The point file to write")->required()->type_name("FILE");
   command->add_flag("--json", options->json, "Print JSON");
   command->footer(

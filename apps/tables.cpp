@@ -3,7 +3,7 @@
 #include <iterator>
 #include <memory>
 
-#include "apps/commands.hpp"
+#include "apps/claim_commands.hpp"
 #include "proofs/tables/constant_table.hpp"
 #include "properties/attack/claim_library.hpp"
 #include "support/error.hpp"
@@ -40,8 +40,7 @@ ExitStatus print_table(const TablesOptions& options) {
 
 void add_tables(CLI::App& program, Action& chosen) {
   const auto options = std::make_shared<TablesOptions>();
-  CLI::App* command = program.add_subcommand(
-      "tables", "Print the constants of the lemmas: the paper's, provable by the same proof, shown necessary");
+  CLI::App* command = add_named(program, about_tables);
   command->add_option("--slack", options->slack, "What delcert prove --all --slack --json has printed (default: none)");
   command->add_option("--ratios", options->ratios, "What delcert tighten --all --json has printed (default: none)");
   command->add_flag("--latex", options->latex, "Print a LaTeX table, longtable and booktabs (default: Markdown)");

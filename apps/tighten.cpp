@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "apps/attack_report.hpp"
+#include "apps/claim_commands.hpp"
 #include "apps/claim_options.hpp"
-#include "apps/commands.hpp"
 #include "apps/interruption.hpp"
 #include "apps/progress_line.hpp"
 #include "proofs/publication/latex_table.hpp"
+#include "properties/attack/attack_report.hpp"
 #include "properties/attack/search_plan.hpp"
 #include "properties/attack/twins.hpp"
 #include "support/atomic_file.hpp"
@@ -144,11 +144,10 @@ ExitStatus run_tighten(const TightenOptions& options) {
 
 void add_tighten(CLI::App& program, Action& chosen) {
   const auto options = std::make_shared<TightenOptions>();
-  CLI::App* command =
-      program.add_subcommand("tighten", "Search for the instances that come nearest to refuting a claim");
+  CLI::App* command = add_named(program, about_tighten);
   add_claim_options(*command, options->claims);
   command->add_option("--evaluations", options->evaluations,
-                      "Instances to try for each conclusion and shape (default 4000; less where one is costly)");
+                      "Instances to try for each conclusion and shape (default 4000; fewer where one is costly)");
   command->add_option("--seed", options->seed, "Seed of the search (default 0)");
   command->add_option("--threads", options->threads, "Threads (default: all; the result does not depend on it)");
   command->add_option("--log", options->log,
@@ -157,7 +156,8 @@ void add_tighten(CLI::App& program, Action& chosen) {
   CLI::Option* json = command->add_flag("--json", options->json, "Print JSON");
   command->add_flag("--latex", options->latex, "Print the table in LaTeX (longtable, booktabs)")->excludes(json);
   command->footer(
-      "The ratio is that of the smaller side to the larger one as the conclusion has them, certified; above 1 the\n"
+      "The ratio is that of the side which the conclusion calls smaller to the other side. It is certified; above 1 "
+      "the\n"
       "conclusion is refuted (exit status 1).\n\n"
       "Examples:\n"
       "  delcert tighten thickness-and-singular-value --shape 2,2\n"

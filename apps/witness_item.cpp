@@ -1,24 +1,15 @@
 #include "apps/witness_item.hpp"
 
-#include <fstream>
-
-#include "apps/attack_report.hpp"
+#include "apps/interruption.hpp"
+#include "apps/witness_file.hpp"
 #include "proofs/certificate/file_text.hpp"
+#include "properties/attack/attack_report.hpp"
+#include "properties/attack/witness_points.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
 
 namespace {
-
-/// Whether the first key of the file is this one.
-bool begins_with(const std::string& path, const std::string& key) {
-  std::ifstream stream(path, std::ios::binary);
-  std::string start(64, '\0');
-  stream.read(start.data(), static_cast<std::streamsize>(start.size()));
-  start.resize(static_cast<std::size_t>(stream.gcount()));
-  std::erase_if(start, [](char letter) { return std::string_view(" \t\r\n").find(letter) != std::string_view::npos; });
-  return start.starts_with("{\"" + key + "\"");
-}
 
 std::vector<Witness> refutations_in(const std::string& path) {
   std::vector<Witness> result;
@@ -35,8 +26,14 @@ std::vector<Witness> refutations_in(const std::string& path) {
 }  // namespace
 
 std::vector<Witness> witnesses_in(const std::string& path) {
-  if (begins_with(path, "delcert_witness")) return {read_witness(path)};
-  if (begins_with(path, "seed")) return refutations_in(path);
+  switch (witness_file(path)) {
+    case WitnessFile::witness:
+      return {read_witness(path)};
+    case WitnessFile::attack:
+      return refutations_in(path);
+    case WitnessFile::other:
+      break;
+  }
   return {};
 }
 
@@ -48,6 +45,12 @@ PageItem witness_item(const Witness& witness, const Replay& replay, const ShownF
                {"title", replay.claim.title}, {"conclusion", witness.conclusion},
                {"twin", witness.twin},        {"instance", witness.instance_class}};
   item.data["bindings"] = bindings_json(witness.bindings, signature);
+  for (const DrawnSet& set : drawn_sets(witness))
+    item.data["sets"].push_back({{"name", set.name},
+                                 {"kind", set.is_simplex           ? "simplex"
+                                          : set.points.size() == 1 ? "point"
+                                                                   : "points"},
+                                 {"points", set.points}});
   item.data["replay"] = {{"hypotheses", name_of(replay.hypotheses)}};
   if (replay.conclusion) {
     item.data["replay"]["text"] = replay.conclusion->text;
@@ -57,6 +60,19 @@ PageItem witness_item(const Witness& witness, const Replay& replay, const ShownF
     item.data["replay"]["verdict"] = is_refuted(replay.hypotheses) ? "void" : "undecided";
   }
   return item;
+}
+
+std::vector<PageItem> witness_items(const std::string& path, const ShownFile& file) {
+  const InterruptionDeadline deadline;
+  std::vector<PageItem> items;
+  for (const Witness& witness : witnesses_in(path)) {
+    try {
+      items.push_back(witness_item(witness, replayed(witness), file));
+    } catch (const InputError& error) {
+      throw InputError(path + ": " + error.what());
+    }
+  }
+  return items;
 }
 
 }  // namespace delcert

@@ -21,6 +21,14 @@ const char* build_commit() { return "@commit@"; }
 
 }  // namespace delcert
 ]])
+  # For ./run, which asks whether what is installed is what stands in its folder: not where there were changes besides.
+  if(commit)
+    execute_process(COMMAND ${GIT_EXECUTABLE} -C ${PROJECT_SOURCE_DIR} diff --quiet HEAD RESULT_VARIABLE changed)
+    if(changed)
+      set(commit "")
+    endif()
+  endif()
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/generated/commit @ONLY CONTENT "@commit@\n")
   target_sources(${target} PRIVATE ${generated})
   # A source of its own: it changes with each commit.
   set_source_files_properties(${generated} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)

@@ -15,6 +15,13 @@ if(TARGET delcert)
   list(APPEND CPACK_COMPONENTS_ALL delcert development)
 endif()
 
+if(TARGET _delcert)
+  # The module is for one version of Python only.
+  get_target_property(DELCERT_PYTHON_VERSION _delcert DELCERT_PYTHON_VERSION)
+  get_target_property(DELCERT_NEXT_PYTHON _delcert DELCERT_NEXT_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
+
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -28,6 +35,13 @@ set(CPACK_DEBIAN_DELCERT_PACKAGE_DEPENDS "delcert-check (= ${DELCERT_VERSION})")
 set(CPACK_DEBIAN_DELCERT_DESCRIPTION "certified Delaunay triangulations of manifolds
 Runs the perturbation algorithm of Boissonnat, Dyer and Ghosh in exact arithmetic, writes certificates, and attacks
 and proves the lemmas behind it.")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-delcert)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+  "delcert-check (= ${DELCERT_VERSION}), python3 (>= ${DELCERT_PYTHON_VERSION}), python3 (<< ${DELCERT_NEXT_PYTHON}), python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-gudhi, python3-meshio, python3-vtk9, regina-normal")
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION "certified Delaunay triangulations of manifolds, from Python
+Certifies, attacks and draws in the process that calls it; has certificates checked by delcert-check.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libdelcert-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "libraries and headers of delcert
 Static libraries for programs that decide exactly; find_package(delcert) says what else they need.")

@@ -16,6 +16,16 @@ set(DELCERT_TWIN_EXEMPTIONS
   "proofs/replay/builtin_steps" "a declaration of what is generated, read in tests/proofs/replay/stated_step_test.cpp"
   "proofs/replay/main" "the program itself, run in tests/cli/prove.cmake"
   "properties/instances/instance_classes" "the list of all classes, gone through in properties/instances/instance_class_test"
+  "support/build_commit" "a declaration of what is generated, read in tests/python/certificate_test.py"
+  "proofs/certification/certify_options" "plain data, read in tests/proofs/certification/certification_test.cpp"
+  "proofs/certification/family" "an interface, called in tests/proofs/certification/certification_test.cpp"
+  "proofs/certification/chart_family" "what families have in common, run in tests/proofs/certification/certification_test.cpp"
+  "proofs/certification/flat_family" "made by family_of, run in tests/proofs/certification/certification_test.cpp"
+  "proofs/certification/space_form_family" "made by family_of, run in tests/proofs/certification/certification_test.cpp"
+  "proofs/certification/metric_field_family" "made by family_of, run in tests/proofs/certification/certification_test.cpp"
+  "proofs/certification/atlas_family" "made by family_of, run in tests/proofs/certification/certification_test.cpp"
+  "proofs/certification/submanifold_family" "made by family_of, run in tests/proofs/certification/certification_test.cpp"
+  "proofs/certification/mesh_family" "made by family_of_mesh, run by the programs in tests/cli/complex.cmake"
   "kernel/perturb/parameters" "plain data, derived and tested in proofs/certificate/run_parameters")
 
 # Sets `result` to the list of complaints about the tree under `root`, given the exemptions (stem, reason, …).
@@ -36,7 +46,7 @@ function(delcert_twin_complaints root exemptions result)
     set(on_change)
   endif()
   set(stems)
-  foreach(folder support kernel proofs/constants proofs/certificate proofs/drawing proofs/publication proofs/report proofs/formal proofs/formula proofs/prover proofs/replay proofs/errata proofs/tables
+  foreach(folder support kernel proofs/constants proofs/certificate proofs/certification proofs/drawing proofs/publication proofs/report proofs/formal proofs/formula proofs/prover proofs/replay proofs/errata proofs/tables
       properties/instances properties/attack)
     file(GLOB_RECURSE sources ${on_change} RELATIVE ${root} ${root}/${folder}/*.hpp ${root}/${folder}/*.cpp)
     file(GLOB_RECURSE tests ${on_change} RELATIVE ${root}/tests ${root}/tests/${folder}/*_test.cpp)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# cmake/package.sh            Debian packages and tarballs of delcert, its checker and its library, in build/packages.
+# cmake/package.sh            Debian packages and tarballs of delcert, its checker, its library and its Python module, in build/packages.
 # cmake/package.sh checker    those of the checker alone, which needs six libraries.
 set -euo pipefail
 root=$(cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.." && pwd)
@@ -11,12 +11,17 @@ case ${1-all} in
   all)
     install_packages run
     install_packages package
-    if [[ -e $build/build.ninja ]]; then configure; else configure DELCERT_TESTS=OFF DELCERT_UNITED_SOURCES=ON; fi
-    build delcert delcert-check delcert-replay delcert_properties
+    install_packages python
+    if [[ -e $build/build.ninja ]]; then
+      configure DELCERT_PYTHON=ON
+    else
+      configure DELCERT_TESTS=OFF DELCERT_UNITED_SOURCES=ON DELCERT_PYTHON=ON
+    fi
+    build delcert delcert-claims delcert-check delcert-replay delcert_properties _delcert
     build man
     ;;
   checker)
-    install_packages checker
+    install_packages check
     install_packages package
     build=$root/build/checker
     cmake -S "$root/proofs/checker" -B "$build" -G Ninja >/dev/null

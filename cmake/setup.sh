@@ -7,13 +7,90 @@ build=${root:?}/build/release
 
 say() { printf '%s\n' "$*" >&2; }
 
-# packages_for check | run | test | package: the packages needed for it, one a line. What a run needs includes what checking
+# keep_log_in FILE: from here on `logged` writes there, beginning with this call's command line.
+keep_log_in() {
+  stages=$1
+  mkdir -p "${stages%/*}"
+  stage_line "$0${call:+ $call}"
+}
+call=$*
+stages=/dev/null
+stage_line() { printf '%(%Y-%m-%d %H:%M:%S)T  %s\n' -1 "$*" >>"$stages"; }
+
+# logged TITLE COMMAND…: runs it, and writes one line of it, with its seconds and its status; its failure is ours.
+logged() {
+  local title=$1 status=0 start=${EPOCHREALTIME/[.,]/}
+  shift
+  "$@" || status=$?
+  local tenths=$(((${EPOCHREALTIME/[.,]/} - start) / 100000))
+  stage_line "$(printf '%s: %d.%d s, exit status %d' "$title" $((tenths / 10)) $((tenths % 10)) "$status")"
+  return "$status"
+}
+
+# installed_program: the path of an installed delcert that was made from these very sources: of the same version, and where
+# these are a Git repository, of the commit that stands here unchanged.
+installed_program() {
+  local program version commit
+  [[ -z ${DELCERT_BUILD:-} && ! -e $build/build.ninja ]] || return 1
+  program=$(command -v delcert) || return 1
+  version=$("$program" --version 2>/dev/null) || return 1
+  [[ $version == "delcert $(<"$root/VERSION")" ]] || return 1
+  if [[ -e $root/.git ]]; then
+    commit=$(git -C "$root" rev-parse HEAD 2>/dev/null) || return 1
+    [[ $commit == "$(cat "${program%/*}/../share/delcert/commit" 2>/dev/null)" ]] || return 1
+    git -C "$root" diff --quiet HEAD 2>/dev/null || return 1
+  fi
+  echo "$program"
+}
+
+# programs_for ARGS…: the programs that `delcert ARGS…` consists of, one a line.
+programs_for() {
+  case ${1-} in
+    attack | campaign | claims | errata | formalise | prove | tables | tighten) echo delcert; echo delcert-claims ;;
+    check) case ${2-} in "" | --help | -h) echo delcert ;; *) echo delcert-check ;; esac ;;
+    figure | report) echo delcert; echo delcert-check; shows_witnesses "${@:2}" && echo delcert-claims ;;
+    cite | constants | homology | info | manifolds | sample | --help | -h | --version) echo delcert ;;
+    *) echo delcert; echo delcert-check ;;
+  esac
+  return 0
+}
+
+# shows_witnesses ARGS…: whether one of them is a file that begins as witnesses do.
+shows_witnesses() {
+  local file
+  for file in "$@"; do
+    if [[ -f $file ]] && head -c 64 -- "$file" 2>/dev/null | tr -d ' \t\r\n\0' | grep -qaE '^[{]"(delcert_witness|seed)"'; then return 0; fi
+  done
+  return 1
+}
+
+# say_what_it_takes PROGRAM…|all: minutes and megabytes, before the first build of them; by cmake/build-costs.tsv, which
+# bench/builds.py measures: the target, processor seconds, MB in the build folder.
+say_what_it_takes() {
+  local target seconds megabytes sum=0 size=0 jobs
+  [[ -r $root/cmake/build-costs.tsv ]] || return 0
+  while read -r target seconds megabytes; do
+    [[ $target != "#"* && " $* " == *" $target "* ]] || continue
+    case $target in
+      delcert-check) [[ ! -e $build/proofs/checker/delcert-check ]] || continue ;;
+      all) [[ ! -e $build/tests/checker/test_checker ]] || continue ;;
+      *) [[ ! -e $build/apps/$target ]] || continue ;;
+    esac
+    sum=$((sum + seconds)) size=$((size + megabytes))
+  done <"$root/cmake/build-costs.tsv"
+  ((sum > 0)) || return 0
+  jobs=$(parallel_jobs)
+  say "First build: about $(((sum + 60 * jobs - 1) / (60 * jobs))) minutes with $jobs compilers at once, $size MB in build/release." \
+    "(Where it was measured: $sum processor seconds.)"
+}
+
+# packages_for check | run | test | package | python: the packages needed for it, one a line. What a run needs includes what checking
 # needs, and what the tests need includes all. With `optional` those instead that a distribution need not have,
 # as what they hold may be in another package: their purpose ends with a question mark.
 packages_for() {
   local purposes=$1 wanted_purpose purpose package what mark=""
   if [[ $1 == run || $1 == test ]]; then purposes="check run"; fi
-  if [[ $1 == test ]]; then purposes+=" test package"; fi
+  if [[ $1 == test ]]; then purposes+=" test package python"; fi
   if [[ ${2:-} == optional ]]; then mark="?"; fi
   while read -r purpose package what; do
     for wanted_purpose in $purposes; do
@@ -52,12 +129,13 @@ known_packages() {
   done
 }
 
-# install_packages check | run | test | package
+# install_packages check | run | test | package | python
 install_packages() {
   [[ -z ${DELCERT_SKIP_PACKAGES:-} ]] || return 0
   local -a wanted optional missing=() unsure=() as_root=()
   mapfile -t wanted < <(packages_for "$1")
   mapfile -t optional < <(packages_for "$1" optional)
+  ((${#wanted[@]} > 0)) || { say "cmake/debian-packages.txt has nothing for the purpose $1"; exit 70; }
   if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
     stop_for_packages "This is not Debian or Ubuntu. Needed (under Debian's names):" "${wanted[@]}"
   fi

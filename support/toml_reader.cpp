@@ -91,9 +91,9 @@ std::string TomlReader::string(const toml::table& table, std::string_view key, b
     return "";
   }
   const auto value = node->value_exact<std::string>();
-  if (!value) fail(node->source(), "the key " + std::string(key) + " wants a string");
+  if (!value) fail(node->source(), "the key " + std::string(key) + " expects a string");
   if (required && value->empty()) {
-    fail(node->source(), "the key " + std::string(key) + " wants a string that is not empty");
+    fail(node->source(), "the key " + std::string(key) + " expects a string that is not empty");
   }
   return *value;
 }
@@ -110,7 +110,7 @@ std::string TomlReader::short_string(const toml::table& table, std::string_view 
 const toml::array* TomlReader::list(const toml::table& table, std::string_view key) const {
   const toml::node* node = table.get(key);
   if (node == nullptr) return nullptr;
-  if (!node->is_array()) fail(node->source(), "the key " + std::string(key) + " wants a list");
+  if (!node->is_array()) fail(node->source(), "the key " + std::string(key) + " expects a list");
   if (node->as_array()->size() > most_parts) {
     fail(node->source(), "more than 1000 parts of the key " + std::string(key));
   }

@@ -10,7 +10,7 @@ namespace delcert {
 
 namespace {
 
-constexpr std::uint64_t most_points = 4000000;
+constexpr std::uint64_t most_lattice_points = 4000000;
 constexpr unsigned most_displacement_digits = 1024;
 
 /// All integer points first … last in every coordinate, divided, and with the centres of the cells if asked.
@@ -19,7 +19,7 @@ std::vector<Vector<Rational, m>> box(std::int64_t first, std::int64_t last, cons
   std::uint64_t count = lattice.centred ? 2 : 1;
   for (int axis = 0; axis < m; ++axis) {
     count *= static_cast<std::uint64_t>(last - first + 1);
-    if (count > most_points) throw InputError("a lattice of more than 4000000 points");
+    if (count > most_lattice_points) throw InputError("a lattice of more than 4000000 points");
   }
   std::vector<Vector<Rational, m>> points;
   points.reserve(count);

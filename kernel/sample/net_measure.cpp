@@ -12,7 +12,7 @@ namespace delcert {
 namespace {
 
 /// ε is rounded up to this many binary digits: far less than the 0.1 % that it may exceed the covering radius by.
-constexpr long radius_digits = 30;
+constexpr long measured_digits = 30;
 
 /// The radius of a ball of which each point would have its share of the volume.
 template <int m>
@@ -60,8 +60,8 @@ NetDensity<m> measure_density(const FlatSpace<m>& space, const PointSet<m>& net,
   NetDensity<m> result;
   result.covering_radius_lower = distance_lower(space, net, covering.farthest_centre);
   const Rational& upper = covering.radius_upper;
-  result.sampling_radius = rounded_up(upper, binary_exponent(upper) - radius_digits) +
-                           Rational::power_of_two(binary_exponent(upper) - radius_digits);
+  result.sampling_radius = rounded_up(upper, binary_exponent(upper) - measured_digits) +
+                           Rational::power_of_two(binary_exponent(upper) - measured_digits);
   if (nominal && *nominal > upper && *nominal * Rational(1000) <= Rational(1001) * result.covering_radius_lower) {
     result.sampling_radius = *nominal;
   }

@@ -12,7 +12,7 @@ namespace delcert {
 
 namespace {
 
-constexpr std::size_t most_points = 4000000;
+constexpr std::size_t most_orbit_points = 4000000;
 constexpr double greatest_coordinate = 0x1p30;
 /// Lifts are kept a little farther than they are asked for.
 constexpr double spare = 1 + 0x1p-10;
@@ -57,8 +57,8 @@ bool SpaceFormPoints<m>::insert(const Vector<double, m>& coordinates, double lea
   const RoundingGuard guard;
   const auto x = enclosed(coordinates);
   if (least_distance > 0 && grid_.approximately_occupied(x, least_distance)) return false;
-  if (points_.size() == most_points)
-    throw Rejection("a net of this radius has more than " + std::to_string(most_points) +
+  if (points_.size() == most_orbit_points)
+    throw Rejection("a net of this radius has more than " + std::to_string(most_orbit_points) +
                     " points, which is the most that is supported");
   const auto label = static_cast<std::uint32_t>(points_.size());
   points_.push_back(coordinates);

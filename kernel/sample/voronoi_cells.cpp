@@ -12,7 +12,7 @@ namespace delcert {
 namespace {
 
 /// More than the slack of the grids that points are inserted in, so that they can be.
-constexpr double clearance = 1 + 0x1p-28;
+constexpr double cell_clearance = 1 + 0x1p-28;
 /// Of the room about the centre of a gap, for roundings and for the stretching of conformal coordinates.
 constexpr double used_room = 0.9;
 
@@ -99,7 +99,7 @@ template <int m>
 std::vector<Vector<double, m>> VoronoiCells<m>::points_in_gaps(const Cell& cell, double radius,
                                                                CounterRandom& random) const {
   std::vector<Vector<double, m>> result;
-  const double least = tangent(radius * clearance);
+  const double least = tangent(radius * cell_clearance);
   for (const auto& centre : cell.sphere_centres) {
     const double cut = std::min(std::sqrt(pairing(centre, centre)), most_tangent_);
     if (cut <= least) continue;

@@ -135,7 +135,7 @@ class IntegralPolynomial {
 std::vector<Integer> coefficients_of(const fmpz_poly_struct* polynomial) {
   std::vector<Integer> result(static_cast<std::size_t>(fmpz_poly_degree(polynomial)) + 1);
   for (std::size_t power = 0; power < result.size(); ++power) {
-    fmpz_poly_get_coeff_mpz(result[power].backend().data(), polynomial, static_cast<slong>(power));
+    fmpz_get_mpz(result[power].backend().data(), fmpz_poly_get_coeff_ptr(polynomial, static_cast<slong>(power)));
   }
   return result;
 }

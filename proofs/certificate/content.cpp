@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "kernel/manifold/submanifold/polyhedral_mesh.hpp"
+#include "kernel/number/flint_rational.hpp"
 #include "kernel/simplex/dimensions.hpp"
 #include "proofs/certificate/document.hpp"
 
@@ -43,11 +44,7 @@ Field field_of(const SpaceForm& form) {
 std::string field_entries(const Field& field) {
   if (!field) return R"("field":["0","1"],"root":["-1","1"])";
   std::vector<Rational> coefficients;
-  for (long k = 0; k <= field->degree(); ++k) {
-    Rational::Wrapped coefficient;
-    fmpq_poly_get_coeff_mpq(coefficient.backend().data(), field->modulus(), k);
-    coefficients.emplace_back(coefficient);
-  }
+  for (long k = 0; k <= field->degree(); ++k) coefficients.push_back(coefficient_of(field->modulus(), k));
   const BigInterval root = field->root();
   return "\"field\":" + listed(coefficients, number) + ",\"root\":[" + number(rounded_down(root.lower(), -64)) + "," +
          number(rounded_up(root.upper(), -64)) + "]";

@@ -17,7 +17,7 @@ RiemannianDemand riemannian_demand(const Ledger& ledger, const MeasuredNet& net)
   if (net.curvature != 0) {
     const PowerProduct& by_curvature = ledger.riemannian_sampling_radius;
     result.printed_radius = std::min(result.printed_radius, by_curvature);
-    result.mended_radius = std::min(result.mended_radius, by_curvature / PowerProduct(Rational(2)));
+    result.mended_radius = std::min(result.mended_radius, by_curvature);
   }
   result.is_met = PowerProduct(net.sampling_radius) <= result.mended_radius;
 

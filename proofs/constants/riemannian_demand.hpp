@@ -18,7 +18,7 @@ struct MeasuredNet {
 struct RiemannianDemand {
   /// min{inj/4, 2⁻⁶(ρ₀/C̃)^{2m+1}}, as printed; inj/4 where there is no curvature.
   PowerProduct printed_radius;
-  /// min{inj/20, 2⁻⁷(ρ₀/C̃)^{2m+1}}, which the proofs give (docs/claims/riemannian-constants.md).
+  /// min{inj/20, 2⁻⁶(ρ₀/C̃)^{2m+1}}, which the proofs give (docs/claims/riemannian-constants.md).
   PowerProduct mended_radius;
   /// Every net of the printed radius has at least as many points: the balls of radius separation·ε/2 about the points
   /// of the measured net are disjoint, so that they bound the volume of the manifold from below; the balls of the

@@ -16,6 +16,7 @@ constexpr double figure_pixels = 720;
 constexpr double figure_margin = 12;
 constexpr double scale_band = 44;  ///< in pixels: the bar and its text
 constexpr double figure_centimetres = 12;
+constexpr double name_distance = 6;  ///< in pixels, of a name from its point
 
 /// Where things are on the page: pixels, y downwards.
 class Page {
@@ -30,6 +31,7 @@ class Page {
       }
     }
     for (const Figure::Circle& circle : figure.circles) include(circle.centre, circle.radius);
+    for (const Figure::Dot& dot : figure.dots) include(dot.centre, 0);
     if (!(lowest_[0] <= highest_[0])) lowest_ = highest_ = {0, 0};
     const double size = std::max(highest_[0] - lowest_[0], highest_[1] - lowest_[1]);
     scale_ = size > 0 ? (figure_pixels - 2 * figure_margin) / size : 1;
@@ -81,8 +83,9 @@ std::string svg_of(const Figure::Path& path, const Page& page) {
     }
     if (path.is_closed) lines += "Z";
   }
-  return fmt::format("<path d=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"{:.2f}\"/>\n", lines,
-                     path.fill ? rgb(*path.fill) : "none", rgb(path.stroke), path.width);
+  return fmt::format("<path d=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"{:.2f}\"{}/>\n", lines,
+                     path.fill ? rgb(*path.fill) : "none", rgb(path.stroke), path.width,
+                     path.is_dashed ? " stroke-dasharray=\"6 4\"" : "");
 }
 
 /// An option of TikZ.
@@ -105,6 +108,16 @@ std::string svg_of(const Figure& figure) {
     out += fmt::format(
         "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2f}\"/>\n", x,
         y, circle.radius * page.scale(), rgb(circle.stroke), circle.width);
+  }
+  for (const Figure::Dot& dot : figure.dots) {
+    const auto [x, y] = page.place(dot.centre);
+    out += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\" fill=\"{}\"/>\n", x, y, dot.radius,
+                       rgb(dot.fill));
+  }
+  for (const Figure::Name& name : figure.names) {
+    const auto [x, y] = page.place(name.at);
+    out += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-family=\"serif\" font-size=\"18\" fill=\"{}\">{}</text>\n",
+                       x + name_distance, y - name_distance, rgb(name.ink), in_markup(name.text));
   }
   if (figure.scale) {
     const auto [from, to] = page.bar(figure.scale->length);
@@ -131,14 +144,24 @@ std::string tikz_of(const Figure& figure) {
       }
       if (path.is_closed) lines += "--cycle";
     }
-    out += fmt::format("\\path[{}{},line width={:.2f}pt]{};\n",
+    out += fmt::format("\\path[{}{},line width={:.2f}pt{}]{};\n",
                        path.fill ? tikz_colour("fill", *path.fill) + "," : std::string(),
-                       tikz_colour("draw", path.stroke), points_of(path.width), lines);
+                       tikz_colour("draw", path.stroke), points_of(path.width), path.is_dashed ? ",dashed" : "", lines);
   }
   for (const Figure::Circle& circle : figure.circles) {
     const auto [x, y] = page.place(circle.centre);
     out += fmt::format("\\path[{},line width={:.2f}pt] ({:.2f},{:.2f}) circle[radius={:.2f}];\n",
                        tikz_colour("draw", circle.stroke), points_of(circle.width), x, y, circle.radius * page.scale());
+  }
+  for (const Figure::Dot& dot : figure.dots) {
+    const auto [x, y] = page.place(dot.centre);
+    out += fmt::format("\\path[{}] ({:.2f},{:.2f}) circle[radius={:.2f}];\n", tikz_colour("fill", dot.fill), x, y,
+                       dot.radius);
+  }
+  for (const Figure::Name& name : figure.names) {
+    const auto [x, y] = page.place(name.at);
+    out += fmt::format("\\node[above right,inner sep=1.5pt,{}] at ({:.2f},{:.2f}) {{{}}};\n",
+                       tikz_colour("text", name.ink), x, y, latex_text(name.text));
   }
   if (figure.scale) {
     const auto [from, to] = page.bar(figure.scale->length);

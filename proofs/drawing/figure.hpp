@@ -7,7 +7,7 @@
 
 namespace delcert {
 
-/// A figure in the plane, in doubles, for the eye: what is later lies above.
+/// A figure in the plane, in doubles, for the eye: what is later lies above, and circles, dots and names above paths.
 struct Figure {
   using Point = std::array<double, 2>;
   using Colour = std::array<int, 3>;  ///< red, green, blue, 0 to 255
@@ -19,12 +19,25 @@ struct Figure {
     std::optional<Colour> fill;
     Colour stroke{28, 49, 68};
     double width = 0.8;
+    bool is_dashed = false;
   };
   struct Circle {
     Point centre;
     double radius;
     Colour stroke;
     double width = 1.5;
+  };
+  /// A filled disk whose radius is in pixels.
+  struct Dot {
+    Point centre;
+    double radius;
+    Colour fill;
+  };
+  /// Plain text, above and to the right of a point.
+  struct Name {
+    Point at;
+    std::string text;
+    Colour ink;
   };
   /// A length, drawn below all else.
   struct Scale {
@@ -34,6 +47,8 @@ struct Figure {
 
   std::vector<Path> paths;
   std::vector<Circle> circles;
+  std::vector<Dot> dots;
+  std::vector<Name> names;
   std::optional<Scale> scale;
   std::string description;  ///< plain text: for readers who do not see it, and comments
 };

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "proofs/errata/verdicts.hpp"
+
 namespace delcert {
 
 namespace {
@@ -17,15 +19,15 @@ Remarks of a reader on *Delaunay triangulation of manifolds* by Boissonnat, Dyer
 of a preprint, whose comments have dates from 2013 to October 2014. The article of the same name, published in 2017, was not
 compared; its abstract differs, and nothing is known here of what it changed.
 
-The main results stand: Theorem 1 with the hypotheses on the input spelt out, Theorem 2 with a hypothesis on the metric,
-Theorem 3 with inj/20 for inj/4, all three for separations of at most 1, and the algorithm as printed
-([proof](claims/printed-algorithm.md)). The severest remarks come first. Lines are those of the LaTeX source, places its labels. Between “ and ” the paper is quoted with its macros expanded (so
-the transition from U_i to U_j is φ_ji), with […] where something is left out and labels in brackets for references; a test
-compares these quotations with the source. *Ours* is a step that computes what the text implies, and is no formula of the text.
+The verdicts come first, then the remarks, the severest kind first. Lines are those of the LaTeX source; theorems have the
+numbers that LaTeX gives them, and their labels. What stands between “ and ” is the paper's, word for word with its macros expanded (so the
+transition from U_i to U_j is φ_ji), with […] where something is left out and labels in brackets for references; a test
+compares these quotations with the source, and the paragraphs marked as printed have nothing else in them. All other words are ours.
+*Ours* is a step that computes what the text implies, and is no formula of the text.
 
 This page is what `delcert errata` prints, out of the files of `proofs/errata/`; a test compares them. Where a command
 stands, it reproduces the finding, from the root of the sources and with exit status 1, and a test runs it; what has none was
-read, and rests on the argument given.
+read, and rests on the argument given. An entry that changes a theorem also has the best defence that we found for the printed text.
 )";
 
 /// What the lines of a finding are lines of.
@@ -54,18 +56,19 @@ std::string in_cell(const std::string& text) {
 
 std::string place(const Erratum& erratum) {
   const bool one = erratum.lines.size() == 1 && erratum.lines[0].first == erratum.lines[0].last;
-  return (one ? "line " : "lines ") + lines_text(erratum.lines) + ", " + erratum.label;
+  return erratum.number + (one ? ", line " : ", lines ") + lines_text(erratum.lines) + ", " + erratum.label;
 }
 
 std::string section(const Erratum& erratum) {
-  std::string text = fmt::format("\n## {}: {}\n", place(erratum), name_of(erratum.judgement));
+  std::string text = fmt::format("\n### {}: {}\n", place(erratum), name_of(erratum.judgement));
   const auto paragraph = [&](const char* heading, const std::string& content) {
     if (!content.empty()) text += fmt::format("\n**{}.** {}\n", heading, on_one_line(content));
   };
-  paragraph("Printed", erratum.printed);
+  text += fmt::format("\n> **Printed.** {}\n", on_one_line(erratum.printed));
   paragraph("Remark", erratum.wrong);
   paragraph("Witness", erratum.witness);
   paragraph("Mended", erratum.mended);
+  paragraph("In the authors' defence", erratum.defence);
   paragraph("Effect", erratum.effect);
   if (erratum.decidable) text += "\n```\n" + on_one_line(erratum.command) + "\n```\n";
   return text;
@@ -91,18 +94,20 @@ std::string counts(const std::vector<Erratum>& errata) {
 }  // namespace
 
 std::string errata_markdown(const std::vector<Erratum>& errata) {
-  std::string text = head_of_page + counts(errata);
+  std::string text = head_of_page + verdicts_markdown() + "\n## Remarks\n" + counts(errata);
   for (const Judgement judgement : wrong_judgements)
     for (const Erratum& erratum : errata)
       if (erratum.judgement == judgement) text += section(erratum);
   std::string read;
   for (const Erratum& erratum : errata)
     if (erratum.judgement == Judgement::holds)
-      read += fmt::format("| {} | {} | {} | {} |\n", lines_text(erratum.lines), erratum.label, in_cell(erratum.printed),
-                          in_cell(erratum.wrong));
+      read += fmt::format("| {} | {} | {} | {} | {} |\n", lines_text(erratum.lines), erratum.number, erratum.label,
+                          in_cell(erratum.printed), in_cell(erratum.wrong));
   if (!read.empty())
-    text += "\n## Read, and found to hold\n\n| lines | place | what is printed | why it holds |\n|---|---|---|---|\n" +
-            read;
+    text +=
+        "\n## Read, and found to hold\n\n| lines | place | label | what is printed, in our words | why it holds "
+        "|\n|---|---|---|---|---|\n" +
+        read;
   return text;
 }
 
@@ -111,12 +116,14 @@ std::string errata_json(const std::vector<Erratum>& errata) {
   for (const Erratum& erratum : errata) {
     list.push_back({{"file", erratum.file},
                     {"label", erratum.label},
+                    {"number", erratum.number},
                     {"lines", lines_text(erratum.lines)},
                     {"kind", name_of(erratum.judgement)},
                     {"printed", erratum.printed},
                     {"wrong", erratum.wrong},
                     {"witness", erratum.witness},
                     {"mended", erratum.mended},
+                    {"defence", erratum.defence},
                     {"effect", erratum.effect},
                     {"decidable", erratum.decidable},
                     {"command", erratum.command}});

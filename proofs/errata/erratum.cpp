@@ -18,8 +18,8 @@ namespace {
 constexpr std::size_t largest_errata_file = std::size_t{1} << 20U;
 constexpr std::array judgements{Judgement::theorem, Judgement::constant, Judgement::word, Judgement::misprint,
                                 Judgement::holds};
-const std::vector<std::string> keys{"label",   "lines",  "kind",   "printed",   "wrong",
-                                    "witness", "mended", "effect", "decidable", "command"};
+const std::vector<std::string> keys{"label",   "number", "lines",   "kind",   "printed",   "wrong",
+                                    "witness", "mended", "defence", "effect", "decidable", "command"};
 
 /// The ranges of "17-23, 40"; empty if that is not what it is.
 std::vector<LineRange> ranges_of(std::string_view text) {
@@ -54,6 +54,7 @@ class ErratumReader {
     Erratum result;
     result.file = toml_.file();
     result.label = string("label", true);
+    result.number = string("number", true);
     result.lines = ranges_of(string("lines", true));
     if (result.lines.empty())
       toml_.fail(table_.get("lines")->source(),
@@ -63,6 +64,7 @@ class ErratumReader {
     result.wrong = string("wrong", true);
     result.witness = string("witness", false);
     result.mended = string("mended", false);
+    result.defence = string("defence", result.judgement == Judgement::theorem);
     result.effect = string("effect", false);
     result.decidable = boolean("decidable");
     result.command = string("command", result.decidable);
@@ -80,7 +82,7 @@ class ErratumReader {
   bool boolean(const std::string& key) const {
     const toml::node& node = toml_.required(table_, key);
     const auto value = node.value_exact<bool>();
-    if (!value) toml_.fail(node.source(), "the key " + key + " wants true or false");
+    if (!value) toml_.fail(node.source(), "the key " + key + " expects true or false");
     return *value;
   }
 

@@ -27,6 +27,7 @@ struct Erratum {
   std::string file;
   /// The LaTeX label of what it is about, or of the section around it.
   std::string label;
+  std::string number;            ///< what LaTeX prints for the label: "Theorem 2", "Section 3.1"
   std::vector<LineRange> lines;  ///< not empty, in increasing order
   Judgement judgement = Judgement::theorem;
   /// The statement as printed, in Markdown. What stands between “ and ” here and below is quoted, with macros expanded.
@@ -34,7 +35,9 @@ struct Erratum {
   std::string wrong;    ///< what is wrong with it; where it holds, why
   std::string witness;  ///< a counterexample; may be empty
   std::string mended;   ///< the mended statement and how it is proved; may be empty
-  std::string effect;   ///< what it does to the theorems that use it; may be empty
+  /// The best that the authors could answer, and what remains; not empty where a theorem changes.
+  std::string defence;
+  std::string effect;  ///< what it does to the theorems that use it; may be empty
   /// Whether a computation decides it.
   bool decidable = false;
   /// What reproduces that it is wrong, from the root of the sources: its exit status is 1. Empty unless decidable.
@@ -44,7 +47,8 @@ struct Erratum {
 /// Reads a finding. The keys are those of docs/cli.md, all values strings but `decidable`; `kind` is a judgement by
 /// name; `lines` is "17", "17-23" or several of these with commas between them. Throws InputError, "file:line:column:
 /// what is wrong", for anything else: an unknown or missing key, empty required text, a wrong type, lines out of order,
-/// a decidable finding without a command, a command for one that is not, a computation for one that holds.
+/// a decidable finding without a command, a command for one that is not, a computation for one that holds, a change of
+/// a theorem without a defence.
 [[nodiscard]] Erratum parse_erratum(const std::string& text, const std::string& file);
 
 /// The same from a file. Throws InputError also if it cannot be read or is larger than 1 MiB.

@@ -76,7 +76,7 @@ class ClaimReader : FormulaReader {
   void read_parameters(const toml::table& table, Claim& claim) {
     const toml::node* node = table.get("forall");
     if (node == nullptr) return;
-    if (!node->is_table()) fail(node->source(), "the key forall wants a table such as { eta = \"(0, 1]\" }");
+    if (!node->is_table()) fail(node->source(), "the key forall expects a table such as { eta = \"(0, 1]\" }");
     for (const auto& [key, value] : *node->as_table()) {
       const std::string name(key.str());
       if (!is_name_of_formula(name) || vocabulary_.function(name) != nullptr ||
@@ -84,7 +84,7 @@ class ClaimReader : FormulaReader {
         fail(key.source(), shortened(name) + " is no name for a parameter: letters, digits and '_', and no function");
       }
       if (signature_.contains(name)) fail(key.source(), "the class " + claim.instance + " binds " + name + " already");
-      claim.parameters[name] = in_string(value, "a parameter wants a string such as \"(0, 1]\"",
+      claim.parameters[name] = in_string(value, "a parameter expects a string such as \"(0, 1]\"",
                                          [](const std::string& text) { return parse_range(text); });
     }
     for (const auto& [name, range] : claim.parameters) signature_[name] = types::number;
@@ -134,7 +134,7 @@ class ClaimReader : FormulaReader {
     std::vector<std::string> taken;
     for (const toml::node& node : *show) {
       const toml::table* part = node.as_table();
-      if (part == nullptr) fail(node.source(), "the key show wants tables, [[show]]");
+      if (part == nullptr) fail(node.source(), "the key show expects tables, [[show]]");
       refuse_unknown(*part, {"name", "claim", "twin", "no_twin"});
       const std::string name = part_name(*part, taken, "conclusion");
       Conclusion conclusion;

@@ -28,7 +28,7 @@ void FormulaReader::require_name(const toml::node& node, const std::string& name
 
 Statement FormulaReader::formula(const toml::node& node, const std::string& name, const Vocabulary& vocabulary,
                                  const Signature& signature, const Type& type) const {
-  return in_string(node, "a formula wants a string", [&](const std::string& text) {
+  return in_string(node, "a formula expects a string", [&](const std::string& text) {
     return Statement{name, text, type_checked(parse_formula(text), vocabulary, signature, type)};
   });
 }

@@ -90,7 +90,7 @@ class StepReader {
   const toml::table* table_of(const std::string& key, const std::string& example) const {
     const toml::node* node = table_.get(key);
     if (node == nullptr) return nullptr;
-    if (!node->is_table()) reader_.fail(node->source(), "the key " + key + " wants a table such as " + example);
+    if (!node->is_table()) reader_.fail(node->source(), "the key " + key + " expects a table such as " + example);
     return node->as_table();
   }
 
@@ -100,7 +100,7 @@ class StepReader {
     for (const auto& [key, value] : *all) {
       const std::string name(key.str());
       require_free(key.source(), name);
-      const StepRange range = reader_.in_string(value, "a parameter wants a string such as \"(0, 1]\"",
+      const StepRange range = reader_.in_string(value, "a parameter expects a string such as \"(0, 1]\"",
                                                 [](const std::string& text) { return parse_step_range(text); });
       step_.parameters[name] = range;
       signature_[name] = range.is_integer ? types::integer : types::number;
@@ -114,7 +114,7 @@ class StepReader {
       const std::string name(key.str());
       require_free(key.source(), name);
       step_.constants[name] =
-          reader_.in_string(value, "a constant wants a string such as \"4/5\"", [](const std::string& text) {
+          reader_.in_string(value, "a constant expects a string such as \"4/5\"", [](const std::string& text) {
             try {
               return parse_range("[" + text + ", " + text + "]").lower;
             } catch (const FormulaError& error) {
@@ -149,7 +149,7 @@ class StepReader {
     require_free(where, name);
     const bool taken = std::any_of(all.begin(), all.end(), [&](const Abbreviation& one) { return one.name == name; });
     if (taken) reader_.fail(where, name + " is already something else");
-    all.push_back({&node, name, reader_.in_string(node, "a formula wants a string", [](const std::string& text) {
+    all.push_back({&node, name, reader_.in_string(node, "a formula expects a string", [](const std::string& text) {
                      return free_names(*parse_formula(text));
                    })});
   }
@@ -163,13 +163,13 @@ class StepReader {
     } else if (const toml::array* all_in_order = node->as_array()) {
       for (const toml::node& part : *all_in_order) {
         const toml::table* entry = part.as_table();
-        if (entry == nullptr) reader_.fail(part.source(), "an abbreviation wants a table { name = …, is = … }");
+        if (entry == nullptr) reader_.fail(part.source(), "an abbreviation expects a table { name = …, is = … }");
         reader_.refuse_unknown(*entry, {"name", "is"});
         const std::string name = reader_.string(*entry, "name", true);
         add_abbreviation(waiting, entry->get("name")->source(), name, reader_.required(*entry, "is"));
       }
     } else {
-      reader_.fail(node->source(), "the key let wants a table such as { ratio = \"1/(1 + xi)\" }");
+      reader_.fail(node->source(), "the key let expects a table such as { ratio = \"1/(1 + xi)\" }");
     }
     while (!waiting.empty()) {
       const auto is_waiting = [&](const std::string& name) {
@@ -211,7 +211,7 @@ std::vector<Step> read_steps(const FormulaReader& reader, const toml::table& cla
   if (all == nullptr) return steps;
   for (const toml::node& node : *all) {
     const toml::table* table = node.as_table();
-    if (table == nullptr) reader.fail(node.source(), "the key step wants tables, [[step]]");
+    if (table == nullptr) reader.fail(node.source(), "the key step expects tables, [[step]]");
     Step step = StepReader(reader, *table, vocabulary).read(status);
     const bool taken = std::any_of(steps.begin(), steps.end(), [&](const Step& one) { return one.name == step.name; });
     if (taken) reader.fail(table->get("name")->source(), "two steps of the claim are called " + step.name);

@@ -196,7 +196,7 @@ class Checker {
         const bool wants_integer = parameters[at] == "k" || parameters[at] == "m";
         if (wants_integer && expression.children[at]->type != types::integer) {
           throw FormulaError(expression.children[at]->offset,
-                             expression.text + " wants an integer as argument " + std::to_string(at + 1));
+                             expression.text + " expects an integer as argument " + std::to_string(at + 1));
         }
       }
       expression.type = types::number;
@@ -217,7 +217,7 @@ class Checker {
       const Type& wanted = parameters[expression.function->is_variadic ? 0 : at];
       child = checked(child);
       if (!serves_as(child->type, wanted)) {
-        throw FormulaError(child->offset, expression.text + " wants " + described(wanted) + " as argument " +
+        throw FormulaError(child->offset, expression.text + " expects " + described(wanted) + " as argument " +
                                               std::to_string(at + 1) + ", not " + described(child->type));
       }
     }
@@ -227,7 +227,7 @@ class Checker {
   static void require_count(const Expression& expression, std::size_t wanted, bool is_variadic) {
     const std::size_t given = expression.children.size();
     if (is_variadic ? given >= 2 : given == wanted) return;
-    throw FormulaError(expression.offset, expression.text + " wants " +
+    throw FormulaError(expression.offset, expression.text + " expects " +
                                               (is_variadic ? "two or more" : std::to_string(wanted)) +
                                               (!is_variadic && wanted == 1 ? " argument" : " arguments") + ", not " +
                                               std::to_string(given));

@@ -7,8 +7,8 @@ A quotation is what stands between “ and ” in a text of proofs/errata/*.toml
 within the `lines` of its entry; […] stands for something left out, and [label] for a reference. Spaces, brackets and
 braces do not count, and a fraction a/b is \\frac{a}{b}. With --paper every quotation is looked up there; with --write the
 list is written anew from those that are found. Without, every quotation has to be in the list, proofs/paper/quotations.tsv,
-with its file and lines, and every row of the list in an entry. Every entry that is not "read: holds" quotes at least once.
-Exit status 1 if a quotation is not found.
+with its file and lines, and every row of the list in an entry. Every entry that is not "read: holds" quotes at least once,
+and its `printed` has nothing but quotations and […] in it. Exit status 1 if a quotation is not found.
 """
 
 import argparse
@@ -186,6 +186,11 @@ def quotations_of(entry):
     return pieces
 
 
+def words_between_quotations(text):
+    """What a text has but quotations and […]."""
+    return re.sub(r"“[^”]*”|\[…\]", "", text).strip()
+
+
 def check(entries, known=None, paper=None):
     """(rows, complaints): the quotations of the entries, and those that neither the list nor the paper has."""
     rows, complaints = [], []
@@ -193,6 +198,8 @@ def check(entries, known=None, paper=None):
         quotations = quotations_of(entry)
         if not quotations and entry.get("kind") != "read: holds":
             complaints.append(f"{name}: quotes nothing")
+        elif entry.get("kind") != "read: holds" and (words := words_between_quotations(entry["printed"])):
+            complaints.append(f"{name}: printed has words that are not quoted: {words}")
         for quotation in quotations:
             row = (name, entry["lines"], normal(quotation))
             if paper is not None and not paper.has(row[2], lines_of(entry["lines"])):

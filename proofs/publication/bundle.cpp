@@ -87,7 +87,14 @@ void add_exports(std::vector<ArchiveFile>& files, const BundledCertificate& each
   }
 }
 
-std::string readme_text(const std::vector<BundledCertificate>& certificates, const BundleFacts& facts) {
+/// How the checker in the bundle is built.
+constexpr const char* text_about_checker =
+    "\n`checker/` is the source of delcert-check and builds with nothing else of delcert. Its packages on Debian are cmake, g++, pkg-config, "
+    "libflint-dev (on Debian 12 also libflint-arb-dev), libgmp-dev, libzstd-dev, nettle-dev and nlohmann-json3-dev:\n\n"
+    "    cmake -S checker/proofs/checker -B build && cmake --build build && export PATH=$PWD/build:$PATH\n";
+
+std::string readme_text(const std::vector<BundledCertificate>& certificates, const BundleFacts& facts,
+                        bool has_checker) {
   std::string text =
       "# " + ascii_text(BundleJson(facts.title)) + "\n\nCertificates of Delaunay triangulations, made with delcert " +
       version +
@@ -103,6 +110,7 @@ std::string readme_text(const std::vector<BundledCertificate>& certificates, con
     text += fmt::format("| `{}` | {} | {} | {} | `{}` |\n", each.file, name, each.certificate.points.size(),
                         each.certificate.simplices.size(), each.certificate.seal);
   }
+  if (has_checker) text += text_about_checker;
   text +=
       "\nWhether the files are as they were, and whether the certificates hold:\n\n```console\n"
       "$ sha256sum -c SHA256SUMS\n";
@@ -211,9 +219,10 @@ BundleJson crate_json(const std::vector<ArchiveFile>& files, const std::vector<B
 
 }  // namespace
 
-std::vector<ArchiveFile> bundle_files(const std::vector<BundledCertificate>& certificates, const BundleFacts& facts) {
+std::vector<ArchiveFile> bundle_files(const std::vector<BundledCertificate>& certificates, const BundleFacts& facts,
+                                      const std::vector<ArchiveFile>& checker) {
   require_facts(certificates, facts);
-  std::vector<ArchiveFile> files{{"README.md", readme_text(certificates, facts)},
+  std::vector<ArchiveFile> files{{"README.md", readme_text(certificates, facts, !checker.empty())},
                                  {"CITATION.cff", citation_text(facts)},
                                  {".zenodo.json", json_file(zenodo_json(certificates, facts))},
                                  {"codemeta.json", json_file(codemeta_json(certificates, facts))}};
@@ -229,6 +238,7 @@ std::vector<ArchiveFile> bundle_files(const std::vector<BundledCertificate>& cer
       throw InputError(each.file + ": " + error.what());
     }
   }
+  files.insert(files.end(), checker.begin(), checker.end());
   files.push_back({"ro-crate-metadata.json", json_file(crate_json(files, certificates, facts))});
   std::string sums;
   for (const ArchiveFile& file : files) sums += digest_of_bytes(file.bytes) + "  " + file.name + "\n";

@@ -21,9 +21,8 @@ constexpr int internal = 70;
 constexpr const char* help =
     "Usage: delcert-replay [--claims FILE|FOLDER]... LOG...\n\n"
     "Checks logs that delcert prove --log has written, with arithmetic of its own, against the steps that the claims'\n"
-    "files state, which it reads itself. It has the files of the library; --claims adds others, TOML files or all of "
-    "a\n"
-    "folder, which go before those of the same name.\n"
+    "files state, which it reads itself. It has the files of the library; --claims adds others, TOML files or all\n"
+    "files of a folder, which take precedence over those of the same name.\n"
     "Exit status: 0 accepted, 1 rejected, 3 no log or no claim, 64 usage, 70 internal.\n";
 
 std::string content_of(const std::filesystem::path& path) {

@@ -92,7 +92,7 @@ class FractionReader {
   /// The boxes are those that the parameters run through: they tell which root of a square is meant.
   FractionReader(const Variables& variables, const std::vector<std::vector<Side>>& boxes);
 
-  /// Throws Rejected for what is no quotient of polynomials.
+  /// Throws Rejected if it is not a quotient of polynomials.
   Fraction read(const Node& term);
   std::vector<Polynomial> divisors;
 

@@ -22,7 +22,7 @@ struct Totals {
 /// hypotheses and the statement that its file states. Everything else is derived again from these: the goals, the
 /// polynomials of their comparisons, the boxes of the trees and the signs on their leaves; the log only says where to
 /// cut and into which factors polynomials fall apart. Throws Rejected, saying what is wrong with which step, and
-/// Malformed for what is no log.
+/// Malformed if it is not a log.
 Totals replay(std::istream& log, const StatedClaims& claims);
 
 /// The second half alone: whether the log proves what it says itself, whoever states that.

@@ -32,7 +32,7 @@ class RowReader {
     const toml::array* list = toml_.list(table_, key);
     if (list == nullptr) return result;
     for (const toml::node& node : *list) {
-      if (!node.is_table()) toml_.fail(node.source(), "the key " + key + " wants tables, [[" + key + "]]");
+      if (!node.is_table()) toml_.fail(node.source(), "the key " + key + " expects tables, [[" + key + "]]");
       result.push_back(node.as_table());
     }
     return result;
@@ -62,7 +62,7 @@ class RowReader {
     }
     if (const toml::node* inverse = table.get("inverse")) {
       const auto value = inverse->value_exact<bool>();
-      if (!value) toml_.fail(inverse->source(), "the key inverse wants true or false");
+      if (!value) toml_.fail(inverse->source(), "the key inverse expects true or false");
       row.is_inverse_in_steps = *value;
     }
     if (const toml::node* steps = table.get("steps")) row.steps = step_names(*steps);
@@ -72,7 +72,7 @@ class RowReader {
   }
 
   std::vector<std::string> step_names(const toml::node& node) const {
-    if (!node.is_array()) toml_.fail(node.source(), "the key steps wants a list of \"claim/step/constant\"");
+    if (!node.is_array()) toml_.fail(node.source(), "the key steps expects a list of \"claim/step/constant\"");
     std::vector<std::string> result;
     for (const toml::node& each : *node.as_array()) {
       const auto name = each.value_exact<std::string>();

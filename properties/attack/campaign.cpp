@@ -3,105 +3,88 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
+#include <nlohmann/json.hpp>
 
-#include "properties/attack/campaign_log.hpp"
-#include "properties/attack/identity.hpp"
 #include "properties/attack/job_pool.hpp"
+#include "properties/attack/witness.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
 
 namespace {
 
-using Block = CampaignLog::Block;
+using Clock = std::chrono::steady_clock;
 
-constexpr std::uint64_t most_blocks = 20000;
-
-/// Everything on which the result depends.
-std::string plan_identity(const CampaignPlan& plan) {
-  std::string contents;
-  for (const Target& target : plan.targets) {
-    contents += contents_of(target.claim, target.shape) + std::to_string(target.samples) + " " +
-                std::to_string(block_size(plan, target)) + "\n";
-  }
-  return identity_of(contents, plan.seed);
-}
-
-std::string name_of(const Target& target) {
-  return target.claim.name + " (k=" + std::to_string(target.shape.k) + ", m=" + std::to_string(target.shape.m) + ")";
-}
-
-/// The samples of a block.
-std::uint64_t count_of(const CampaignPlan& plan, const Block& block) {
-  const Target& target = plan.targets[block.first];
-  return std::min(block_size(plan, target), target.samples - block.second);
-}
-
-Tally attack(const CampaignPlan& plan, const Block& block) {
-  const Target& target = plan.targets[block.first];
-  try {
-    return attack_block(target.claim, target.shape, plan.seed, block.second, count_of(plan, block));
-  } catch (const InputError& error) {
-    throw InputError(name_of(target) + ": " + error.what());
-  }
-}
-
-/// A log has the right first line and yet something else in it only if somebody has edited it.
-void require_of_plan(const CampaignPlan& plan, const Block& block, const Tally& tally) {
-  const bool fits = block.first < plan.targets.size() && block.second < plan.targets[block.first].samples &&
-                    block.second % block_size(plan, plan.targets[block.first]) == 0 &&
-                    tally.samples == count_of(plan, block) &&
-                    tally.conclusions.size() == plan.targets[block.first].claim.conclusions.size();
-  if (!fits) {
-    throw InputError(plan.log.string() + ": target " + std::to_string(block.first) + ", first " +
-                     std::to_string(block.second) + " is no block of this campaign");
-  }
+/// The instance of a sample of which the block says that it violates a conclusion.
+std::string instance_text(const CampaignPlan& plan, const Target& target, std::uint64_t sample) {
+  const auto instance = sample_instance(target.claim, target.shape, plan.seed, sample);
+  return bindings_json(instance.value().bindings, instance_class(target.claim.instance).signature()).dump();
 }
 
 }  // namespace
 
-std::uint64_t block_size(const CampaignPlan& plan, const Target& target) {
-  const std::uint64_t cost = std::max<std::uint64_t>(1, instance_class(target.claim.instance).cost(target.shape));
-  return std::max({std::uint64_t{1}, plan.block / cost, target.samples / most_blocks});
+BlockRecord attacked_block(const CampaignPlan& plan, const Block& block) {
+  const Target& target = plan.targets[block.target];
+  const auto begin = Clock::now();
+  BlockRecord result;
+  try {
+    result.tally = attack_block(target.claim, target.shape, plan.seed, block.first, count_of(plan, block));
+  } catch (const InputError& error) {
+    throw InputError(name_of(target) + ": " + error.what());
+  }
+  for (std::size_t at = 0; at < result.tally.conclusions.size(); ++at) {
+    const ConclusionTally& conclusion = result.tally.conclusions[at];
+    if (conclusion.violated == 0) continue;
+    result.violations[target.claim.conclusions[at].name] = instance_text(plan, target, conclusion.first_violation);
+  }
+  constexpr double milliseconds_of_a_second = 1000;
+  const auto elapsed = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - begin);
+  result.seconds = static_cast<double>(elapsed.count()) / milliseconds_of_a_second;
+  return result;
 }
 
-std::vector<Tally> run_campaign(const CampaignPlan& plan, const Progress& progress) {
-  CampaignLog log(plan.log, plan_identity(plan));
-  for (const auto& [block, tally] : log.finished()) require_of_plan(plan, block, tally);
+std::vector<Tally> tallies_of(const CampaignPlan& plan, const std::map<Block, BlockRecord>& finished) {
+  std::vector<Tally> result(plan.targets.size());
+  for (std::size_t target = 0; target < plan.targets.size(); ++target) {
+    result[target].conclusions.resize(plan.targets[target].claim.conclusions.size());
+  }
+  for (const auto& [block, record] : finished) result[block.target].add(record.tally);
+  return result;
+}
+
+CampaignOutcome run_campaign(const CampaignPlan& asked, const Progress& progress,
+                             std::optional<std::chrono::seconds> limit) {
+  const auto begin = Clock::now();
+  CampaignLog log(asked);
+  const CampaignPlan& plan = log.plan();
   std::vector<Block> missing;
   std::uint64_t total = 0;
   std::uint64_t done_before = 0;
-  for (std::size_t target = 0; target < plan.targets.size(); ++target) {
-    const std::uint64_t samples = plan.targets[target].samples;
-    total += samples;
-    for (std::uint64_t first = 0; first < samples; first += block_size(plan, plan.targets[target])) {
-      if (log.finished().contains({target, first})) {
-        done_before += count_of(plan, {target, first});
-      } else {
-        missing.emplace_back(target, first);
-      }
+  const std::vector<Block> blocks = blocks_of(plan);
+  for (const Block& block : blocks) {
+    const std::uint64_t count = count_of(plan, block);
+    total += count;
+    if (log.finished().contains(block)) {
+      done_before += count;
+    } else {
+      missing.push_back(block);
     }
   }
-  std::map<Block, Tally> blocks = log.finished();
+  if (!missing.empty()) log.begin();
   // The claims' functions live in it: made before the threads ask for it.
   (void)full_vocabulary();
   std::mutex mutex;
   std::atomic<std::uint64_t> done = done_before;
   const Job job = [&](std::size_t number, const std::atomic<bool>&) {
+    if (limit && Clock::now() - begin >= *limit) return;
     const Block& block = missing[number];
-    Tally tally = attack(plan, block);
+    BlockRecord record = attacked_block(plan, block);
     const std::scoped_lock lock(mutex);
-    log.append(block, tally);
-    done += tally.samples;
-    blocks[block] = std::move(tally);
+    done += record.tally.samples;
+    log.append(block, std::move(record));
   };
   run_jobs(missing.size(), plan.threads, job, [&] { progress("attack", done, total); });
-  std::vector<Tally> result(plan.targets.size());
-  for (std::size_t target = 0; target < plan.targets.size(); ++target) {
-    result[target].conclusions.resize(plan.targets[target].claim.conclusions.size());
-  }
-  for (const auto& [block, tally] : blocks) result[block.first].add(tally);
-  return result;
+  return {tallies_of(plan, log.finished()), log.finished(), plan, log.finished().size(), blocks.size()};
 }
 
 }  // namespace delcert

@@ -69,12 +69,14 @@ std::vector<std::optional<Tightest>> run_searches(const SearchPlan& plan, const 
   // The claims' functions live in it: made before the threads ask for it.
   (void)full_vocabulary();
   Results results;
-  JobLog log(plan.log, "search", plan_identity(plan), [&](const Json& line) { read_line(plan, line, results); });
+  JobLog log(plan.log, "search", plan_identity(plan),
+             [&](const Json& line, std::size_t) { read_line(plan, line, results); });
   std::vector<std::size_t> missing;
   for (std::size_t number = 0; number < plan.targets.size(); ++number) {
     if (!results.contains(number)) missing.push_back(number);
   }
   const std::size_t done_before = results.size();
+  if (!missing.empty()) log.begin();
   std::mutex mutex;
   std::atomic<std::size_t> done = done_before;
   const Job job = [&](std::size_t at, const std::atomic<bool>& stopping) {

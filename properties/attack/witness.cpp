@@ -38,7 +38,7 @@ Binding binding_from(const Json& json, const std::string& wanted, const Vocabula
   const Json& value = json.begin().value();
   if (kind != wanted) throw InputError("a " + wanted + " was expected, not a " + kind);
   if (kind == types::number.name) {
-    if (!value.is_string()) throw InputError("a number wants an exact number in quotes");
+    if (!value.is_string()) throw InputError("a number expects an exact number in quotes");
     return parse_exact(value.get<std::string>());
   }
   if (kind == types::integer.name) {
@@ -56,7 +56,7 @@ Binding binding_from(const Json& json, const std::string& wanted, const Vocabula
 }
 
 std::string text_at(const Json& json, const std::string& key) {
-  if (!json.contains(key) || !json.at(key).is_string()) throw InputError("the key " + key + " wants a string");
+  if (!json.contains(key) || !json.at(key).is_string()) throw InputError("the key " + key + " expects a string");
   return json.at(key).get<std::string>();
 }
 

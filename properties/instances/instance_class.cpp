@@ -63,4 +63,9 @@ void require_signature(const InstanceClass& instance_class, const Bindings& bind
   }
 }
 
+std::string text_of(const Shape& shape) {
+  const std::string m = "m=" + std::to_string(shape.m);
+  return shape.k == 0 ? m : "k=" + std::to_string(shape.k) + " " + m;
+}
+
 }  // namespace delcert

@@ -107,4 +107,7 @@ class InstanceClass {
 /// a claim, which are numbers.
 void require_signature(const InstanceClass& instance_class, const Bindings& bindings);
 
+/// "k=2 m=3", "m=2" for a class without k.
+[[nodiscard]] std::string text_of(const Shape& shape);
+
 }  // namespace delcert

@@ -3,6 +3,7 @@ import { approximate } from "./exact.js";
 import { button, count, counted, decimal, element, labelled } from "./elements.js";
 import { measures } from "./measures.js";
 import { inverseStep } from "./models.js";
+import { starFigure } from "./star_drawing.js";
 
 /** The labels of the simplices with the worst values of a measure, the worst first: of each simplex its first label. */
 function worstOf(drawing, name) {
@@ -70,6 +71,7 @@ export class Inspector {
       exact && element("dl", { class: "coordinates" }, exact.map((text, axis) =>
         [element("dt", {}, drawing.exact_names[axis]), element("dd", {}, element("code", { class: "exact" }, text), element("span", { class: "decimal" }, ` ≈ ${decimal(approximate(text), 8)}`))])),
       !exact && element("p", { class: "note" }, "Its exact coordinates are in the certificate."),
+      starFigure(complex, label, chosen),
       names.length > 0 && this.starTable(star, names, chosen),
       this.matching(chosen),
       this.worstList(),

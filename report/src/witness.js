@@ -1,35 +1,14 @@
 // The page of a witness: an instance on which a claim is refuted, with a drawing of its simplices and points.
 import { copied, decimal, drawn, element, table } from "./elements.js";
-import { approximate } from "./exact.js";
-import { product, rotation } from "./matrices.js";
 import { foot, hullBasis, inHull, shapeOf } from "./plane.js";
+import { TurnableDrawing } from "./turnable.js";
 
-const size = 460, margin = 46;
 const inks = ["#1f4e79", "#b5371f", "#2d7d46", "#7a4fa3"];
 
-/** Everything in a binding that can be drawn: sets of points with the way to them, `simplex` where they are one. */
-function setsOf(name, value) {
-  const coordinates = (list) => Array.isArray(list) && list.length > 0 && list.every((entry) => typeof entry === "string") ? list.map(approximate) : null;
-  const result = [];
-  const visit = (path, part) => {
-    if (!part || typeof part !== "object") return;
-    for (const [key, child] of Object.entries(part)) {
-      const way = Array.isArray(part) ? path : [...path, key];
-      const point = key === "point" ? coordinates(child) : null;
-      const points = Array.isArray(child) && child.length > 0 ? child.map(coordinates) : [null];
-      if (point) result.push({ name, kind: "point", points: [point] });
-      else if (points.every((own) => own && own.length === points[0].length) && /points|vertices/.test(key)) {
-        result.push({ name: way.slice(2, -1).length ? `${name} (${way.slice(2, -1).join(" ")})` : name, kind: way.at(-2) === "simplex" || way.at(1) === "simplex" ? "simplex" : "points", points });
-      } else visit(way, child);
-    }
-  };
-  visit([name], value);
-  return result;
-}
-
 /** The drawing of sets of points of one dimension, in their own hull where it has at most three dimensions. */
-export class WitnessDrawing {
+export class WitnessDrawing extends TurnableDrawing {
   constructor(sets) {
+    super();
     this.sets = sets;
     const all = sets.flatMap((set) => set.points), basis = hullBasis(all);
     this.ambient = all[0].length;
@@ -39,13 +18,7 @@ export class WitnessDrawing {
     this.isFlat = sets.some((set) => set.kind === "simplex" && set.points.length - 1 > basis.length);
     let at = 0;
     this.places = sets.map((set) => set.points.map(() => flat[at++]));
-    this.turned = this.dimension === 3 ? product(rotation([1, 0, 0], 0.5), rotation([0, 1, 0], 0.4)) : rotation([1, 0, 0], 0);
-    const low = [0, 1, 2].map((axis) => Math.min(...flat.map((point) => point[axis]))), high = [0, 1, 2].map((axis) => Math.max(...flat.map((point) => point[axis])));
-    this.centre = low.map((value, axis) => (value + high[axis]) / 2);
-    this.radius = Math.max(...flat.map((point) => Math.hypot(...point.map((value, axis) => value - this.centre[axis]))), 1e-300);
-    this.svg = drawn("svg", { viewBox: `0 0 ${size} ${size}`, role: "img", tabindex: this.dimension === 3 ? "0" : null, "aria-label": this.words() });
-    this.draw();
-    if (this.dimension === 3) this.listen();
+    this.begin(flat, this.dimension, this.words());
   }
 
   words() {
@@ -53,14 +26,8 @@ export class WitnessDrawing {
     return `A drawing of ${parts.join(", ")}, with circumscribed balls and least altitudes.${this.dimension === 3 ? " Arrow keys turn it." : ""}`;
   }
 
-  onPage([x, y, z]) {
-    const point = [x - this.centre[0], y - this.centre[1], z - this.centre[2]], scale = (size / 2 - margin) / this.radius;
-    const at = (row) => this.turned[row] * point[0] + this.turned[4 + row] * point[1] + this.turned[8 + row] * point[2];
-    return [size / 2 + scale * at(0), size / 2 - scale * at(1)];
-  }
-
   draw() {
-    const parts = [], scale = (size / 2 - margin) / this.radius;
+    const parts = [], { scale } = this;
     this.sets.forEach((set, at) => {
       const places = this.places[at], ink = inks[at % inks.length], pages = places.map((place) => this.onPage(place));
       if (set.kind === "simplex") {
@@ -89,31 +56,6 @@ export class WitnessDrawing {
     });
     this.svg.replaceChildren(...parts);
   }
-
-  turn(right, up) {
-    this.turned = product(product(rotation([1, 0, 0], -3 * up), rotation([0, 1, 0], 3 * right)), this.turned);
-    this.draw();
-  }
-
-  listen() {
-    let before = null;
-    this.svg.addEventListener("pointerdown", (event) => {
-      before = [event.clientX, event.clientY];
-      this.svg.setPointerCapture(event.pointerId);
-    });
-    this.svg.addEventListener("pointermove", (event) => {
-      if (!before) return;
-      this.turn((event.clientX - before[0]) / size, (before[1] - event.clientY) / size);
-      before = [event.clientX, event.clientY];
-    });
-    this.svg.addEventListener("pointerup", () => { before = null; });
-    const keys = { ArrowLeft: [-0.05, 0], ArrowRight: [0.05, 0], ArrowUp: [0, 0.05], ArrowDown: [0, -0.05] };
-    this.svg.addEventListener("keydown", (event) => {
-      if (!keys[event.key]) return;
-      event.preventDefault();
-      this.turn(...keys[event.key]);
-    });
-  }
 }
 
 function replayBanner(item) {
@@ -128,7 +70,7 @@ function replayBanner(item) {
 const hasText = (value) => typeof value === "string" ? value : JSON.stringify(value);
 
 export function witnessPage(item) {
-  const sets = Object.entries(item.bindings).flatMap(([name, value]) => setsOf(name, value));
+  const sets = item.sets ?? [];
   const byDimension = Map.groupBy ? Map.groupBy(sets, (set) => set.points[0].length) : sets.reduce((map, set) => map.set(set.points[0].length, [...map.get(set.points[0].length) ?? [], set]), new Map());
   const drawings = [...byDimension].sort(([a], [b]) => a - b).map(([, own]) => new WitnessDrawing(own));
   const rows = sets.filter((set) => set.kind === "simplex").map((set) => {

@@ -58,7 +58,7 @@ TEST(ListOption, refuses_what_is_no_list_of_numbers) {
 
 TEST(ListOption, refuses_what_is_no_list_of_integers) {
   for (const char* text : {"2..", "..2", "2...3", "a", "2,", "1/2", "2.5", "1..2..3", "99999999999"})
-    EXPECT_TRUE(mentions(message_of(integers, text), "is no integer and no range")) << text;
+    EXPECT_TRUE(mentions(message_of(integers, text), "is neither an integer nor a range")) << text;
   EXPECT_TRUE(mentions(message_of(integers, "6..2"), "the range 6..2 ends below its beginning"));
   EXPECT_TRUE(mentions(message_of(integers, "1..3,2"), "2 lists a value a second time"));
   EXPECT_TRUE(mentions(message_of(integers, "1..2000000000"), "more than 1000 values"));

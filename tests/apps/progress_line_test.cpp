@@ -57,7 +57,7 @@ TEST_F(ProgressLineTest, times_each_stage_by_itself) {
   EXPECT_EQ(drawn(), "");
   pass(1000);
   line.update("stars", 5, 10);
-  EXPECT_EQ(drawn(), "\r\x1b[Kstars: 5/10 (50 %), 1 s, about 1 s left");
+  EXPECT_EQ(drawn(), "\r\x1b[Kstars: 5/10 (50 %), 1 s, about 2 s left");
 }
 
 TEST_F(ProgressLineTest, counts_where_the_total_is_not_known) {
@@ -93,6 +93,33 @@ TEST_F(ProgressLineTest, is_silent_where_it_is_not_shown) {
   pass(1000);
   silent.update("stars", 1, 10);
   EXPECT_EQ(drawn(), "");
+}
+
+TEST_F(ProgressLineTest, writes_plain_lines_where_there_is_no_terminal_if_asked) {
+  ProgressLine plain(stream, false, [this] { return time; });
+  plain.also_without_terminal(milliseconds(60000));
+  plain.update("attack", 100, 1000);
+  pass(59000);
+  plain.update("attack", 150, 1000);
+  EXPECT_EQ(drawn(), "");
+  pass(1000);
+  plain.update("attack", 200, 1000);
+  EXPECT_EQ(drawn(), "attack: 200/1000 (20 %), 60 s, about 8 min left\n");
+  plain.clear();
+  EXPECT_EQ(drawn(), "");
+  // On a terminal the line that is drawn stays as it is.
+  line.also_without_terminal(milliseconds(60000));
+  line.update("attack", 0, 10);
+  pass(1000);
+  line.update("attack", 5, 10);
+  EXPECT_EQ(drawn(), "\r\x1b[Kattack: 5/10 (50 %), 1 s, about 1 s left");
+}
+
+TEST_F(ProgressLineTest, what_was_there_before_says_nothing_of_the_rate) {
+  line.update("attack", 900, 1000);
+  pass(10000);
+  line.update("attack", 910, 1000);
+  EXPECT_EQ(drawn(), "\r\x1b[Kattack: 910/1000 (91 %), 10 s, about 90 s left");
 }
 
 TEST_F(ProgressLineTest, lets_work_be_interrupted) {

@@ -47,7 +47,7 @@ delcert_export_test(vtu-of-dimension-4 CERTIFICATE export-torus-4.json FIXTURE e
 delcert_export_test(snappea-of-a-surface CERTIFICATE run-square.json.zst FIXTURE run-square STATUS 3 OPTIONS --format snappea
   ERROR "snappea holds complexes of dimension 3, and this one has dimension 2\n$")
 delcert_export_test(simplify-with-coordinates CERTIFICATE run-square.json.zst FIXTURE run-square STATUS 64
-  OPTIONS --format vtu --simplify ERROR "--simplify: what is left would have no measures")
+  OPTIONS --format vtu --simplify ERROR "--simplify: the result would have no measures")
 delcert_export_test(simplify-a-ball CERTIFICATE run-disk.json.zst FIXTURE run-disk STATUS 3 OPTIONS --format regina --simplify
   ERROR "--simplify is for closed complexes; this one has a boundary")
 delcert_export_test(copies-without-coordinates CERTIFICATE run-square.json.zst FIXTURE run-square STATUS 64
@@ -76,7 +76,7 @@ delcert_export_test(rejected CERTIFICATE export-resealed.json FIXTURE export-for
   OPTIONS --format json --only-verified ERROR "delcert-check rejects it")
 delcert_export_test(not-asked CERTIFICATE export-resealed.json FIXTURE export-forged STATUS 0
   OPTIONS --format json OUTPUT "not verified")
-delcert_cli_test(export-onto-a-file STATUS 3 OUTPUT "^$" ERROR "points.txt: there is such a file; it is not replaced\n$" FIXTURES run-points run-square
+delcert_cli_test(export-onto-a-file STATUS 3 OUTPUT "^$" ERROR "points.txt: the file exists and is not replaced\n$" FIXTURES run-points run-square
   COMMAND ${delcert} export run-square.json.zst --format json --output points.txt)
 delcert_cli_test(export-full-disk STATUS 70 ERROR "cannot write" FIXTURES run-square
   COMMAND sh -c "\"$1\" export run-square.json.zst --format json > /dev/full" sh ${delcert})

@@ -18,4 +18,4 @@ delcert_cli_test(formalise-unknown-step COMMAND ${formalise} formalise/one.toml 
   STATUS 3 OUTPUT "^$" ERROR "no step of the claims named is called no")
 delcert_cli_test(formalise-nothing COMMAND ${formalise} STATUS 3 OUTPUT "^$" ERROR "no claim: name some, or say --all")
 delcert_cli_test(formalise-no-folder COMMAND ${formalise} formalise/one.toml --into /dev/null/no STATUS 3 OUTPUT "^$"
-  ERROR "/dev/null/no: cannot be made a folder")
+  ERROR "/dev/null/no: the folder cannot be created")

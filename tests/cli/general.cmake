@@ -14,3 +14,13 @@ delcert_cli_test(unknown-option COMMAND ${delcert} --frobnicate STATUS 64 OUTPUT
 delcert_cli_test(full-disk
   COMMAND sh -c "\"$1\" constants --dim 2 --separation 1 --perturbation 1/4 > /dev/full" sh ${delcert}
   STATUS 70 ERROR "cannot write to standard output")
+
+# delcert and delcert-claims are one program to its users: the first knows of the second's subcommands their names, and hands
+# over, in the same process and with the same arguments.
+set(two_programs ${CMAKE_CURRENT_LIST_DIR}/two_programs.sh)
+delcert_cli_test(two-programs-one-help COMMAND ${two_programs} help ${delcert} STATUS 0 OUTPUT "^the same\n$" ERROR "^$")
+delcert_cli_test(left-to-claims COMMAND ${delcert} claims --help STATUS 0 OUTPUT "delcert claims show" ERROR "^$")
+delcert_cli_test(left-to-claims-arguments COMMAND ${delcert} attack "no such claim" STATUS 3 OUTPUT "^$" ERROR "no such claim")
+delcert_cli_test(left-to-claims-process COMMAND ${two_programs} process ${delcert} STATUS 0 OUTPUT "^the same process\n$" ERROR "^$")
+delcert_cli_test(left-to-claims-that-are-missing COMMAND ${two_programs} alone ${delcert} STATUS 70 OUTPUT "^torus-2\n"
+  ERROR "^delcert: error: internal: [^\n]*/delcert-claims is not there, and claims are its part; in the source tree ./run builds it\n$")

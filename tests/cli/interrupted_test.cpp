@@ -1,17 +1,14 @@
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace {
@@ -19,75 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
-std::string content_of(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-/// A program on its own, its streams in files.
-class Process {
- public:
-  Process(std::vector<std::string> arguments, fs::path streams) : streams_(std::move(streams)) {
-    std::vector<char*> pointers;
-    for (std::string& argument : arguments) pointers.push_back(argument.data());
-    pointers.push_back(nullptr);
-    fs::create_directories(streams_);
-    id_ = ::fork();
-    if (id_ != 0) return;
-    redirect(STDOUT_FILENO, "output");
-    redirect(STDERR_FILENO, "error");
-    ::execv(pointers[0], pointers.data());
-    ::_exit(127);
-  }
-  ~Process() {
-    if (!over_) {
-      ::kill(id_, SIGKILL);
-      wait();
-    }
-  }
-  Process(const Process&) = delete;
-  Process& operator=(const Process&) = delete;
-
-  /// Until then a signal ends the program as it ends any program that has not begun to work.
-  void wait_until_it_catches(int signal) {
-    while (!has_ended()) {
-      std::ifstream status("/proc/" + std::to_string(id_) + "/status");
-      for (std::string line; std::getline(status, line);) {
-        constexpr std::string_view key = "SigCgt:";
-        if (!line.starts_with(key)) continue;
-        const unsigned long caught = std::stoul(line.substr(key.size()), nullptr, 16);
-        if (((caught >> (signal - 1)) & 1U) != 0) return;
-      }
-      std::this_thread::sleep_for(1ms);
-    }
-  }
-  [[nodiscard]] bool has_ended() {
-    if (!over_) over_ = ::waitpid(id_, &status_, WNOHANG) == id_;
-    return over_;
-  }
-  void send(int signal) {
-    if (!has_ended()) ::kill(id_, signal);
-  }
-  /// The exit status; minus the number of the signal if one ended it.
-  int wait() {
-    if (!over_) ::waitpid(id_, &status_, 0);
-    over_ = true;
-    return WIFEXITED(status_) ? WEXITSTATUS(status_) : -WTERMSIG(status_);
-  }
-  [[nodiscard]] std::string output() const { return content_of(streams_ / "output"); }
-  [[nodiscard]] std::string error() const { return content_of(streams_ / "error"); }
-
- private:
-  void redirect(int stream, const char* name) const {
-    const int file = ::open((streams_ / name).c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    if (file < 0 || ::dup2(file, stream) < 0) ::_exit(126);
-  }
-
-  fs::path streams_;
-  ::pid_t id_ = -1;
-  int status_ = 0;
-  bool over_ = false;
-};
+using delcert::test::content_of;
+using delcert::test::Process;
 
 constexpr const char* old_content = "what was there before";
 constexpr const char* message = "delcert: error: interrupted; nothing was written\n";

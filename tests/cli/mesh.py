@@ -153,7 +153,7 @@ def main():
         for change, expected in ((pushed, "label 777"), (lifted, "900"),
                                  (doubled, "level 5: in 2 components no label is certainly alone"),
                                  (lambda points, triangles: (points, triangles[1:]), "a face in other than two simplices"),
-                                 (lambda points, triangles: (points, triangles + triangles[:1]), "is there twice")):
+                                 (lambda points, triangles: (points, triangles + triangles[:1]), "occurs twice")):
             done = certify(off(*change(*mesh)), "wrong.off")
             assert done.returncode == 1, (expected, done.returncode, done.stderr)
             assert expected in done.stderr, (expected, done.stderr)

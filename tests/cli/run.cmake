@@ -28,7 +28,7 @@ delcert_cli_test(certify-sizing-of-a-ball STATUS 3 OUTPUT "^$" ERROR "--sizing i
   COMMAND ${delcert} certify --manifold disk --radius 1/12 --sizing ${CMAKE_CURRENT_LIST_DIR}/sizings/steep.txt --output never.json)
 delcert_cli_test(certify-sizing-by-curvature-of-a-torus STATUS 3 OUTPUT "^$" ERROR "a flat torus has no curvature"
   COMMAND ${delcert} certify --manifold torus-2 --radius 1/32 --sizing curvature:1/10,1/10 --output never.json)
-delcert_cli_test(certify-sizing-without-radius STATUS 3 OUTPUT "^$" ERROR "the greatest that --sizing is to have"
+delcert_cli_test(certify-sizing-without-radius STATUS 3 OUTPUT "^$" ERROR "the greatest radius of --sizing"
   COMMAND ${delcert} certify --manifold torus-2 --sizing ${CMAKE_CURRENT_LIST_DIR}/sizings/steep.txt --output never.json)
 delcert_cli_test(sample-with-sizing STATUS 0 OUTPUT "points in graded.txt.*in the charts separation" ERROR "^$" FIXTURE_SETUP run-graded-points
   COMMAND ${delcert} sample --manifold torus-2 --radius 1/32 --sizing ${PROJECT_SOURCE_DIR}/examples/sizings/torus-2.txt --seed 1 --output graded.txt)
@@ -147,7 +147,7 @@ delcert_cli_test(homology-without-simplices STATUS 3 OUTPUT "^$" ERROR "points.t
   COMMAND ${delcert} homology points.txt)
 delcert_cli_test(info-json STATUS 0 OUTPUT "\"levels_claimed\": .*\"homology\": \"Z, Z.2, Z\"" ERROR "^$" FIXTURES run-square
   COMMAND ${delcert} info run-square.json.zst --json)
-delcert_cli_test(info-picture-of-dimension-3 STATUS 3 ERROR "pictures are of two-dimensional" FIXTURES run-torus-3
+delcert_cli_test(info-picture-of-dimension-3 STATUS 3 ERROR "pictures are of certificates of dimension 1 or 2" FIXTURES run-torus-3
   COMMAND ${delcert} info run-torus-3.json.zst --picture never.svg)
 delcert_cli_test(info-no-file STATUS 3 OUTPUT "^$" ERROR "no-such-file.json: cannot be opened"
   COMMAND ${delcert} info no-such-file.json)

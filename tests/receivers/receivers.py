@@ -8,6 +8,7 @@
                                to fail
   receivers.py table [--long]  writes the table of docs/export.md; with --long also the rows of long_manifolds.tsv, which
                                take minutes each, and without it leaves them as they are
+  receivers.py missing         adds the rows that the table lacks, and leaves all others as they are
 
 manifolds.tsv has a name and the options of `delcert certify` on every line."""
 
@@ -464,6 +465,8 @@ def certified_at(arguments, name, options, folder):
         run = subprocess.run(words, capture_output=True, text=True, cwd=ROOT)
         if run.returncode != 0:
             sys.exit(f"{name}: {run.stderr.strip()}")
+        if arguments.certificates:
+            kept.write_bytes(certificate.read_bytes())
     return Certified(arguments.delcert, certificate, folder)
 
 
@@ -515,31 +518,46 @@ def notices(arguments):
                 sys.exit(f"{receiver} reads {form} with two labels exchanged, and nothing is noticed")
 
 
-def table(arguments):
-    kept = table_rows()
-    rows = [compare_all(arguments, name, options) for name, options in entries("manifolds.tsv")]
-    for name, options in entries("long_manifolds.tsv"):
-        if arguments.long:
-            rows.append(compare_all(arguments, name, options))
-        elif name in kept:
-            rows.append(kept[name])
+def write_table(rows):
+    """Of rows by name, in the order of the lists."""
+    names = [name for file in ("manifolds.tsv", "long_manifolds.tsv") for name, _ in entries(file)]
     text = PAGE.read_text()
     begin, end = text.index(BEGIN) + len(BEGIN), text.index(END)
-    PAGE.write_text(text[:begin] + "\n".join(HEADER + rows) + "\n" + text[end:])
+    table = HEADER + [rows[name] for name in names if name in rows]
+    PAGE.write_text(text[:begin] + "\n".join(table) + "\n" + text[end:])
+
+
+def table(arguments):
+    rows = table_rows()
+    for file in ["manifolds.tsv"] + ["long_manifolds.tsv"] * arguments.long:
+        for name, options in entries(file):
+            rows[name] = compare_all(arguments, name, options)
+    write_table(rows)
+
+
+def missing(arguments):
+    rows = table_rows()
+    for file in ("manifolds.tsv", "long_manifolds.tsv"):
+        for name, options in entries(file):
+            if name in rows:
+                continue
+            rows[name] = compare_all(arguments, name, options)
+            print(rows[name], flush=True)
+            write_table(rows)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--delcert", default=ROOT / "build/release/apps/delcert")
     parser.add_argument("--reader", default=ROOT / "build/release/tests/receivers/read_simplex_tree")
-    parser.add_argument("--certificates", help="a folder with certificates NAME.json, to be used where there are any")
+    parser.add_argument("--certificates", help="a folder of certificates NAME.json: used where there are any, and kept there")
     commands = parser.add_subparsers(required=True)
-    for command, action in (("check", check), ("notices", notices), ("table", table)):
+    for command, action in (("check", check), ("notices", notices), ("table", table), ("missing", missing)):
         subparser = commands.add_parser(command)
         subparser.set_defaults(action=action)
         if command == "table":
             subparser.add_argument("--long", action="store_true")
-        else:
+        elif command != "missing":
             subparser.add_argument("name")
     arguments = parser.parse_args()
     arguments.action(arguments)

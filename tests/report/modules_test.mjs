@@ -9,6 +9,7 @@ const project = process.argv[2], load = (name) => import(pathToFileURL(join(proj
 const { approximate } = await load("exact.js"), { neighboursOf, visibleFacets } = await load("facets.js");
 const { inModel, inverseStep, periodsOf } = await load("models.js"), { Scale } = await load("measures.js");
 const { circumscribed, foot, shapeOf } = await load("plane.js"), { levels, order, claimedLevels } = await load("statements.js");
+const { Complex } = await load("complex.js"), { moved, starChart } = await load("star_chart.js"), { ballOf } = await load("star_drawing.js");
 const { visible } = await load("elements.js"), { colourAt } = await load("colours.js");
 
 const near = (a, b, error = 1e-12) => Math.abs(a - b) <= error * Math.max(1, Math.abs(b));
@@ -94,6 +95,66 @@ for (let trial = 0; trial < 50; ++trial) {
 }
 const regular = shapeOf([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]]);
 expect(near(regular.thickness, Math.sqrt(2 / 3) / 3) && near(regular.sphere.radius, Math.sqrt(3)), "the regular tetrahedron");
+
+// Stars in charts: every simplex somewhere else, moved by an isometry of its own, comes back to where it was.
+const rotated = (x) => {
+  const axes = x.map((_, at) => x.map((__, other) => (at === other ? 1 : 0)));
+  for (let turn = 0; turn < 3; ++turn) {
+    const mirror = x.map(() => random() - 0.5), square = mirror.reduce((sum, own) => sum + own * own, 0);
+    axes.forEach((axis, at) => {
+      const share = 2 * axis.reduce((sum, own, place) => sum + own * mirror[place], 0) / square;
+      axes[at] = axis.map((own, place) => own - share * mirror[place]);
+    });
+  }
+  return (point) => axes.map((axis) => axis.reduce((sum, own, at) => sum + own * point[at], 0));
+};
+/** Neighbours around 0, and a vertex beyond each of its simplices: {places, simplices} by labels. */
+function trueStar(m) {
+  const places = new Map([[0, Array(m).fill(0)]]), simplices = [];
+  const put = (point) => places.set(places.size, point) && places.size - 1;
+  const ring = m === 2 ? [0, 1, 2, 3, 4, 5].map((step) => put([Math.cos(step + random() / 3), Math.sin(step + random() / 3)].map((own) => own * (0.1 + 0.05 * random()))))
+    : [0, 1, 2].flatMap((axis) => [1, -1].map((sign) => put([0, 1, 2].map((own) => (own === axis ? sign * (0.1 + 0.03 * random()) : 0.03 * random())))));
+  const links = m === 2 ? ring.map((own, at) => [own, ring[(at + 1) % 6]]) : [0, 1].flatMap((x) => [2, 3].flatMap((y) => [4, 5].map((z) => [ring[x], ring[y], ring[z]])));
+  for (const link of links) {
+    const middle = link.map((own) => places.get(own)).reduce((sum, point) => sum.map((own, axis) => own + point[axis]));
+    simplices.push([0, ...link], [...link, put(middle.map((own) => own * (m === 2 ? 0.9 : 0.7)))]);
+  }
+  return { places, simplices };
+}
+function drawnStar({ places, simplices }, geometry, model, m) {
+  const curvature = { flat: 0, spherical: 1, hyperbolic: -1, space: 0 }[geometry], coordinates = [], label = [];
+  for (const simplex of simplices) {
+    const turn = geometry === "space" ? (point) => point : rotated(Array(m).fill(0)), shift = Array.from({ length: m }, () => (geometry === "space" ? 0 : random() - 0.5));
+    for (const own of simplex) {
+      const point = moved(shift, turn(places.get(own)), curvature), square = point.reduce((sum, value) => sum + value * value, 0);
+      if (geometry === "space") coordinates.push(0.6 * point[0], point[1], 0.8 * point[0]);
+      else if (model === "unit" && curvature === 1) coordinates.push(...point.map((value) => 2 * value / (1 + square)), (1 - square) / (1 + square));
+      else coordinates.push(...point, ...m === 2 ? [0] : []);
+      label.push(own);
+    }
+  }
+  return new Complex({ geometry, model, corners: m + 1, ambient_dimension: 3, projection: "", coordinates: Float64Array.from(coordinates), label, simplices: Uint32Array.from(label.keys()), measures: {}, bounds: {} });
+}
+const apart = (a, b) => Math.hypot(...a.map((own, axis) => own - b[axis]));
+function expectStar(truth, complex, what) {
+  const chart = starChart(complex, 0), found = new Map([...chart.points, ...[...chart.outer.values()].map((own) => [own.label, own.point])]);
+  expectEqual([...found.keys()].sort((a, b) => a - b), [...truth.places.keys()], `${what}: the labels of the star and around it`);
+  for (const [a, place] of truth.places) for (const [b, other] of truth.places)
+    expect(near(apart(found.get(a), found.get(b)), apart(place, other), 1e-9), `${what}: the distance of labels ${a} and ${b}`);
+  return chart;
+}
+for (const [geometry, model, m] of [["flat", "unit", 2], ["flat", "unit", 3], ["spherical", "stereographic", 2], ["spherical", "stereographic", 3], ["spherical", "unit", 2],
+  ["hyperbolic", "conformal", 2], ["hyperbolic", "conformal", 3], ["space", "space", 2]]) {
+  const truth = trueStar(m), what = `a star, ${geometry}, ${model}, ${m}`, complex = drawnStar(truth, geometry, model, m);
+  const chart = expectStar(truth, complex, what), ball = ballOf(chart, complex.labels(0));
+  const others = [...truth.places].filter(([own]) => !truth.simplices[0].includes(own));
+  const true_ball = circumscribed(truth.simplices[0].map((own) => truth.places.get(own)));
+  const [nearest] = others.sort(([, a], [, b]) => apart(a, true_ball.centre) - apart(b, true_ball.centre))[0];
+  expect(near(ball.radius, true_ball.radius, 1e-7) && ball.nearest.label === nearest, `${what}: the ball, and what is nearest to it`);
+  complex.drawing.coordinates[3 * (2 * truth.simplices[0].length - 1)] += 0.01;
+  await expectNoticed(() => expectStar(truth, complex, what), "a vertex that is elsewhere");
+}
+expectEqual(starChart(drawnStar(trueStar(2), "flat", "unit", 2), 99), null, "a star of no label");
 
 // Rules and pages of levels are those of the documents, every rule of a level is told.
 const forgeries = readFileSync(join(project, "docs/forgeries.md"), "utf8");

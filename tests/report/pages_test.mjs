@@ -53,6 +53,8 @@ async function clickAtALabel(page) {
 async function expectPicking(page, name, info) {
   const label = await clickAtALabel(page), shown = await text(page, ".label-data h4");
   expectEqual(shown.replace(/\D/g, ""), String(label), `${name}: the label that was clicked at`);
+  const neighbours = Number(/with\s+(\d+)/.exec(await text(page, ".label-data p"))[1]), chart = page.locator(".star-chart");
+  expectEqual([await chart.locator(".vertex").count(), await chart.locator(".ball").count(), await chart.locator(".gap").count()], [neighbours, 1, 1], `${name}: the star in a chart, and the ball of the simplex`);
   const star = page.locator(".star tbody tr");
   expect(await star.count() > 3, `${name}: the star of label ${label} is listed`);
   await page.locator(".inspector input[type=number]").fill(String(label));

@@ -1,20 +1,23 @@
 #!/usr/bin/env bash
-# The checker's sources build without the rest of the house, and the program checks.
+# The checker builds from what is in a bundle, as the README there says, and the program checks.
 # checker_alone_test.sh SOURCE WORK COMPILER DELCERT
 set -euo pipefail
 source=$1 work=$2 compiler=$3 delcert=$4
 rm -rf "$work"
-mkdir -p "$work/proofs" "$work/docs"
-cp -r "$source/proofs/checker" "$work/proofs/"
-cp -r "$source/cmake" "$source/VERSION" "$source/LICENSE" "$work/"
-cp "$source/docs/certificate-format.md" "$work/docs/"
+mkdir -p "$work"
+"$delcert" certify --manifold torus-2 --radius 1/24 --seed 1 --output "$work/torus.json" >/dev/null
+"$delcert" bundle "$work/torus.json" --title Torus --author "Doe, Jane" --output "$work/bundle.zip" >/dev/null
+cd "$work"
+cmake -E tar xf bundle.zip
+sha256sum --quiet -c SHA256SUMS
+command=$(sed -n 's/^    \(cmake .*\)/\1/p' README.md)
+[[ $command == "cmake -S checker/proofs/checker "* ]] || { echo "the README does not say how the checker is built"; exit 1; }
 
 # Whether it builds and is right, not how quick it is.
-cmake -S "$work/proofs/checker" -B "$work/build" -D CMAKE_CXX_COMPILER="$compiler" -D CMAKE_BUILD_TYPE=None -G Ninja \
-  -D CMAKE_CXX_FLAGS=-O0 >"$work/configure.log" 2>&1 || { cat "$work/configure.log"; exit 1; }
-cmake --build "$work/build" >"$work/build.log" 2>&1 || { tail -n 40 "$work/build.log"; exit 1; }
+CXX=$compiler CMAKE_BUILD_TYPE=None CMAKE_GENERATOR=Ninja CXXFLAGS=-O0 bash -c "set -e; $command; command -v delcert-check" \
+  >"$work/build.log" 2>&1 || { tail -n 40 "$work/build.log"; exit 1; }
+tail -n 1 "$work/build.log" | grep -qx "$work/build/delcert-check" || { echo "the README's command leads to another checker"; exit 1; }
 
-"$delcert" certify --manifold torus-2 --radius 1/24 --seed 1 --output "$work/torus.json" >/dev/null
 "$work/build/delcert-check" "$work/torus.json" | grep -q '^verified: levels 0 1 2 2s 3 4 5 6 ' || { echo "does not verify"; exit 1; }
 sed 's/"seed":"1"/"seed":"2"/' "$work/torus.json" >"$work/forged.json"
 status=0

@@ -9,7 +9,7 @@ from pathlib import Path
 
 ROW = re.compile(r"\| ((?:`[a-z_/]+/`(?:, )?)+) \|.*\| ([^|]*) \|")
 INCLUDE = re.compile(r'\s*#\s*include\s*"([^"]*)"')
-TOP = ("apps", "kernel", "proofs", "properties", "support")
+TOP = ("apps", "kernel", "proofs", "properties", "python", "support")
 GENERATED = ("delcert_version.hpp",)
 
 

@@ -1,4 +1,4 @@
-# ./run builds delcert and delcert-check only, and what it has built can be installed. The install scripts of this build
+# ./run builds the programs that a call needs only, and what it has built can be installed. The install scripts of this build
 # are run with programs that have not been built: without delcert-replay the rest is installed, without one of the two
 # others nothing passes for an installation.
 cmake_minimum_required(VERSION 3.25)
@@ -32,6 +32,27 @@ foreach(name bin/delcert bin/delcert-check share/doc/delcert/README.md)
 endforeach()
 if(EXISTS ${WORK}/without-delcert-replay/bin/delcert-replay)
   message(SEND_ERROR "delcert-replay is installed although it has not been built: the test tests nothing")
+endif()
+
+# ./run builds what is about claims only when it is called for.
+foreach(name delcert-claims libdelcert_proofs.a)
+  install_without(${name} status)
+  if(NOT status EQUAL 0)
+    message(SEND_ERROR "without ${name} nothing is installed (${status}):\n${output}")
+  endif()
+  if(NOT EXISTS ${WORK}/without-${name}/bin/delcert)
+    message(SEND_ERROR "without ${name} bin/delcert is not installed")
+  endif()
+endforeach()
+if(EXISTS ${WORK}/without-delcert-claims/bin/delcert-claims)
+  message(SEND_ERROR "delcert-claims is installed although it has not been built: the test tests nothing")
+endif()
+file(GLOB_RECURSE proofs ${WORK}/without-libdelcert_proofs.a/libdelcert_proofs.a)
+if(proofs)
+  message(SEND_ERROR "libdelcert_proofs.a is installed although it has not been built: the test tests nothing")
+endif()
+if(NOT EXISTS ${WORK}/without-delcert-claims/share/delcert/commit)
+  message(SEND_ERROR "./run has no commit to compare with")
 endif()
 
 install_without(delcert-check status)

@@ -44,6 +44,13 @@ command_is dpkg-query "$everything"
 on_machine 'install_packages test'
 expect "nothing is said or done where nothing is missing" '[[ $status == 0 && -z $output ]]'
 
+on_machine 'install_packages checker'
+expect "a purpose that no package has is a mistake of ours" '[[ $status == 70 ]] && says "purpose checker"'
+for purpose in $(sed -n 's/.*install_packages \([a-z]\+\).*/\1/p' "$project/run" "$project/test" "$project"/cmake/*.sh); do
+  on_machine "install_packages $purpose"
+  expect "the scripts ask for packages of a purpose that there is, here $purpose" '[[ $status == 0 && -z $output ]]'
+done
+
 machine unknown
 on_machine 'install_packages run'
 expect "elsewhere the list is printed and the status is 69" '[[ $status == 69 ]] && says "not Debian or Ubuntu" && says "libfmt-dev" && says "g++" && says "GMP 6.2"'
@@ -120,6 +127,79 @@ expect "a failed build fails and shows why" '[[ $status == 1 ]] && says "x.cpp:1
 on_machine 'set +e +o pipefail; build delcert; exit $?'
 expect "also where the shell does not stop at errors" '[[ $status == 1 ]]'
 
+machine chooser
+for tool in head tr; do ln -s "$(type -P $tool)" "$commands/$tool"; done
+# needs ARGS… : PROGRAMS…
+needs() {
+  on_machine "programs_for $1"
+  local wanted=$2
+  expect "./run $1 builds $wanted" '[[ $status == 0 && ${output//$'"'\\n'"'/ } == "$wanted" ]]'
+}
+printf '{\n  "delcert_witness": 1' >"$work/witness.json"
+printf '{"format":"delcert-certificate"}' >"$work/certificate.json"
+needs "" "delcert delcert-check"
+needs "constants --dim 2" "delcert"
+needs "certify --manifold torus-2" "delcert delcert-check"
+needs "check a.json" "delcert-check"
+needs "check --help" "delcert"
+needs "check" "delcert"
+needs "attack my.toml" "delcert delcert-claims"
+needs "report $work/certificate.json --output x.html" "delcert delcert-check"
+needs "report $work/certificate.json $work/witness.json --output x.html" "delcert delcert-check delcert-claims"
+needs "--help" "delcert"
+
+printf '# what\ndelcert 300 200\ndelcert-check 50 10\ndelcert-claims 400 100\nall 3000 1000\n' >"$work/costs"
+mkdir -p "$work/project/cmake"
+cp "$work/costs" "$work/project/cmake/build-costs.tsv"
+command_is nproc 'echo 2'
+rm -rf "$work/project/build"
+on_machine 'say_what_it_takes delcert delcert-check'
+expect "minutes and megabytes are said before the first build" '[[ $status == 0 ]] && says "about 3 minutes with 2 compilers at once, 210 MB" && says "350 processor seconds"'
+on_machine 'say_what_it_takes all'
+expect "and those of everything" 'says "about 25 minutes" && says "1000 MB"'
+mkdir -p "$work/project/build/release/apps"
+: >"$work/project/build/release/apps/delcert"
+on_machine 'say_what_it_takes delcert delcert-claims'
+expect "what has been built does not count" 'says "400 processor seconds"'
+on_machine 'say_what_it_takes delcert'
+expect "and nothing is said where all has been" '[[ $status == 0 && -z $output ]]'
+rm -rf "$work/project/build"
+
+on_machine 'keep_log_in $root/build/run.log; logged one true; logged "the other" false || echo "failed as it should"; cat $root/build/run.log'
+expect "the log has a line for each stage, and failures stay failures" '[[ $status == 0 ]] && says "  one: 0." && says "s, exit status 0" && says "  the other: 0." && says "s, exit status 1" && says "failed as it should"'
+rm -rf "$work/project/build"
+
+# An installed program is used if it was made from these sources, and only then.
+command_is delcert 'echo "delcert 1.2.3"'
+mkdir -p "$work/share/delcert"
+echo 1.2.3 >"$work/project/VERSION"
+on_machine installed_program
+expect "an installed program of this version is used" '[[ $status == 0 && $output == */chooser/delcert ]]'
+on_machine 'DELCERT_BUILD=1; installed_program'
+expect "not where a build is asked for" '[[ $status != 0 && -z $output ]]'
+mkdir -p "$work/project/build/release"
+: >"$work/project/build/release/build.ninja"
+on_machine installed_program
+expect "not where there is a build" '[[ $status != 0 && -z $output ]]'
+rm -rf "$work/project/build"
+mkdir "$work/project/.git"
+command_is git '[[ $3 == rev-parse ]] && echo c0ffee || exit 0'
+on_machine installed_program
+expect "in a repository not without its commit" '[[ $status != 0 && -z $output ]]'
+echo c0ffee >"$work/share/delcert/commit"
+on_machine installed_program
+expect "with it it is" '[[ $status == 0 && $output == */chooser/delcert ]]'
+command_is git '[[ $3 == rev-parse ]] && echo c0ffee || exit 1'
+on_machine installed_program
+expect "not where something has been changed" '[[ $status != 0 && -z $output ]]'
+command_is git '[[ $3 == rev-parse ]] && echo c0ffed || exit 0'
+on_machine installed_program
+expect "nor at another commit" '[[ $status != 0 && -z $output ]]'
+rm -rf "$work/project/.git"
+echo 1.2.4 >"$work/project/VERSION"
+on_machine installed_program
+expect "nor of another version" '[[ $status != 0 && -z $output ]]'
+
 machine counter
 report=$work/report.xml
 # report COUNTS: the head of a report as CTest writes it.
@@ -138,7 +218,7 @@ expect "no report is a failure" '[[ $output == "0 1" ]]'
 
 duplicates=$(grep -v '^#' "$project/cmake/debian-packages.txt" | sed 's/^[a-z?]* *\([^ ]*\).*/\1/' | sort | uniq -d)
 expect "no package stands twice in the list" '[[ -z $duplicates ]]'
-malformed=$(grep -vE '^#|^(check|run|test|package)\?? +[a-z0-9.+-]+ +[A-Za-z]' "$project/cmake/debian-packages.txt")
+malformed=$(grep -vE '^#|^(check|run|test|package|python|deep)\?? +[a-z0-9.+-]+ +[A-Za-z]' "$project/cmake/debian-packages.txt")
 expect "every line of the list has a purpose, a package and a description" '[[ -z $malformed ]]'
 
 echo "$failures failures"

@@ -32,8 +32,8 @@ TEST(TomlReader, keys_that_are_missing_unknown_or_no_strings) {
   };
   EXPECT_EQ(error_of("name = 'x'", string), "accepted");
   EXPECT_EQ(error_of("", string), "f.toml:1:1: the key name is missing");
-  EXPECT_EQ(error_of("name = 1", string), "f.toml:1:8: the key name wants a string");
-  EXPECT_EQ(error_of("name = ''", string), "f.toml:1:8: the key name wants a string that is not empty");
+  EXPECT_EQ(error_of("name = 1", string), "f.toml:1:8: the key name expects a string");
+  EXPECT_EQ(error_of("name = ''", string), "f.toml:1:8: the key name expects a string that is not empty");
   const auto known = [](const TomlReader& reader, const toml::table& table) { reader.refuse_unknown(table, {"name"}); };
   EXPECT_EQ(error_of("name = 'x'", known), "accepted");
   EXPECT_EQ(error_of("nam = 'x'", known), "f.toml:1:1: unknown key nam, did you mean name?");
@@ -41,7 +41,7 @@ TEST(TomlReader, keys_that_are_missing_unknown_or_no_strings) {
   EXPECT_EQ(error_of("name = 'x'", required), "f.toml:1:1: the key is is missing");
   const auto list = [](const TomlReader& reader, const toml::table& table) { (void)reader.list(table, "given"); };
   EXPECT_EQ(error_of("given = []", list), "accepted");
-  EXPECT_EQ(error_of("given = 'x'", list), "f.toml:1:9: the key given wants a list");
+  EXPECT_EQ(error_of("given = 'x'", list), "f.toml:1:9: the key given expects a list");
 }
 
 TEST(TomlReader, what_the_library_asserts_is_an_error_with_its_place) {

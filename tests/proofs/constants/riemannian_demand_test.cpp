@@ -17,7 +17,7 @@ TEST(RiemannianDemand, is_that_of_curvature_where_there_is_any) {
       const Ledger ledger = ledger_of(dimension);
       const auto demand = riemannian_demand(ledger, {curvature, Rational(3), ratio(1, 10), 877});
       EXPECT_EQ(demand.printed_radius, ledger.riemannian_sampling_radius);
-      EXPECT_EQ(demand.mended_radius * PowerProduct(Rational(2)), ledger.riemannian_sampling_radius);
+      EXPECT_EQ(demand.mended_radius, ledger.riemannian_sampling_radius);
       EXPECT_FALSE(demand.is_met);
     }
   }

@@ -11,6 +11,7 @@ Erratum sample(Judgement judgement) {
   Erratum erratum;
   erratum.file = "sample.toml";
   erratum.label = "lem:sample";
+  erratum.number = "Lemma 7";
   erratum.lines = {{10, 12}, {20, 20}};
   erratum.judgement = judgement;
   erratum.printed = "|x| ≤ 1\nalways";
@@ -25,9 +26,10 @@ TEST(ErrataText, has_a_section_for_what_is_wrong) {
   erratum.decidable = true;
   erratum.command = "delcert attack --replay x.json";
   const std::string text = errata_markdown({erratum});
-  EXPECT_TRUE(mentions(text,
-                       "\n## lines 10-12, 20, lem:sample: changes a constant\n\n**Printed.** |x| ≤ 1 always\n"
-                       "\n**Remark.** x = 2\n\n```\ndelcert attack --replay x.json\n```\n"))
+  EXPECT_TRUE(
+      mentions(text,
+               "\n### Lemma 7, lines 10-12, 20, lem:sample: changes a constant\n\n> **Printed.** |x| ≤ 1 always\n"
+               "\n**Remark.** x = 2\n\n```\ndelcert attack --replay x.json\n```\n"))
       << text;
   EXPECT_FALSE(mentions(text, "**Mended.**"));
   EXPECT_FALSE(mentions(text, "found to hold"));
@@ -37,15 +39,15 @@ TEST(ErrataText, has_a_section_for_what_is_wrong) {
 
 TEST(ErrataText, has_a_table_of_what_holds) {
   const std::string text = errata_markdown({sample(Judgement::holds)});
-  EXPECT_TRUE(mentions(text, "| 10-12, 20 | lem:sample | \\|x\\| ≤ 1 always | x = 2 |\n")) << text;
-  EXPECT_FALSE(mentions(text, "\n## line"));
+  EXPECT_TRUE(mentions(text, "| 10-12, 20 | Lemma 7 | lem:sample | \\|x\\| ≤ 1 always | x = 2 |\n")) << text;
+  EXPECT_FALSE(mentions(text, "\n### Lemma"));
   EXPECT_TRUE(mentions(text, "| read: holds | 1 | 0 |\n"));
 }
 
 TEST(ErrataText, says_line_where_there_is_one) {
   Erratum erratum = sample(Judgement::word);
   erratum.lines = {{7, 7}};
-  EXPECT_TRUE(mentions(errata_markdown({erratum}), "\n## line 7, lem:sample: needs a word\n"));
+  EXPECT_TRUE(mentions(errata_markdown({erratum}), "\n### Lemma 7, line 7, lem:sample: needs a word\n"));
 }
 
 TEST(ErrataText, has_the_severest_first) {
@@ -68,7 +70,9 @@ TEST(ErrataText, is_json_with_all_keys) {
   EXPECT_EQ(first["printed"], "|x| ≤ 1\nalways");
   EXPECT_EQ(first["decidable"], false);
   EXPECT_EQ(first["mended"], "");
-  EXPECT_EQ(first.size(), 11U);
+  EXPECT_EQ(first["number"], "Lemma 7");
+  EXPECT_EQ(first["defence"], "");
+  EXPECT_EQ(first.size(), 13U);
   EXPECT_TRUE(mentions(document["text"], "preprint"));
   EXPECT_TRUE(nlohmann::json::parse(errata_json({}))["errata"].empty());
 }

@@ -13,12 +13,14 @@ namespace delcert {
 namespace DELCERT_THIS_FILE {
 
 const std::string complete = R"(label = "lem:bound.cc"
+number = "Lemma 14"
 lines = "10-12, 20"
 kind = "changes a theorem"
 printed = "R ≤ 1"
 wrong = "R = 2 occurs"
 decidable = true
 command = "delcert --version"
+defence = "R is meant"
 )";
 
 /// The complete text with one line, found by its beginning, replaced.
@@ -41,12 +43,14 @@ TEST(Erratum, is_read_with_all_that_it_says) {
   const Erratum erratum = parse_erratum(complete + "witness = 'w'\nmended = 'm'\neffect = 'e'\n", "file.toml");
   EXPECT_EQ(erratum.file, "file.toml");
   EXPECT_EQ(erratum.label, "lem:bound.cc");
+  EXPECT_EQ(erratum.number, "Lemma 14");
   EXPECT_EQ(erratum.lines, (std::vector<LineRange>{{10, 12}, {20, 20}}));
   EXPECT_EQ(erratum.judgement, Judgement::theorem);
   EXPECT_EQ(erratum.printed, "R ≤ 1");
   EXPECT_EQ(erratum.wrong, "R = 2 occurs");
   EXPECT_EQ(erratum.witness, "w");
   EXPECT_EQ(erratum.mended, "m");
+  EXPECT_EQ(erratum.defence, "R is meant");
   EXPECT_EQ(erratum.effect, "e");
   EXPECT_TRUE(erratum.decidable);
   EXPECT_EQ(erratum.command, "delcert --version");
@@ -57,28 +61,30 @@ TEST(Erratum, has_one_of_five_kinds) {
     EXPECT_EQ(name_of(parse_erratum(with("kind", "kind = '" + std::string(kind) + "'"), "f").judgement), kind);
   EXPECT_EQ(
       message_of(with("kind", "kind = 'wrong'")),
-      "file.toml:3:8: a kind is one of \"changes a theorem\", \"changes a constant\", \"needs a word\", \"misprint\", "
+      "file.toml:4:8: a kind is one of \"changes a theorem\", \"changes a constant\", \"needs a word\", \"misprint\", "
       "\"read: holds\", not \"wrong\"");
 }
 
 TEST(Erratum, is_refused_with_the_place_of_what_is_wrong) {
   EXPECT_EQ(message_of(with("label", "")), "file.toml:1:1: the key label is missing");
   EXPECT_EQ(message_of(with("label", "lable = 'x'")), "file.toml:1:1: unknown key lable, did you mean label?");
-  EXPECT_EQ(message_of(with("printed", "printed = 3")), "file.toml:4:11: the key printed wants a string");
-  EXPECT_EQ(message_of(with("wrong", "wrong = ''")), "file.toml:5:9: the key wrong wants a string that is not empty");
+  EXPECT_EQ(message_of(with("printed", "printed = 3")), "file.toml:5:11: the key printed expects a string");
+  EXPECT_EQ(message_of(with("wrong", "wrong = ''")), "file.toml:6:9: the key wrong expects a string that is not empty");
   EXPECT_EQ(message_of(with("decidable", "decidable = 'yes'")),
-            "file.toml:6:13: the key decidable wants true or false");
-  EXPECT_EQ(message_of(with("decidable", "decidable = false")), "file.toml:7:11: a command, but decidable is false");
+            "file.toml:7:13: the key decidable expects true or false");
+  EXPECT_EQ(message_of(with("decidable", "decidable = false")), "file.toml:8:11: a command, but decidable is false");
   EXPECT_EQ(message_of(with("command", "")), "file.toml:1:1: the key command is missing");
+  EXPECT_EQ(message_of(with("number", "")), "file.toml:1:1: the key number is missing");
+  EXPECT_EQ(message_of(with("defence", "")), "file.toml:1:1: the key defence is missing");
   EXPECT_EQ(message_of(with("kind", "kind = 'read: holds'")),
-            "file.toml:6:13: what a computation decides is a claim or a step, not \"read: holds\"");
+            "file.toml:7:13: what a computation decides is a claim or a step, not \"read: holds\"");
   EXPECT_NE(message_of("label = ").find("file.toml:1:"), std::string::npos);
 }
 
 TEST(Erratum, names_lines_in_order) {
   for (const char* wrong :
        {"", "0", "01", "-3", "12-10", "3-", "3,", "3, 2", "3-7, 7", "3  ,4", "x", "3 4", "1.5", "99999999999"}) {
-    EXPECT_EQ(message_of(with("lines", "lines = '" + std::string(wrong) + "'")).substr(0, 12), "file.toml:2:") << wrong;
+    EXPECT_EQ(message_of(with("lines", "lines = '" + std::string(wrong) + "'")).substr(0, 12), "file.toml:3:") << wrong;
   }
   EXPECT_EQ(parse_erratum(with("lines", "lines = '7'"), "f").lines, (std::vector<LineRange>{{7, 7}}));
   EXPECT_EQ(parse_erratum(with("lines", "lines = '7,9-9'"), "f").lines, (std::vector<LineRange>{{7, 7}, {9, 9}}));

@@ -41,7 +41,7 @@ TEST(FormulaReader, formulas_point_into_their_strings) {
   EXPECT_EQ(error_of("claim = 'x > 1'", formula), "accepted");
   EXPECT_EQ(error_of("claim = 'x > y'", formula), "f.toml:1:14: nothing here is called y (there are x)");
   EXPECT_EQ(error_of("claim = 'x'", formula), "f.toml:1:10: a number where a statement was expected");
-  EXPECT_EQ(error_of("claim = 3", formula), "f.toml:1:9: a formula wants a string");
+  EXPECT_EQ(error_of("claim = 3", formula), "f.toml:1:9: a formula expects a string");
 }
 
 }  // namespace DELCERT_THIS_FILE

@@ -56,7 +56,7 @@ TEST(Steps, abbreviations_may_be_a_list) {
             "f.toml:4:27: b is made of itself");
   EXPECT_EQ(error_of(head + "let = [{ name = 'b' }]\nclaim = '1 > 0'\n"), "f.toml:4:8: the key is is missing");
   EXPECT_EQ(error_of(head + "let = 'b'\nclaim = '1 > 0'\n"),
-            "f.toml:4:7: the key let wants a table such as { ratio = \"1/(1 + xi)\" }");
+            "f.toml:4:7: the key let expects a table such as { ratio = \"1/(1 + xi)\" }");
 }
 
 TEST(Steps, errors_have_their_place) {
@@ -99,7 +99,7 @@ TEST(Steps, alone_in_a_file_need_no_instances) {
   EXPECT_EQ(error_of(head + "claim = '1 > 0'\n"), "accepted");
   EXPECT_EQ(error_of("name = 'n'\ninstance = 'simplex'\n[[step]]\nname = 's'\nclaim = '1 > 0'\n"),
             "f.toml:2:12: a file of steps only has no key instance");
-  EXPECT_EQ(error_of("name = 'n'\nstep = 'x'\n"), "f.toml:2:8: the key step wants a list");
+  EXPECT_EQ(error_of("name = 'n'\nstep = 'x'\n"), "f.toml:2:8: the key step expects a list");
 }
 
 }  // namespace DELCERT_THIS_FILE

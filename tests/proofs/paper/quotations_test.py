@@ -23,7 +23,7 @@ By \Lemref{lem:x} and \cite[Thm. 4]{someone} the \emph{star} $\starr(p)$ is \tex
 """.replace("\n\\begin{lem}", "\n\\begin{lem}\\label{lem:x}")
 
 ENTRY = {"kind": "misprint", "lines": "8-13",
-         "printed": "“Let P̃′_i be ε₀-dense” […] “|φ_ji(x) − y| ≤ 1/2^12 (ε/C)^{2m+1}” and more",
+         "printed": "“Let P̃′_i be ε₀-dense” […] “|φ_ji(x) − y| ≤ 1/2^12 (ε/C)^{2m+1}”",
          "wrong": "“By [lem:x] […] star(p) is small.”"}
 
 
@@ -57,6 +57,11 @@ class Quotations(unittest.TestCase):
         entry = {"kind": "misprint", "lines": "8", "printed": "ε₀", "wrong": "ε"}
         self.assertEqual(complaints(entry), ["one: quotes nothing"])
         self.assertEqual(complaints({**entry, "kind": "read: holds"}), [])
+
+    def test_printed_is_quoted_and_no_more(self):
+        self.assertEqual(complaints(altered("2m+1}”", "2m+1}” and more")), ["one: printed has words that are not quoted: and more"])
+        self.assertEqual(complaints(altered("“Let P̃′_i", "Let “P̃′_i")), ["one: printed has words that are not quoted: Let"])
+        self.assertEqual(complaints({"kind": "read: holds", "lines": "8", "printed": "All is small.", "wrong": "It is."}), [])
 
     def test_without_the_paper_the_list_decides(self):
         rows, _ = quotations.check({"one": ENTRY})

@@ -61,6 +61,16 @@ TEST(Bundle, has_every_file_with_its_digest) {
   EXPECT_EQ(nlohmann::json::parse(text_named(files, "manifolds/a.json")).at("name"), "torus-2");
 }
 
+TEST(Bundle, has_the_source_of_the_checker_where_it_is_given) {
+  const auto with = bundle_files({torus("a.json")}, some_facts(), {{"checker/VERSION", "0.2\n"}});
+  EXPECT_EQ(text_named(with, "checker/VERSION"), "0.2\n");
+  EXPECT_TRUE(has(text_named(with, "SHA256SUMS"), "  checker/VERSION\n"));
+  EXPECT_TRUE(has(text_named(with, "ro-crate-metadata.json"), "checker/VERSION"));
+  EXPECT_TRUE(has(text_named(with, "README.md"), "cmake -S checker/proofs/checker"));
+  const auto without = bundle_files({torus("a.json")}, some_facts());
+  EXPECT_FALSE(has(text_named(without, "README.md"), "cmake"));
+}
+
 TEST(Bundle, says_what_it_is_to_archives) {
   const auto files = bundle_files({torus("a.json")}, some_facts());
   const auto zenodo = nlohmann::json::parse(text_named(files, ".zenodo.json"));

@@ -40,9 +40,9 @@ TEST(ConstantRows, are_refused_with_the_place_of_what_is_wrong) {
   EXPECT_EQ(message_of(row + "steps = ['a/b']\n"), "f.toml:6:10: a constant of a step is \"claim/step/constant\"");
   EXPECT_EQ(message_of(row + "claim = 'a'\n"), "f.toml:1:1: the key conclusion is missing");
   EXPECT_EQ(message_of(row + "stpes = ['a/b/c']\n"), "f.toml:6:1: unknown key stpes, did you mean steps?");
-  EXPECT_EQ(message_of("[[constant]]\nlabel = ''\n"), "f.toml:2:9: the key label wants a string that is not empty");
+  EXPECT_EQ(message_of("[[constant]]\nlabel = ''\n"), "f.toml:2:9: the key label expects a string that is not empty");
   EXPECT_NE(message_of(row + "steps = ['a/b/c']\npaper = '0.5'\n").find("f.toml:7:9: "), std::string::npos);
-  EXPECT_NE(message_of("constant = 3\n").find("f.toml:1:12: the key constant wants a list"), std::string::npos);
+  EXPECT_NE(message_of("constant = 3\n").find("f.toml:1:12: the key constant expects a list"), std::string::npos);
 }
 
 TEST(ConstantRows, of_the_library_are_well_formed) {

@@ -2,12 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "support/error.hpp"
-#include "tests/properties/attack/small_claims.hpp"
+#include "tests/properties/attack/small_campaign.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace delcert {
@@ -22,12 +20,7 @@ class Campaign : public testing::Test {
     plan_.block = 10;
   }
 
-  static std::string text_of(const std::vector<Tally>& tallies) {
-    std::string result;
-    for (const Tally& tally : tallies) result += tally_json(tally).dump() + "\n";
-    return result;
-  }
-  std::string result() const { return text_of(run_campaign(plan_, no_progress())); }
+  std::string result() const { return test::text_of(run_campaign(plan_, no_progress()).tallies); }
   std::string error_of() const {
     try {
       (void)run_campaign(plan_, no_progress());
@@ -42,7 +35,7 @@ class Campaign : public testing::Test {
 };
 
 TEST_F(Campaign, the_result_is_that_of_single_blocks) {
-  const auto tallies = run_campaign(plan_, no_progress());
+  const auto tallies = run_campaign(plan_, no_progress()).tallies;
   ASSERT_EQ(tallies.size(), 3U);
   for (std::size_t at = 0; at < 3; ++at) {
     const Target& target = plan_.targets[at];
@@ -86,7 +79,7 @@ TEST_F(Campaign, interrupted_at_any_time_and_resumed_it_gives_the_same) {
   EXPECT_EQ(result(), one);
 }
 
-TEST_F(Campaign, a_log_of_other_claims_samples_parameters_or_seed_is_refused) {
+TEST_F(Campaign, a_log_of_other_claims_parameters_or_seed_is_refused) {
   plan_.log = folder_ / "log.jsonl";
   (void)result();
   EXPECT_EQ(error_of(), "no error");
@@ -94,8 +87,8 @@ TEST_F(Campaign, a_log_of_other_claims_samples_parameters_or_seed_is_refused) {
   plan_.seed = 4;
   EXPECT_NE(error_of().find("another campaign"), std::string::npos);
   plan_ = good;
-  plan_.targets[0].samples = 61;
-  EXPECT_NE(error_of().find("another campaign"), std::string::npos);
+  plan_.targets[0].samples = 59;
+  EXPECT_NE(error_of().find("samples can only be added"), std::string::npos);
   plan_ = good;
   plan_.targets[1].claim.parameters.at("eta").upper = Rational(2);
   EXPECT_NE(error_of().find("another campaign"), std::string::npos);
@@ -107,29 +100,49 @@ TEST_F(Campaign, a_log_of_other_claims_samples_parameters_or_seed_is_refused) {
   EXPECT_NE(error_of().find("another campaign"), std::string::npos);
 }
 
-TEST_F(Campaign, a_log_with_a_block_that_is_not_of_the_campaign_is_refused) {
+TEST_F(Campaign, extended_from_its_log_it_gives_what_the_longer_one_gives) {
+  plan_.log = folder_ / "log.jsonl";
+  for (const std::uint64_t more : {1U, 9U, 10U, 33U}) {
+    for (Target& target : plan_.targets) target.samples += more;
+    const std::string extended = result();
+    CampaignPlan alone = plan_;
+    alone.log = "";
+    EXPECT_EQ(extended, test::text_of(run_campaign(alone, no_progress()).tallies)) << more;
+  }
+  EXPECT_EQ(read_campaign(plan_.log).finished.size(), blocks_of(plan_).size());
+}
+
+TEST_F(Campaign, a_log_keeps_its_sizes_of_blocks) {
+  plan_.log = folder_ / "log.jsonl";
+  const std::string one = result();
+  const std::string text = test::content_of(plan_.log);
+  plan_.block = 7;
+  EXPECT_EQ(result(), one);
+  EXPECT_EQ(test::content_of(plan_.log), text) << "what was finished is not done again";
+}
+
+TEST_F(Campaign, begins_no_block_after_its_limit) {
+  plan_.log = folder_ / "log.jsonl";
+  const CampaignOutcome nothing = run_campaign(plan_, no_progress(), std::chrono::seconds(0));
+  EXPECT_FALSE(nothing.is_finished());
+  EXPECT_EQ(nothing.finished, 0U);
+  EXPECT_EQ(nothing.blocks, 11U);
+  const CampaignOutcome all = run_campaign(plan_, no_progress(), std::chrono::hours(1));
+  EXPECT_TRUE(all.is_finished());
+  plan_.log = "";
+  EXPECT_EQ(test::text_of(all.tallies), result());
+}
+
+TEST_F(Campaign, a_block_done_anew_is_what_the_log_has) {
   plan_.log = folder_ / "log.jsonl";
   (void)result();
-  std::ifstream stream(plan_.log);
-  std::stringstream buffer;
-  buffer << stream.rdbuf();
-  const std::string good = buffer.str();
-  const auto block = [&](std::size_t target, std::uint64_t first, const Tally& tally) {
-    std::ofstream(plan_.log) << good
-                             << nlohmann::json{{"target", target}, {"first", first}, {"tally", tally_json(tally)}}
-                             << "\n";
-  };
-  const Tally ten = attack_block(plan_.targets[0].claim, {2, 2}, 3, 0, 10);
-  block(0, 0, ten);
-  EXPECT_EQ(error_of(), "no error");
-  block(7, 0, ten);
-  EXPECT_NE(error_of().find("no block of this campaign"), std::string::npos);
-  block(0, 5, ten);
-  EXPECT_NE(error_of().find("no block of this campaign"), std::string::npos);
-  block(0, 60, ten);
-  EXPECT_NE(error_of().find("no block of this campaign"), std::string::npos);
-  block(2, 0, ten);
-  EXPECT_NE(error_of().find("no block of this campaign"), std::string::npos);
+  const CampaignRecord log = read_campaign(plan_.log);
+  for (const auto& [block, record] : log.finished) {
+    const BlockRecord anew = attacked_block(plan_, block);
+    EXPECT_EQ(tally_json(anew.tally).dump(), tally_json(record.tally).dump());
+    EXPECT_EQ(anew.violations, record.violations);
+    EXPECT_EQ(anew.violations.empty(), !anew.tally.is_refuted());
+  }
 }
 
 TEST_F(Campaign, what_a_worker_throws_arrives_with_claim_and_shape_whatever_the_threads) {
@@ -146,19 +159,9 @@ TEST_F(Campaign, what_a_worker_throws_arrives_with_claim_and_shape_whatever_the_
 
 TEST_F(Campaign, no_targets_and_no_samples_give_empty_tallies) {
   plan_.targets[0].samples = 0;
-  EXPECT_EQ(run_campaign(plan_, no_progress()).at(0).samples, 0U);
+  EXPECT_EQ(run_campaign(plan_, no_progress()).tallies.at(0).samples, 0U);
   plan_.targets.clear();
-  EXPECT_TRUE(run_campaign(plan_, no_progress()).empty());
-}
-
-TEST_F(Campaign, blocks_are_neither_many_nor_empty) {
-  Target target = plan_.targets[0];
-  EXPECT_EQ(block_size(plan_, target), 10U);
-  target.samples = 1000000000000;
-  EXPECT_EQ(block_size(plan_, target), 50000000U);
-  plan_.block = 0;
-  target.samples = 5;
-  EXPECT_EQ(block_size(plan_, target), 1U);
+  EXPECT_TRUE(run_campaign(plan_, no_progress()).tallies.empty());
 }
 
 }  // namespace DELCERT_THIS_FILE

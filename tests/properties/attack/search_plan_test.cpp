@@ -8,6 +8,7 @@
 
 #include "properties/attack/twins.hpp"
 #include "support/error.hpp"
+#include "tests/properties/attack/small_campaign.hpp"
 #include "tests/properties/attack/small_claims.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -96,7 +97,8 @@ TEST_F(Searches, interrupted_they_keep_what_is_finished) {
   };
   EXPECT_THROW((void)run_searches(plan_, interrupt), std::runtime_error);
   const std::string text = log_text();
-  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4);
+  // The first line, that of the process, and three searches.
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 5);
 }
 
 TEST_F(Searches, refuse_the_log_of_others) {
@@ -116,13 +118,13 @@ TEST_F(Searches, judge_what_the_log_says_anew) {
   const auto before = run_searches(plan_, no_progress());
   EXPECT_TRUE(is_refuted(before[0]->verdict));
   // Another triangle, one with which the claim holds.
-  const std::string identity = log_text().substr(0, log_text().find('\n') + 1);
+  const auto first = test::lines_of(plan_.log)[0];
   const auto line = [&](std::size_t target, const std::string& conclusion) {
     Witness witness = witness_of(plan_.targets[0].claim, 0, test::triangle_bindings(Rational(1) / Rational(2), 1));
     witness.conclusion = conclusion;
     const nlohmann::ordered_json json{
         {"target", target}, {"evaluations", 7}, {"witness", nlohmann::ordered_json::parse(witness_text(witness))}};
-    std::ofstream(plan_.log, std::ios::binary) << identity << json.dump() << "\n";
+    test::write_lines(plan_.log, {first, json});
   };
   line(0, "radius");
   const auto after = run_searches(plan_, no_progress());

@@ -1,0 +1,35 @@
+// A part of delcert and not of delcert-claims: of the subcommands about claims it has the names only.
+
+#include "apps/claim_commands.hpp"
+#include "apps/witness_file.hpp"
+
+namespace delcert {
+
+namespace {
+
+constexpr CommandName left_to_claims[] = {about_claims, about_attack, about_campaign, about_tighten,  about_prove,
+                                          about_errata, about_tables, about_formalise};
+
+}  // namespace
+
+bool is_left_to_claims(std::string_view subcommand) {
+  for (const CommandName& command : left_to_claims) {
+    if (subcommand == command.name) return true;
+  }
+  return false;
+}
+
+// Never parsed: main hands over before.
+void add_claims(CLI::App& program, Action&) { add_named(program, about_claims); }
+void add_attack(CLI::App& program, Action&) { add_named(program, about_attack); }
+void add_campaign(CLI::App& program, Action&) { add_named(program, about_campaign); }
+void add_tighten(CLI::App& program, Action&) { add_named(program, about_tighten); }
+void add_prove(CLI::App& program, Action&) { add_named(program, about_prove); }
+void add_errata(CLI::App& program, Action&) { add_named(program, about_errata); }
+void add_tables(CLI::App& program, Action&) { add_named(program, about_tables); }
+void add_formalise(CLI::App& program, Action&) { add_named(program, about_formalise); }
+
+std::vector<PageItem> witness_items(const std::string&, const ShownFile&) { hand_over_to_claims(); }
+Figure witness_figure(const std::string&) { hand_over_to_claims(); }
+
+}  // namespace delcert

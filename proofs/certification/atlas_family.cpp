@@ -1,0 +1,79 @@
+#include "kernel/manifold/gluing/atlas_distortion.hpp"
+#include "kernel/manifold/gluing/gluing_check.hpp"
+#include "kernel/sample/separation.hpp"
+#include "proofs/certificate/atlas_claims.hpp"
+#include "proofs/certificate/content.hpp"
+#include "proofs/certification/chart_family.hpp"
+#include "support/error.hpp"
+
+namespace delcert {
+
+namespace {
+
+/// Charts by formulas, glued to a manifold.
+template <int m>
+class AtlasFamily final : public ChartFamily<m, FormulaAtlas<m>> {
+ public:
+  using Family::report;
+
+  explicit AtlasFamily(const FormulaAtlasDescription& manifold)
+      : ChartFamily<m, FormulaAtlas<m>>(false), gluing_(std::make_shared<const ChartGluing>(manifold)) {
+    report.manifold = manifold.name;
+    report.family = "atlas";
+    report.dimension = Dimension(m);
+    report.gluing = RunReport::Gluing{manifold.charts.size(), manifold.transitions.size(), check_gluing(*gluing_), {}};
+  }
+
+  void make_net(const NetSource& source, const Progress& progress) override {
+    this->take_atlas(FormulaAtlas<m>(gluing_, source.places<m>(*gluing_, progress), *source.radius));
+    report.parameters.algorithm.separation = measure_separation<m>(*this->atlas_);
+  }
+
+  [[nodiscard]] NetText net() const override {
+    PointList points = this->centres();
+    for (std::uint32_t index = 0; index < points.size(); ++index)
+      points[index].insert(points[index].begin(), Rational(Integer(this->atlas_->home_chart(Label(index)))));
+    return {std::move(points), "the number of a chart and coordinates in it"};
+  }
+
+  void choose_parameters(const CertifyOptions& options, const Progress& progress) override {
+    if (options.mode_is_given && options.choice.mode == RunMode::theory) {
+      throw Rejection(
+          "mode theory on an atlas: charts are distorted, and the paper's constants ask for far less; "
+          "use --mode measured");
+    }
+    report.gluing->distortion = fit_patches<m>(*this->atlas_, progress);
+    report.patch_factor = this->atlas_->patch_factor();
+    this->choose_measured_parameters(options);
+  }
+
+  void derive(const LevelSelection& selection, const Progress& progress) override {
+    const AtlasMeasures<m> measures = measure_atlas<m>(*this->atlas_, *this->run_, geometry(), selection, progress);
+    report.claims =
+        derive_claims<m>(*this->atlas_, report.parameters, *this->run_, measures, selection, report.reasons);
+    report.stability = measures.stability;
+    this->require_homology(gluing_->description().homology);
+  }
+
+  void write(const std::string& path, const Progress& progress) const override {
+    write_certificate<m>(
+        path, content_of<m>(*this->atlas_, report.gluing->distortion, report.parameters, *this->run_, report.claims),
+        progress);
+  }
+
+ private:
+  [[nodiscard]] ModelGeometry geometry() const override {
+    return geometry_of<m>(*this->atlas_, report.gluing->distortion);
+  }
+
+  std::shared_ptr<const ChartGluing> gluing_;
+};
+
+}  // namespace
+
+std::unique_ptr<Family> family_of(const FormulaAtlasDescription& manifold) {
+  if (manifold.dimension == Dimension(2)) return std::make_unique<AtlasFamily<2>>(manifold);
+  return std::make_unique<AtlasFamily<3>>(manifold);
+}
+
+}  // namespace delcert

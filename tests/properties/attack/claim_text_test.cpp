@@ -1,0 +1,60 @@
+#include "properties/attack/claim_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "properties/attack/identity.hpp"
+#include "tests/properties/attack/small_claims.hpp"
+
+namespace delcert {
+namespace DELCERT_THIS_FILE {
+
+Claim read_back(const Claim& claim) {
+  return parse_claim(claim_text(claim), claim.name, full_vocabulary(), all_signatures());
+}
+
+TEST(ClaimText, of_every_claim_of_the_library_is_that_claim) {
+  for (const Claim& claim : builtin_claim_list()) {
+    const Claim back = read_back(claim);
+    EXPECT_EQ(contents_of(back, {2, 2}), contents_of(claim, {2, 2}));
+    EXPECT_EQ(back.source, claim.source);
+    EXPECT_EQ(back.status, claim.status);
+    EXPECT_EQ(claim_text(back), claim_text(claim));
+  }
+}
+
+TEST(ClaimText, keeps_ranges_and_whatever_stands_in_texts) {
+  Claim claim = test::right_claim();
+  claim.parameters.at("eta") = {Rational(-1) / Rational(3), Rational(2), true, false};
+  claim.source = "“Lemma” \"7\"\\\n§";
+  const Claim back = read_back(claim);
+  EXPECT_EQ(contents_of(back, {2, 2}), contents_of(claim, {2, 2}));
+  EXPECT_EQ(back.source, claim.source);
+}
+
+TEST(ClaimText, changes_with_whatever_an_attack_depends_on_and_with_nothing_else) {
+  const Claim claim = test::right_claim();
+  std::set<std::string> texts{claim_text(claim)};
+  const auto add = [&](auto change) {
+    Claim changed = claim;
+    change(changed);
+    texts.insert(claim_text(changed));
+  };
+  add([](Claim& changed) { changed.title += "!"; });
+  add([](Claim& changed) { changed.file += "!"; });
+  add([](Claim& changed) { changed.conclusions[0].twin.reset(); });
+  EXPECT_EQ(texts.size(), 1U);
+  add([](Claim& changed) { changed.name += "r"; });
+  add([](Claim& changed) { changed.source += "s"; });
+  add([](Claim& changed) { changed.instance += "s"; });
+  add([](Claim& changed) { changed.parameters.at("eta").upper = Rational(2); });
+  add([](Claim& changed) { changed.parameters.at("eta").has_lower = true; });
+  add([](Claim& changed) { changed.hypotheses.clear(); });
+  add([](Claim& changed) { changed.hypotheses[0].text += " "; });
+  add([](Claim& changed) { changed.conclusions[0].text += " "; });
+  EXPECT_EQ(texts.size(), 9U);
+}
+
+}  // namespace DELCERT_THIS_FILE
+}  // namespace delcert
