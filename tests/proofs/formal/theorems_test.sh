@@ -48,6 +48,10 @@ refused "$1" "a larger separation" nets.v 's|2 / 5 \* mu <= mu|41 / 100 * mu <= 
 refused "$1" "a larger singular value" simplices.v \
   's/singular_values_at_least m k p b (sqrt (INR k) \* t \* d)/singular_values_at_least m k p b (INR k * t * d)/' \
   "FAILED: simplices.v"
+refused "$1" "a smaller change of the circumradius" sharper_circumradius.v \
+  's|<= 3 / 2 \* vertex_share k \* r \* xi|<= 4 / 3 * vertex_share k * r * xi|' "FAILED: sharper_circumradius.v"
+refused "$1" "a smaller hoop constant" sharper_hoops.v 's/17410/17409/g' "FAILED: sharper_hoops.v"
+refused "$1" "a printed lemma with a smaller constant" printed_lemmas.v 's/3 \* sqrt (INR k)/2 * sqrt (INR k)/' "FAILED: printed_lemmas.v"
 
 echo "$failures failures"
 exit $((failures > 0))
