@@ -192,7 +192,7 @@ std::optional<std::chrono::seconds> duration_from(const std::string& option, con
 
 void require_log_for(const AttackOptions& options) {
   for (const auto& [name, value] : {std::pair("--part", options.part), std::pair("--until", options.until)}) {
-    if (!value.empty() && options.log.empty()) throw InputError(std::string(name) + " wants a --log to go on from");
+    if (!value.empty() && options.log.empty()) throw InputError(std::string(name) + " needs a --log to go on from");
   }
 }
 

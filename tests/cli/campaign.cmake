@@ -15,8 +15,8 @@ foreach(subcommand status table recheck)
     COMMAND ${delcert} campaign ${subcommand} points.txt)
 endforeach()
 
-delcert_cli_test(attack-part-without-log STATUS 3 OUTPUT "^$" ERROR "--part wants a --log" COMMAND ${delcert} attack ${claim} --part 1/2)
-delcert_cli_test(attack-until-without-log STATUS 3 OUTPUT "^$" ERROR "--until wants a --log" COMMAND ${delcert} attack ${claim} --until 8h)
+delcert_cli_test(attack-part-without-log STATUS 3 OUTPUT "^$" ERROR "--part needs a --log" COMMAND ${delcert} attack ${claim} --part 1/2)
+delcert_cli_test(attack-until-without-log STATUS 3 OUTPUT "^$" ERROR "--until needs a --log" COMMAND ${delcert} attack ${claim} --until 8h)
 foreach(part 0/2 3/2 1 1/ /2 a/b 1/2/3 -1/2)
   string(MAKE_C_IDENTIFIER "${part}" name)
   delcert_cli_test(attack-part-${name} STATUS 3 OUTPUT "^$" ERROR "--part ${part}: a part such as 3/8 was expected"
