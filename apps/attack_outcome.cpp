@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "properties/attack/attack_report.hpp"
 #include "apps/claim_options.hpp"
+#include "properties/attack/attack_report.hpp"
 #include "properties/attack/twins.hpp"
 #include "support/atomic_file.hpp"
 #include "support/error.hpp"

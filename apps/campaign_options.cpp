@@ -4,8 +4,8 @@
 #include <delcert_version.hpp>
 #include <thread>
 
-#include "support/build_commit.hpp"
 #include "properties/attack/campaign_recheck.hpp"
+#include "support/build_commit.hpp"
 #include "support/error.hpp"
 
 namespace delcert {

@@ -10,9 +10,9 @@
 
 #include "apps/campaign_commands.hpp"
 #include "apps/interruption.hpp"
-#include "support/text_table.hpp"
 #include "properties/attack/campaign_merge.hpp"
 #include "support/duration.hpp"
+#include "support/text_table.hpp"
 #include "support/utc_time.hpp"
 
 namespace delcert {

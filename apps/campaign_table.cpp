@@ -2,11 +2,11 @@
 #include <memory>
 
 #include "apps/attack_outcome.hpp"
-#include "properties/attack/attack_report.hpp"
 #include "apps/campaign_commands.hpp"
 #include "apps/campaign_options.hpp"
 #include "apps/interruption.hpp"
 #include "apps/progress_line.hpp"
+#include "properties/attack/attack_report.hpp"
 #include "properties/attack/campaign.hpp"
 #include "properties/attack/campaign_merge.hpp"
 #include "support/error.hpp"

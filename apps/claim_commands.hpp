@@ -16,7 +16,8 @@ struct CommandName {
 /// can do them; delcert itself, which is built in half the time, knows their names and hands over.
 inline constexpr CommandName about_claims{"claims", "The claims of the library, and what claims can speak of"};
 inline constexpr CommandName about_attack{"attack", "Attack claims on random instances, with exact decisions"};
-inline constexpr CommandName about_campaign{"campaign", "Merge the parts of long attacks, show how far they are, recheck them"};
+inline constexpr CommandName about_campaign{"campaign",
+                                            "Merge the parts of long attacks, show how far they are, recheck them"};
 inline constexpr CommandName about_tighten{"tighten", "Search for the instances that come nearest to refuting a claim"};
 inline constexpr CommandName about_prove{"prove", "Prove the numeric steps of claims for all parameters"};
 inline constexpr CommandName about_errata{

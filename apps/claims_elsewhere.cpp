@@ -7,8 +7,8 @@ namespace delcert {
 
 namespace {
 
-constexpr CommandName left_to_claims[] = {about_claims, about_attack, about_campaign, about_tighten,  about_prove,
-                                          about_errata, about_tables, about_formalise};
+constexpr CommandName left_to_claims[] = {about_claims, about_attack, about_campaign, about_tighten,
+                                          about_prove,  about_errata, about_tables,   about_formalise};
 
 }  // namespace
 

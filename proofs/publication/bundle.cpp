@@ -89,7 +89,8 @@ void add_exports(std::vector<ArchiveFile>& files, const BundledCertificate& each
 
 /// How the checker in the bundle is built.
 constexpr const char* text_about_checker =
-    "\n`checker/` is the source of delcert-check and builds with nothing else of delcert. Its packages on Debian are cmake, g++, pkg-config, "
+    "\n`checker/` is the source of delcert-check and builds with nothing else of delcert. Its packages on Debian are "
+    "cmake, g++, pkg-config, "
     "libflint-dev (on Debian 12 also libflint-arb-dev), libgmp-dev, libzstd-dev, nettle-dev and nlohmann-json3-dev:\n\n"
     "    cmake -S checker/proofs/checker -B build && cmake --build build && export PATH=$PWD/build:$PATH\n";
 
