@@ -79,10 +79,9 @@ void add_formalise(CLI::App& program, Action& chosen) {
   command->add_option("--constant", options->constants, "NAME=VALUE: another value for a constant of the steps");
   command->add_option("--into", options->folder, "The folder for the files")->capture_default_str();
   command->footer(
-      "Writes a file for each step, a lemma about real numbers with its proof, and prints a line: the file's stem, "
-      "the\n"
-      "step, and the kind of proof: a certificate that Coq checks, a search by Coq's tactics, a refutation of a false\n"
-      "step by the prover's counterexample, or none if Coq has no such formulas.\n"
+      "Writes a file for each step, a lemma about real numbers with its proof, and prints a line: the file's stem,\n"
+      "the step, and the kind of proof: a certificate that Coq checks, a search by Coq's tactics, a refutation of a\n"
+      "false step by the prover's counterexample, or none if Coq has no such formulas.\n"
       "Nothing is proved before coqc has accepted the files: proofs/formal/check.sh compiles them.\n\n"
       "Examples:\n"
       "  delcert formalise thickness-under-distortion --into build/coq\n"

@@ -66,9 +66,7 @@ void add_homology(CLI::App& program, Action& chosen) {
       ->required();
   command->add_flag("--json", options->json, "Print JSON");
   command->footer(
-      "The command reads only the key \"simplices\" of the file: rows of m + 1 labels and m more integers, which do "
-      "not\n"
-      "matter.\n\n"
+      "Reads only the key \"simplices\" of the file: rows of m + 1 labels and m more integers, which do not matter.\n\n"
       "Examples:\n"
       "  delcert homology lens-space-5-2.json.zst\n"
       "  echo '{\"simplices\": [[0,1,0], [0,2,0], [1,2,0]]}' > triangle.json; delcert homology triangle.json");

@@ -156,9 +156,8 @@ void add_tighten(CLI::App& program, Action& chosen) {
   CLI::Option* json = command->add_flag("--json", options->json, "Print JSON");
   command->add_flag("--latex", options->latex, "Print the table in LaTeX (longtable, booktabs)")->excludes(json);
   command->footer(
-      "The ratio is that of the side which the conclusion calls smaller to the other side. It is certified; above 1 "
-      "the\n"
-      "conclusion is refuted (exit status 1).\n\n"
+      "The ratio is that of the side which the conclusion calls smaller to the other side. It is certified; above 1\n"
+      "the conclusion is refuted (exit status 1).\n\n"
       "Examples:\n"
       "  delcert tighten thickness-and-singular-value --shape 2,2\n"
       "  delcert tighten --all --evaluations 20000 --log search.jsonl --witnesses worst");

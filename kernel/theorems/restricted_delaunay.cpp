@@ -14,32 +14,48 @@ namespace {
 
 constexpr std::size_t labels_at_a_time = 64;
 constexpr long digits_of_density = 12;
-/// Readers bound the second derivative otherwise, and less well, above all on curves, whose patches are the widest.
-template <int m>
-const Interval room_for_readers = Interval::exactly(m == 1 ? 4 : 2);
+/// Readers bound changes of slopes otherwise, and less well.
+const Interval room_for_readers = Interval::exactly(1.25);
 /// Boxes are halved so often.
 constexpr int most_halvings = 12;
 
 /// √(1 + L²): how much longer than in a chart a curve in M is.
 Interval stretch_of(const Rational& slope) { return square_root(Interval(1) + square(scalar_from<Interval>(slope))); }
 
-/// The sum over the simplex's circumradius in the chart of its vertex number `at`, and what is moved sideways.
+/// L at most, of M over places of a chart as far from 0 as this: on zero sets patches are the less steep the nearer to
+/// their centres (sub.graph).
+Interval slope_within(const GraphVertices& vertices, std::uint32_t j, const Interval& distance, const Interval& slope) {
+  if (!vertices.manifold.is_smooth()) return slope;
+  const Interval share = distance / scalar_from<Interval>(vertices.charts[j].data().radius);
+  return Interval::exactly(
+      std::min(slope.upper(), (slope * (Interval(1) + Interval(7) * share) / Interval(8)).upper()));
+}
+
+/// How far, along M, a point over the simplex is from a vertex, at most: by the simplex's circumradius in the chart of
+/// its vertex number `at`, and what is moved sideways.
 template <int m>
-Interval reach_of_simplex(const GraphSimplexCheck<m>& check, const LabelSimplex<m>& simplex, std::size_t at,
-                          double shift) {
+Interval reach_of_simplex(const GraphVertices& vertices, const GraphSimplexCheck<m>& check,
+                          const LabelSimplex<m>& simplex, std::size_t at, double shift, const Interval& slope) {
   const std::uint32_t j = simplex[at];
   const auto gradients = check.gradients(j, simplex);
   if (!gradients) return Interval::exactly(std::numeric_limits<double>::infinity());
   Vector<Interval, m> centre{};
-  for (std::size_t k = 1; k <= m; ++k) {
+  Interval farthest_squared(0);
+  for (std::size_t k = 0; k <= m; ++k) {
     Interval squared(0);
-    for (std::size_t row = 0; row < m; ++row)
+    Interval from_zero(0);
+    for (std::size_t row = 0; row < m; ++row) {
       squared += square(check.coordinate(j, simplex[k], row) - check.coordinate(j, simplex[0], row));
-    for (std::size_t row = 0; row < m; ++row) centre[row] += squared / Interval(2) * (*gradients)[k][row];
+      from_zero += square(check.coordinate(j, simplex[k], row));
+    }
+    farthest_squared = maximum(farthest_squared, from_zero);
+    for (std::size_t row = 0; k > 0 && row < m; ++row) centre[row] += squared / Interval(2) * (*gradients)[k][row];
   }
   double side = 0;
   for (const std::uint32_t v : simplex) side = std::max(side, check.lateral(j, v));
-  return square_root(pairing(centre, centre)) + Interval::exactly(side) * Interval::exactly(shift);
+  const Interval moved = Interval::exactly(side) * Interval::exactly(shift);
+  const Interval steepest = slope_within(vertices, j, square_root(farthest_squared) + moved, slope);
+  return square_root(Interval(1) + square(steepest)) * (square_root(pairing(centre, centre)) + moved);
 }
 
 /// What there is around a label.
@@ -88,8 +104,9 @@ class DiscCover {
     patch_ = scalar_from<Interval>(vertices_.charts[i].data().radius);
     for (std::size_t column = 0; column < n_; ++column) own_[column] = check_.coordinate(i, i, column);
     if (!is_in_patch()) return false;
-    bend_ = Interval(0);
-    if (metric_ == GraphMetric::intrinsic && !find_bend()) return false;
+    wide_ = minimum(Interval(2) * radius_, (patch_ - own_distance()) * Interval::exactly(1 - 0x1p-10));
+    change_ = {};
+    if (metric_ == GraphMetric::intrinsic && !find_change()) return false;
     // Where curves may be longer than their chords by more than this nothing is certain, and no label too far away.
     if (!is_proved(less(excess(radius_), radius_))) return false;
     gather();
@@ -102,11 +119,15 @@ class DiscCover {
   [[nodiscard]] std::size_t boxes() const { return boxes_; }
 
  private:
-  /// 4.patch.
-  [[nodiscard]] bool is_in_patch() const {
+  /// |φ_i(p′_i)|.
+  [[nodiscard]] Interval own_distance() const {
     Interval squared(0);
     for (std::size_t row = 0; row < m; ++row) squared += square(own_[row]);
-    if (!is_proved(less(square_root(squared) + radius_, patch_))) return false;
+    return square_root(squared);
+  }
+  /// 4.patch.
+  [[nodiscard]] bool is_in_patch() const {
+    if (!is_proved(less(own_distance() + radius_, patch_))) return false;
     const Interval height = scalar_from<Interval>(vertices_.charts[label_].data().height);
     for (std::size_t column = m; metric_ == GraphMetric::extrinsic && column < n_; ++column) {
       if (!is_proved(less(absolute(own_[column]) + radius_, height))) return false;
@@ -114,26 +135,27 @@ class DiscCover {
     return true;
   }
 
-  /// B ≥ |D²z| where segments run that `excess` is asked of: in the square of half a side 2r̂ about the own place,
-  /// divided into cells.
-  bool find_bend() {
-    constexpr unsigned parts = 4;
-    const double side = (Interval(4) * radius_ / Interval(static_cast<int>(parts))).upper();
+  /// How slopes change where segments run that `excess` is asked of: in the disc of radius `wide_` about the own place.
+  /// On smooth manifolds the square around it is divided into cells.
+  bool find_change() {
+    const unsigned parts = vertices_.manifold.is_smooth() ? 4 : 1;
+    const double side = (Interval(2) * wide_ / Interval(static_cast<int>(parts))).upper();
+    const Interval corner = square_root(Interval(m)) * Interval::exactly(side) / Interval(2);
     Vector<unsigned, m> at{};
     while (true) {
       Vector<double, m> centre{};
-      Interval from_zero(0);
-      Interval margin = square_root(Interval(m)) * Interval::exactly(side);
+      Interval squared(0);
       for (std::size_t row = 0; row < m; ++row) {
         centre[row] = own_[row].lower() + side * (at[row] - 0.5 * (parts - 1));
-        from_zero += square(Interval::exactly(centre[row]));
+        squared += square(Interval::exactly(centre[row]) - own_[row]);
       }
-      // Cells beyond the disc do not count, those at its rim are not looked for.
-      if (!is_proved(less(patch_ + margin, square_root(from_zero)))) {
-        if (!is_proved(less(from_zero, square(patch_)))) return false;
-        const auto bend = bend_in(centre, side / 2 * (1 + 0x1p-30));
-        if (!bend) return false;
-        bend_ = maximum(bend_, room_for_readers<m> * *bend);
+      // Cells beyond the disc do not count.
+      const Interval away = square_root(squared);
+      if (!is_proved(less(wide_ + corner, away))) {
+        const auto change = change_in(centre, away, side / 2 * (1 + 0x1p-30));
+        if (!change) return false;
+        change_.rate = maximum(change_.rate, change->rate * room_for_readers);
+        change_.size = maximum(change_.size, change->size * room_for_readers);
       }
       std::size_t row = 0;
       while (row < m && ++at[row] == parts) at[row++] = 0;
@@ -141,12 +163,26 @@ class DiscCover {
     }
   }
 
-  std::optional<Interval> bend_in(const Vector<double, m>& centre, double half) {
+  /// In a cell, whose centre is so far from the own place.
+  std::optional<SlopeChange> change_in(const Vector<double, m>& centre, const Interval& away, double half) {
     std::array<Interval, most_ambient_dimensions> place;
     for (std::size_t row = 0; row < m; ++row)
       place[row] = Interval::exactly(centre[row]) + Interval::between(-half, half);
-    if (!heights(centre, half, place)) return std::nullopt;
-    return evaluation_->bend(vertices_.charts[label_], place.data(), slope_);
+    if (!vertices_.manifold.is_smooth())
+      return evaluation_->slope_change(vertices_.charts[label_], place.data(), slope_);
+    // M is looked for over the centre, or over a place that is nearer to the own one, inside of the disc.
+    Vector<double, m> foot = centre;
+    Interval reach = square_root(Interval(m)) * Interval::exactly(half);
+    if (const double inwards = (wide_ * Interval::exactly(0.875) / away).lower(); inwards < 1) {
+      Interval squared(0);
+      for (std::size_t row = 0; row < m; ++row) {
+        foot[row] = own_[row].lower() + inwards * (centre[row] - own_[row].lower());
+        squared += square(Interval::exactly(centre[row]) - Interval::exactly(foot[row]));
+      }
+      reach += square_root(squared);
+    }
+    if (!heights(foot, reach, place)) return std::nullopt;
+    return evaluation_->slope_change(vertices_.charts[label_], place.data(), slope_);
   }
 
   /// The labels that may be as near to a point over the disc as its own.
@@ -177,15 +213,18 @@ class DiscCover {
         }
       }
       if (!is_proved(less(squared, square(patch_)))) one.is_shown = false;
-      for (std::size_t row = 0; row < m; ++row) {
-        if (!is_proved(less(absolute(one.offset[row]), Interval(2) * radius_))) one.is_shown = false;
-      }
+      Interval away(0);
+      for (std::size_t row = 0; row < m; ++row) away += square(one.offset[row]);
+      if (!is_proved(less(away, square(wide_)))) one.is_shown = false;
       around_.push_back(std::move(one));
     }
   }
 
-  /// B²d³/24: by how much a curve in M over a segment of length d may be longer than its chord.
-  [[nodiscard]] Interval excess(const Interval& d) const { return square(bend_) * d * square(d) / Interval(24); }
+  /// d(ad/√12 + b)²/2: by how much a curve in M over a segment of length d may be longer than its chord, where slopes
+  /// change by a rate a and a size b.
+  [[nodiscard]] Interval excess(const Interval& d) const {
+    return d * square(change_.rate * d / square_root(Interval(12)) + change_.size) / Interval(2);
+  }
 
   bool covers_box(const Vector<double, m>& centre, double half, const std::vector<std::size_t>& labels, int halvings) {
     ++boxes_;
@@ -199,7 +238,9 @@ class DiscCover {
     }
     if (is_proved(less(square(radius_), from_own))) return true;
     std::vector<std::size_t> near;
-    if (is_proved(less(from_zero, square(patch_))) && heights(centre, half, x) && settles(x, labels, near)) return true;
+    const Interval reach = square_root(Interval(m)) * Interval::exactly(half);
+    if (is_proved(less(from_zero, square(patch_))) && heights(centre, reach, x) && settles(x, labels, near))
+      return true;
     if (halvings == most_halvings) return false;
     const std::vector<std::size_t>& left = near.empty() ? labels : near;
     for (unsigned corner = 0; corner < 1U << m; ++corner) {
@@ -211,13 +252,14 @@ class DiscCover {
     return true;
   }
 
-  /// z over the box: that over its centre, and as much as the slope allows.
-  bool heights(const Vector<double, m>& centre, double half, std::array<Interval, most_ambient_dimensions>& x) {
+  /// z within a distance of a place of the chart: that over the place, and as much as the slope allows.
+  bool heights(const Vector<double, m>& centre, const Interval& reach,
+               std::array<Interval, most_ambient_dimensions>& x) {
     std::array<Interval, most_ambient_dimensions> y;
     for (std::size_t row = 0; row < m; ++row) y[row] = Interval::exactly(centre[row]);
     const auto z = evaluation_->heights(vertices_.charts[label_], y.data());
     if (!z) return false;
-    const double away = (slope_ * square_root(Interval(m)) * Interval::exactly(half)).upper();
+    const double away = (slope_ * reach).upper();
     const Interval height = scalar_from<Interval>(vertices_.charts[label_].data().height);
     for (std::size_t k = 0; k < q_; ++k) {
       if (!is_proved(less(absolute((*z)[k]), height))) return false;
@@ -278,7 +320,9 @@ class DiscCover {
   // Of the label at hand.
   std::uint32_t label_ = 0;
   const EnclosedChart<Interval>* chart_ = nullptr;
-  Interval patch_, bend_, radius_;
+  Interval patch_, radius_;
+  Interval wide_;  // labels that are farther in the chart are not said to be near by lengths of curves
+  SlopeChange change_;
   std::array<Interval, most_ambient_dimensions> own_;
   std::vector<Around> around_;
   std::size_t boxes_ = 0;
@@ -331,8 +375,10 @@ Rational graph_density(const GraphVertices& vertices, const std::vector<LabelSim
     for (std::size_t s = 0; s < simplices.size(); ++s) {
       double least = std::numeric_limits<double>::infinity();
       for (std::size_t at = 0; at <= m; ++at) {
-        const Interval reach = reach_of_simplex<m>(check, simplices[s], at, triangulation.simplices[s].shift);
-        least = std::min(least, (stretch * reach).upper());
+        const double shift = triangulation.simplices[s].shift;
+        const Interval reach =
+            reach_of_simplex<m>(vertices, check, simplices[s], at, shift, scalar_from<Interval>(slope));
+        least = std::min(least, reach.upper());
       }
       // What is over the simplex may be nearest to labels that are not much farther from one of its vertices.
       double unit = vertices.unit(simplices[s]);

@@ -342,6 +342,76 @@ Polyhedron::Hull Polyhedron::hull(Label i, std::size_t s, double displacement) c
   return result;
 }
 
+/// With A symmetric, s + A y has the slope <e, A e> along a unit vector e, and slopes of facets differ from it most at
+/// a corner. Least squares choose s and A.
+Polyhedron::Change Polyhedron::slope_change(Label i, const Matrix<Interval>& point, double wide) const {
+  const TangentChart<Interval>& chart = charts_.chart(i);
+  const Matrix<Interval> home = transposed_times(chart.tangent, point - chart.centre);
+  struct Sloped {
+    Corners<Interval> corners;
+    Interval slope[2];
+  };
+  std::vector<Sloped> facets;
+  bool vertical = false;
+  const double stretch = upper_root(Interval(1) + square(M_.slope.filter));
+  near_facets_.visit(point, stretch * wide + facet_radius_, [&](std::uint32_t facet) {
+    Budget::spend(40);
+    const Corners<Interval> a = placed_in(facet, chart);
+    const Interval& lid = charts_.patch(i).height.filter;
+    bool above = true, below = true;
+    for (const auto& corner : a) {
+      above = above && less(lid, corner[2]) == Verdict::proved;
+      below = below && less(lid, -corner[2]) == Verdict::proved;
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+      bool left = true, right = true;
+      for (const auto& corner : a) {
+        left = left && (home[k] - corner[k]).lower() > wide;
+        right = right && (corner[k] - home[k]).lower() > wide;
+      }
+      if (left || right) return;
+    }
+    if (above || below) return;
+    const std::array<Interval, 3> normal = normal_of(a);
+    vertical = vertical || !(normal[2].lower() > 0 || normal[2].upper() < 0);
+    facets.push_back({a, {-(normal[0] / normal[2]), -(normal[1] / normal[2])}});
+  });
+  const double unknown = std::numeric_limits<double>::infinity();
+  if (vertical || facets.empty()) return {unknown, unknown};
+  Matrix<Interval> squares(5, 5), products(5, 1);
+  for (const Sloped& facet : facets) {
+    Interval middle[2] = {Interval(0), Interval(0)};
+    for (const auto& corner : facet.corners) {
+      for (std::size_t k = 0; k < 2; ++k) middle[k] = middle[k] + corner[k] / Interval(3);
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+      Matrix<Interval> row(5, 1);  // of s_0, s_1, A_00, A_01, A_11
+      row[k] = Interval(1);
+      row[2 + k] = middle[0];
+      row[3 + k] = middle[1];
+      squares = squares + row * row.transposed();
+      products = products + facet.slope[k] * row;
+    }
+  }
+  Matrix<Interval> affine = solution(squares, products);
+  for (std::size_t k = 0; k < 5; ++k) {
+    const double middle = NearPoints::middle(affine[k]);
+    affine[k] = at_double(middle > -0x1p100 && middle < 0x1p100 ? middle : 0);
+  }
+  Change result;
+  for (const Sloped& facet : facets) {
+    for (const auto& corner : facet.corners) {
+      Interval squared(0);
+      for (std::size_t k = 0; k < 2; ++k)
+        squared = squared + square(facet.slope[k] - affine[k] - affine[2 + k] * corner[0] - affine[3 + k] * corner[1]);
+      result.size = std::max(result.size, upper_root(squared));
+    }
+  }
+  const Interval half = Interval(1) / Interval(2), sum = half * (affine[2] + affine[4]);
+  result.rate = maximum(sum, -sum).upper() + upper_root(square(half * (affine[2] - affine[4])) + square(affine[3]));
+  return result;
+}
+
 /// Whether the point is certainly in the cylinder. `all` stays refuted if it certainly is not.
 bool Polyhedron::is_in(Label i, const Matrix<Interval>& x, Verdict& all) const {
   const Matrix<Interval> offset = x - charts_.chart(i).centre;

@@ -26,6 +26,13 @@ class Polyhedron {
   /// The height of M over a place, enclosed, where it is known to be within `reach` of a guess.
   Interval height_over(Label i, const Matrix<Interval>& place, const Interval& guess, double reach) const;
 
+  /// How slopes of M change along segments of chart i, over the places as near to that of a point of M as this: by a
+  /// function with the Lipschitz constant `rate` and one that is nowhere greater than `size`.
+  struct Change {
+    double rate = 0, size = 0;
+  };
+  Change slope_change(Label i, const Matrix<Interval>& point, double wide) const;
+
   /// What rules 5.* ask of the function of chart i, the height above M over Y_i, near a simplex.
   struct Hull {
     std::vector<Matrix<Interval>> slopes;  // its differences are convex combinations of these

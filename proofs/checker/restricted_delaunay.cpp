@@ -8,7 +8,7 @@
 namespace delcert::checker {
 namespace {
 
-constexpr int most_halvings = 12;
+constexpr int most_halvings = 12, halvings_at_ease = 5;
 constexpr std::size_t most_boxes_of_label = std::size_t{1} << 16;
 
 Interval exactly_at(double x) { return Interval::between(x, x); }
@@ -39,6 +39,16 @@ struct DiscBox {
   std::vector<const Rival*> open;
 };
 
+/// M is so steep at most where it is no farther than this from the origin of a chart: less near it (sub.graph), but for
+/// meshes.
+Interval slope_within(const TangentCharts& charts, Label i, double distance) {
+  const Interval& slope = charts.manifold().slope.filter;
+  if (charts.polyhedron() != nullptr) return slope;
+  const Interval share = exactly_at(distance) / charts.patch(i).radius.filter;
+  const Interval here = slope * (Interval(1) + Interval(7) * share) / Interval(8);
+  return exactly_at(std::min(slope.upper(), here.upper()));
+}
+
 /// The rule 4.cover for one label i.
 class CoveredDisc {
  public:
@@ -53,9 +63,11 @@ class CoveredDisc {
         slope_(charts.manifold().slope.filter.upper()),
         stretch_(upper_root(Interval(1) + square(charts.manifold().slope.filter))),
         height_(transposed_times(charts.chart(i).normal, charts.point(i) - charts.chart(i).centre)),
-        wide_(2 * radius_.upper()) {
+        home_(upper_root(
+            squared_norm(transposed_times(charts.chart(i).tangent, charts.point(i) - charts.chart(i).centre)))),
+        wide_(std::min(2 * radius_.upper(), (charts.patch(i).radius.filter - exactly_at(home_)).lower() * 0.999)) {
     find_rivals();
-    if (c_.intrinsic) bound_bend();
+    if (c_.intrinsic) bound_changes();
   }
 
   /// Whether all boxes are near or in a star; false if some edge is missing from the complex.
@@ -68,6 +80,10 @@ class CoveredDisc {
       open.pop_back();
       Budget::spend(20 + 5 * box.open.size());
       if (is_outside(box) || is_settled(box)) continue;
+      if (c_.intrinsic && !is_sharp_ && box.halvings == halvings_at_ease) {
+        sharpen();
+        if (is_settled(box)) continue;
+      }
       if (is_edge_missing(box)) return false;
       if (box.halvings == most_halvings || looked_at == most_boxes_of_label) undecided(box);
       halve(box, open);
@@ -112,24 +128,71 @@ class CoveredDisc {
     });
   }
 
-  /// |x - y| and the distance in M differ by at most this times the cube of the distance in the chart: B^2 / 24 for a
-  /// bound B of the second derivative of the heights of M, as far from p'_i in the chart as labels are said to be near.
-  void bound_bend() {
+  /// Slopes of M change, along segments of the chart as far from p'_i as labels are said to be near, by a function with
+  /// the Lipschitz constant rate_ and one that is nowhere greater than size_.
+  void bound_changes() {
+    if (charts_.polyhedron() != nullptr) {
+      const auto change = charts_.polyhedron()->slope_change(i_, charts_.point(i_), wide_);
+      rate_ = change.rate;
+      size_ = change.size;
+      return;
+    }
+    rate_ = bend_about(charts_.point(i_), 0, wide_, slope_within(charts_, i_, home_ + wide_).upper());
+  }
+
+  /// The same for a zero set, cell by cell of the square around; once some box asks for it.
+  void sharpen() {
+    is_sharp_ = true;
+    if (charts_.polyhedron() != nullptr) return;
+    constexpr std::size_t parts = 4;
+    const TangentChart<Interval>& chart = charts_.chart(i_);
+    const double side = 2 * wide_ / parts, corner = side * upper_root(Interval(static_cast<int>(m_))) / 2;
+    std::size_t cells = 1;
+    for (std::size_t a = 0; a < m_; ++a) cells *= parts;
+    double rate = 0;
+    for (std::size_t code = 0; code < cells; ++code) {
+      Vector<Interval> middle{};
+      std::size_t rest = code;
+      for (std::size_t a = 0; a < m_; ++a, rest /= parts)
+        middle[a] = exactly_at(side * (static_cast<double>(2 * (rest % parts)) - (parts - 1)) / 2);
+      const Interval away = square_root(squared_length(middle));
+      if (away.lower() > wide_ + corner) continue;
+      // M is looked for over the middle, or over a place that is nearer to the origin, inside of the disc.
+      double reach = corner;
+      const double inwards = std::min(1.0, 0.875 * wide_ / away.upper());
+      Interval moved(0);
+      for (std::size_t a = 0; a < m_; ++a) {
+        const Interval nearer = exactly_at(inwards * middle[a].upper());
+        moved = moved + square(nearer - middle[a]);
+        middle[a] = nearer;
+      }
+      reach += upper_root(moved);
+      Anchor anchor;
+      if (!find_anchor(middle, DiscBox().anchor, anchor)) return;
+      Matrix<Interval> place(m_, 1), z(q_, 1);
+      for (std::size_t a = 0; a < m_; ++a) place[a] = middle[a];
+      for (std::size_t a = 0; a < q_; ++a) z[a] = exactly_at(anchor.height[a]);
+      const double farthest = upper_root(squared_length(middle)) + reach;
+      rate = std::max(rate, bend_about(charts_.point(i_) + chart.tangent * place + chart.normal * z, anchor.error,
+                                       reach, slope_within(charts_, i_, home_ + farthest).upper()));
+    }
+    rate_ = std::min(rate_, rate);
+  }
+
+  /// A bound of the second derivative of the heights of M over the places within a distance of that of a point; over
+  /// the place M is within the error of the point, and nowhere steeper than the slope.
+  double bend_about(const Matrix<Interval>& point, double error, double wide, double slope) {
     const TangentChart<Interval>& chart = charts_.chart(i_);
     const std::size_t N = m_ + q_;
-    const Matrix<Interval> home = transposed_times(chart.tangent, charts_.point(i_) - chart.centre);
-    // Up to here M is so steep at most (sub.graph).
-    const Interval share = (square_root(squared_norm(home)) + exactly_at(wide_)) / charts_.patch(i_).radius.filter;
-    const Interval steepness = Interval::between(0, slope_) * (Interval(1) + Interval(7) * share) / Interval(8);
-    const double slope = std::min(slope_, steepness.upper()), high = slope * wide_;
-    values_.evaluate(charts_.point(i_), 1);
+    const double high = error + slope * wide;
+    values_.evaluate(point, 1);
     double theta = norm_above(one_less(chart.Y * values_.jacobian() * chart.normal));
-    Matrix<Interval> box = charts_.point(i_);
+    Matrix<Interval> box = point;
     for (std::size_t a = 0; a < N; ++a) {
       Interval tangent(0), normal(0);
       for (std::size_t k = 0; k < m_; ++k) tangent = tangent + square(chart.tangent(a, k));
       for (std::size_t k = 0; k < q_; ++k) normal = normal + square(chart.normal(a, k));
-      const double half = wide_ * upper_root(tangent) + high * upper_root(normal);
+      const double half = wide * upper_root(tangent) + high * upper_root(normal);
       box[a] = box[a] + Interval::between(-half, half);
     }
     values_.evaluate(box, 2);
@@ -146,10 +209,10 @@ class CoveredDisc {
       mixed = mixed + squared_norm(transposed_times(chart.tangent, normal));
       steep = steep + squared_norm(transposed_times(chart.normal, normal));
     }
-    theta += upper_root(mixed) * wide_ + upper_root(steep) * high;
+    theta += upper_root(mixed) * wide + upper_root(steep) * high;
     const double above = upper_root(flat) + 2 * slope * upper_root(mixed) + slope * slope * upper_root(steep);
-    const Interval bend = Interval::between(0, above) / (Interval(1) - exactly_at(theta));
-    bend_ = theta < 1 ? (square(bend) / Interval(24)).upper() : std::numeric_limits<double>::infinity();
+    return theta < 1 ? (Interval::between(0, above) / (Interval(1) - exactly_at(theta))).upper()
+                     : std::numeric_limits<double>::infinity();
   }
 
   Interval squared_length(const Vector<Interval>& x) const { return dot(x, x, m_); }
@@ -172,7 +235,8 @@ class CoveredDisc {
   /// the greatest difference, p' at this distance in the chart.
   double margin_at(double distance) const {
     if (!c_.intrinsic) return 0;
-    const double more = bend_ * distance * distance * distance;
+    // d (a d / sqrt 12 + b)^2 / 2, rounded upwards.
+    const double spread = rate_ * distance / 3.4641016 + size_, more = distance * spread * spread / 2;
     return more * (2 * stretch_ * distance + more);
   }
   bool is_nearer(const DiscBox& box, const Rival& rival, const Interval& lead) const {
@@ -229,7 +293,10 @@ class CoveredDisc {
       half = half + square(box.place[a] - middle[a]);
       off = off + square(middle[a] - exactly_at(box.anchor.place[a]));
     }
-    if (off.lower() > 4 * half.upper()) move_anchor(box, middle);
+    if (off.lower() > 4 * half.upper() && squared_length(middle).upper() < square(radius_).lower()) {
+      const Anchor from = box.anchor;
+      find_anchor(middle, from, box.anchor);
+    }
     for (std::size_t part = 0; part < std::size_t{1} << m_; ++part) {
       open.push_back(box);
       ++open.back().halvings;
@@ -241,9 +308,8 @@ class CoveredDisc {
     }
   }
 
-  /// To what is over the middle of a box, if that is in the disc, and found in the cylinder.
-  void move_anchor(DiscBox& box, const Vector<Interval>& middle) {
-    if (!(squared_length(middle).upper() < square(radius_).lower())) return;
+  /// What is over a place of the disc, if it is found in the cylinder.
+  bool find_anchor(const Vector<Interval>& middle, const Anchor& from, Anchor& result) {
     Budget::spend(200);
     const TangentChart<Interval>& chart = charts_.chart(i_);
     Anchor anchor;
@@ -253,8 +319,8 @@ class CoveredDisc {
       anchor.place[a] = middle[a].upper();
     }
     const Matrix<Interval> foot = charts_.point(i_) + chart.tangent * place;
-    for (std::size_t a = 0; a < q_; ++a) z[a] = exactly_at(box.anchor.height[a]);
-    if (charts_.polyhedron() != nullptr) find_height_of_mesh(box, place, z[0], anchor);
+    for (std::size_t a = 0; a < q_; ++a) z[a] = exactly_at(from.height[a]);
+    if (charts_.polyhedron() != nullptr) find_height_of_mesh(from, place, z[0], anchor);
     for (int step = 0; charts_.polyhedron() == nullptr; ++step) {
       values_.evaluate(foot + chart.normal * z, 0);
       const Matrix<Interval> error = chart.Y * values_.value();
@@ -267,18 +333,20 @@ class CoveredDisc {
     const Interval lid = charts_.patch(i_).height.filter;
     for (std::size_t a = 0; a < q_; ++a) {
       const Interval height = height_[a] + z[a];
-      if (conjunction(less(height, lid), less(-height, lid)) != Verdict::proved) return;
+      if (conjunction(less(height, lid), less(-height, lid)) != Verdict::proved) return false;
       anchor.height[a] = z[a].upper();
     }
-    if (anchor.error < std::numeric_limits<double>::infinity()) box.anchor = anchor;
+    if (!(anchor.error < std::numeric_limits<double>::infinity())) return false;
+    result = anchor;
+    return true;
   }
 
   /// As far from that of the last anchor as the slope allows, at most.
-  void find_height_of_mesh(const DiscBox& box, const Matrix<Interval>& place, Interval& z, Anchor& anchor) const {
+  void find_height_of_mesh(const Anchor& from, const Matrix<Interval>& place, Interval& z, Anchor& anchor) const {
     const TangentChart<Interval>& chart = charts_.chart(i_);
     Interval off(0);
-    for (std::size_t a = 0; a < m_; ++a) off = off + square(place[a] - exactly_at(box.anchor.place[a]));
-    const double reach = box.anchor.error + slope_ * upper_root(off);
+    for (std::size_t a = 0; a < m_; ++a) off = off + square(place[a] - exactly_at(from.place[a]));
+    const double reach = from.error + slope_ * upper_root(off);
     const Matrix<Interval> from_centre = transposed_times(chart.tangent, charts_.point(i_) - chart.centre) + place;
     const Interval found = charts_.polyhedron()->height_over(i_, from_centre, height_[0] + z, reach) - height_[0];
     z = exactly_at(NearPoints::middle(found));
@@ -304,7 +372,10 @@ class CoveredDisc {
   double slope_, stretch_;
   Matrix<Interval> height_;  // of p'_i
   std::vector<Rival> rivals_;
-  double wide_, bend_ = 0;  // in the intrinsic case labels that are farther in the chart are not said to be near
+  double home_;  // how far p'_i is from the origin of the chart
+  double wide_;  // in the intrinsic case labels that are farther in the chart are not said to be near
+  double rate_ = 0, size_ = 0;
+  bool is_sharp_ = false;
 };
 
 /// 4.density: in some chart the circumradius, and what the simplex is moved by there, are small.
@@ -327,7 +398,16 @@ void check_dense(const TangentCharts& charts, const GraphTriangulation& triangul
       const Simplex<Interval> simplex(c.metric, vertices);
       if (simplex.complete != Verdict::proved) continue;
       const double moved = triangulation.movement_in(labels[k], s);
-      least = std::min(least, (stretch * Interval::between(0, upper_root(simplex.radius_squared) + moved)).upper());
+      double farthest = 0;  // what is over the simplex, from the origin of the chart
+      for (std::size_t v = 0; v <= c.m_size(); ++v) {
+        const TangentChart<Interval>& chart = charts.chart(labels[k]);
+        farthest =
+            std::max(farthest, norm_above(transposed_times(chart.tangent, charts.point(labels[v]) - chart.centre)));
+      }
+      const Interval steepest = slope_within(charts, labels[k], farthest + moved);
+      least = std::min(least, (square_root(Interval(1) + square(steepest)) *
+                               Interval::between(0, upper_root(simplex.radius_squared) + moved))
+                                  .upper());
     }
     if (least <= smallest) continue;
     // What is over the simplex may be nearest to these.

@@ -150,8 +150,6 @@ void Certificate::require_submanifold() const {
   Report::require("form.family", !theory, "the mode theory is not for submanifolds");
   Report::require("form.family", !claimed[level_1f] || submanifold->given, "level 1f is for vertices that are given");
   if (claimed[level_0] || claimed[level_3]) throw Malformed("form.family", "levels 0 and 3 are not for submanifolds");
-  Report::require("form.family", !claimed[level_4] || !intrinsic || !submanifold->is_mesh(),
-                  "level 4 of a mesh is for the distance in space");
   if (claimed[level_4] && submanifold->given) throw Malformed("form.family", "level 4 is for vertices on the manifold");
   for (Label i = 0; i < n; ++i) {
     const auto require_chart = [&](bool holds, const char* what) {

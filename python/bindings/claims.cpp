@@ -61,7 +61,7 @@ class ReadClaim {
     plan.seed = seed;
     plan.threads = number_of(threads);
     return apart(told, [&](const Progress& progress) {
-      const std::vector<Tally> tallies = run_campaign(plan, progress);
+      const std::vector<Tally> tallies = run_campaign(plan, progress).tallies;
       Json json{{"targets", attack_json(plan.targets, tallies, usual_least_instances)},
                 {"totals", totals_json(attack_totals(plan.targets, tallies), usual_least_instances)},
                 {"refutations", Json::array()}};

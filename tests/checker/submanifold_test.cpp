@@ -137,6 +137,10 @@ TEST(Submanifold, a_mesh_is_verified_as_the_manifold) {
   expect_verified(certificate(remeshed(turned), all));
 }
 
+TEST(Submanifold, of_a_mesh_the_complex_is_Delaunay_by_distances_in_it_where_slopes_are_nearly_affine) {
+  for (const char* metric : {"intrinsic", "both"}) expect_verified(certificate(by(metric, remeshed()), all));
+}
+
 TEST(Submanifold, a_mesh_that_is_not_one_is_malformed) {
   const auto rules = [](const std::function<void(Json&)>& change) {
     Json document = remeshed_document();

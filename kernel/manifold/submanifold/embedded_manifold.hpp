@@ -33,6 +33,13 @@ struct DerivativeHull {
   double height = 0;  ///< an upper bound of the function's norm on the simplex
 };
 
+/// How the slopes of M change along segments in a part of a chart: e ↦ Dz[e], z the heights of M, is by arc length the
+/// sum of a function with this Lipschitz constant and one of at most this size.
+struct SlopeChange {
+  Interval rate{0};
+  Interval size{0};
+};
+
 /// What charts ask of M. Has scratch memory: one for each thread. Intervals need a `RoundingGuard`.
 class GraphEvaluation {
  public:
@@ -52,10 +59,10 @@ class GraphEvaluation {
   /// the function is not certainly defined there. Precondition: the neighbourhood is in the cylinder of the chart.
   [[nodiscard]] virtual bool enclose(const TangentChart& chart, std::span<const Interval* const> vertices,
                                      double displacement, DerivativeHull& hull) = 0;
-  /// An upper bound of |D²z|, z the heights of M, where M is in these chart coordinates, [N], and |Dz| is at most the
-  /// slope. None if there is none to be found.
-  [[nodiscard]] virtual std::optional<Interval> bend(const TangentChart& chart, const Interval* place,
-                                                     const Interval& slope) = 0;
+  /// Of M where it is in these chart coordinates, [N], and |Dz| is at most the slope. None if there is nothing to be
+  /// found. Where M is not smooth that is of segments in this part only: changes in two parts say nothing of both.
+  [[nodiscard]] virtual std::optional<SlopeChange> slope_change(const TangentChart& chart, const Interval* place,
+                                                                const Interval& slope) = 0;
 };
 
 /// Coordinates of the points of a net of this radius are multiples of this: of a few digits fewer than doubles have.

@@ -428,6 +428,8 @@ Rational least_height(const Rational& radius, const Rational& slope) {
   return rounded_up(needed, binary_exponent(needed) - 6);
 }
 
+Rational eighths(const Rational& unit, int number) { return unit * Rational(Integer(number), Integer(8)); }
+
 /// In doubles, how steep M and the level sets near it are in this chart, where the cone of this slope meets the rim of
 /// the patch.
 class SlopeEstimate {
@@ -626,8 +628,8 @@ class Fitting {
             const Rational radius = patch * unit;
             const Rational least = least_height(radius, slope);
             std::vector high_lids{radius * Rational::power_of_two(-1), unit * Rational(Integer(13), Integer(8))};
-            // Where they vary, discs of level 4 are larger.
-            if (radii_.vary()) high_lids.insert(high_lids.begin(), unit * Rational(Integer(23), Integer(8)));
+            // Where they vary, discs of level 4 are larger, and lids have to be higher than these are wide.
+            if (radii_.vary()) high_lids = {eighths(unit, 23), eighths(unit, 19), eighths(unit, 16), eighths(unit, 13)};
             chart.set_size(radius, least);
             if (auto failure = check.failure(chart, less)) {
               found.emplace_back(labels[at], std::move(*failure));

@@ -187,9 +187,85 @@ class MeshEvaluation final : public GraphEvaluation {
     return true;
   }
 
-  std::optional<Interval> bend(const TangentChart&, const Interval*, const Interval&) override { return std::nullopt; }
+  /// Slopes of facets less what is affine in the place, by least squares over the facets.
+  std::optional<SlopeChange> slope_change(const TangentChart& chart, const Interval* place, const Interval&) override {
+    const EnclosedChart<Interval>& in = chart.enclosed();
+    const std::array<Interval, 3> low{place[0], place[1], closed_side(chart.data().height)};
+    std::vector<SlopedFacet> facets;
+    bool is_transversal = true;
+    visit_facets(mesh_, in, low.data(), [&](std::uint32_t facet) {
+      const ShownFacet shown(mesh_, in, facet);
+      if (is_beside(shown, low.data())) return;
+      if (!is_refuted(is_zero(shown.normal[2]))) is_transversal = false;
+      facets.push_back({shown.corners, {-(shown.normal[0] / shown.normal[2]), -(shown.normal[1] / shown.normal[2])}});
+    });
+    if (!is_transversal || facets.empty()) return std::nullopt;
+    return change_about(facets, affine_fit(facets));
+  }
 
  private:
+  struct SlopedFacet {
+    std::array<std::array<Interval, 3>, 3> corners;
+    std::array<Interval, 2> slope;
+  };
+  /// s + Ay, A symmetric: s₀, s₁, A₀₀, A₀₁, A₁₁.
+  using AffineSlope = std::array<double, 5>;
+
+  /// Whether all of the facet is on one side of the box.
+  static bool is_beside(const ShownFacet& facet, const Interval* place) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      double least = std::numeric_limits<double>::infinity();
+      double greatest = -least;
+      for (const auto& corner : facet.corners) {
+        least = std::min(least, corner[k].lower());
+        greatest = std::max(greatest, corner[k].upper());
+      }
+      if (greatest < place[k].lower() || place[k].upper() < least) return true;
+    }
+    return false;
+  }
+
+  /// In doubles: of the slopes at the middles of facets, weighted by their areas. 0 where the system is singular.
+  static AffineSlope affine_fit(const std::vector<SlopedFacet>& facets) {
+    Dense<double> gram(25, 0);
+    AffineSlope right{};
+    for (const SlopedFacet& facet : facets) {
+      const double x = (facet.corners[0][0].lower() + facet.corners[1][0].lower() + facet.corners[2][0].lower()) / 3;
+      const double y = (facet.corners[0][1].lower() + facet.corners[1][1].lower() + facet.corners[2][1].lower()) / 3;
+      const double weight = std::fabs(side_of(facet.corners, 0, facet.corners[2][0], facet.corners[2][1]).lower());
+      const std::array<AffineSlope, 2> rows{{{1, 0, x, y, 0}, {0, 1, 0, x, y}}};
+      for (std::size_t row = 0; row < 2; ++row) {
+        for (std::size_t a = 0; a < 5; ++a) {
+          right[a] += weight * rows[row][a] * facet.slope[row].lower();
+          for (std::size_t b = 0; b < 5; ++b) gram[a * 5 + b] += weight * rows[row][a] * rows[row][b];
+        }
+      }
+    }
+    AffineSlope result{};
+    const auto inverse = inverse_of(std::move(gram), 5);
+    for (std::size_t a = 0; inverse && a < 5; ++a) {
+      for (std::size_t b = 0; b < 5; ++b) result[a] += (*inverse)[a * 5 + b] * right[b];
+    }
+    return std::all_of(result.begin(), result.end(), [](double x) { return std::fabs(x) < 0x1p100; }) ? result
+                                                                                                      : AffineSlope{};
+  }
+
+  /// The greatest |⟨e, Ae⟩|, and how far slopes are from s + Ay, which is farthest at a corner.
+  static SlopeChange change_about(const std::vector<SlopedFacet>& facets, const AffineSlope& affine) {
+    std::array<Interval, 5> a;
+    std::transform(affine.begin(), affine.end(), a.begin(), [](double x) { return Interval::exactly(x); });
+    Interval squared(0);
+    for (const SlopedFacet& facet : facets) {
+      for (const auto& corner : facet.corners) {
+        squared = maximum(squared, square(facet.slope[0] - a[0] - a[2] * corner[0] - a[3] * corner[1]) +
+                                       square(facet.slope[1] - a[1] - a[3] * corner[0] - a[4] * corner[1]));
+      }
+    }
+    const Interval two(2);
+    return {absolute(a[2] + a[4]) / two + square_root(square((a[2] - a[4]) / two) + square(a[3])),
+            square_root(squared)};
+  }
+
   /// The simplex at hand in a chart: barycentric coordinates b_v(y), affine in y, and its heights.
   class ShownSimplex {
    public:

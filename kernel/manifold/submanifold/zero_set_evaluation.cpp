@@ -63,7 +63,8 @@ class ZeroSetEvaluation final : public GraphEvaluation {
   }
 
   /// D²z[e, e] = −(J·N)⁻¹·D²f[(E + N·Dz)e, (E + N·Dz)e].
-  std::optional<Interval> bend(const TangentChart& chart, const Interval* place, const Interval& slope) override {
+  std::optional<SlopeChange> slope_change(const TangentChart& chart, const Interval* place,
+                                          const Interval& slope) override {
     const EnclosedChart<Interval>& of = chart.enclosed();
     const std::size_t n = zero_set_.ambient();
     const std::size_t q = zero_set_.codimension();
@@ -111,9 +112,9 @@ class ZeroSetEvaluation final : public GraphEvaluation {
     const Interval rest = Interval(1) - square_root(defect);
     if (!is_proved(less(Interval(0), rest))) return std::nullopt;
     // Mixed blocks are in `squares` twice.
-    return (square_root(squares[0]) + Interval(2) * slope * square_root(squares[1] / Interval(2)) +
-            square(slope) * square_root(squares[2])) /
-           rest;
+    return SlopeChange{(square_root(squares[0]) + Interval(2) * slope * square_root(squares[1] / Interval(2)) +
+                        square(slope) * square_root(squares[2])) /
+                       rest};
   }
 
  private:

@@ -7,6 +7,7 @@
 #include "kernel/parallel/threads.hpp"
 #include "kernel/run/chart_run.hpp"
 #include "kernel/sample/submanifold_net.hpp"
+#include "tests/kernel/manifold/submanifold/mesh_samples.hpp"
 #include "tests/kernel/manifold/submanifold/samples.hpp"
 
 namespace delcert::test {
@@ -14,16 +15,17 @@ namespace DELCERT_THIS_FILE {
 
 using Triangles = std::vector<LabelSimplex<2>>;
 
-/// A certified run on the unit sphere.
-struct Sphere {
-  ZeroSet zero_set = unit_sphere_in_space();
+/// A certified run on the unit sphere, or on a mesh.
+template <class Manifold>
+struct RunOn {
+  Manifold manifold;
   Rational radius;
-  SubmanifoldAtlas<2> atlas{zero_set, submanifold_net<2>(zero_set, radius, 1, no_progress()).charts, radius,
+  SubmanifoldAtlas<2> atlas{manifold, submanifold_net<2>(manifold, radius, 1, no_progress()).charts, radius,
                             no_progress()};
   Triangles triangles;
   std::vector<Interval> positions;
 
-  explicit Sphere(Rational sampling_radius) : radius(std::move(sampling_radius)) {
+  RunOn(Manifold of, Rational sampling_radius) : manifold(std::move(of)), radius(std::move(sampling_radius)) {
     RunRequest request;
     request.certify_model = false;
     const auto run =
@@ -32,6 +34,10 @@ struct Sphere {
     positions = graph_vertices<2>(atlas, run.points).positions;
   }
   [[nodiscard]] GraphVertices vertices() const { return {atlas.manifold(), atlas.charts(), positions, {}}; }
+};
+
+struct Sphere : RunOn<ZeroSet> {
+  explicit Sphere(const Rational& sampling_radius) : RunOn(unit_sphere_in_space(), sampling_radius) {}
 };
 
 const Sphere& sphere() {
@@ -45,7 +51,8 @@ struct Found {
   RestrictedDelaunay intrinsic;
 };
 
-Found found_with(const Triangles& triangles, std::optional<Rational> density = {}, const Sphere& on = sphere()) {
+template <class On = Sphere>
+Found found_with(const Triangles& triangles, std::optional<Rational> density = {}, const On& on = sphere()) {
   const GraphVertices vertices = on.vertices();
   const auto triangulation = check_graph_triangulation<2>(vertices, triangles, no_progress());
   EXPECT_TRUE(triangulation.triangulates());
@@ -62,10 +69,10 @@ TEST(RestrictedDelaunay, of_a_sphere_for_both_distances) {
   EXPECT_TRUE(found.extrinsic.holds());
   EXPECT_LT(found.density, Rational(2) * sphere().radius);
   EXPECT_GT(found.extrinsic.boxes, sphere().atlas.size());
-  // Curves are told from chords where the net is finer.
-  EXPECT_FALSE(found.intrinsic.holds());
-  const Sphere fine(ratio(1, 16));
-  EXPECT_TRUE(found_with(fine.triangles, {}, fine).intrinsic.holds());
+  EXPECT_TRUE(found.intrinsic.holds());
+  // Curves are told from chords where the net is not as coarse as this.
+  const Sphere coarse(ratio(1, 5));
+  EXPECT_FALSE(found_with(coarse.triangles, {}, coarse).intrinsic.holds());
 }
 
 TEST(RestrictedDelaunay, is_not_what_has_the_other_diagonal_of_two_triangles) {
@@ -107,6 +114,29 @@ TEST(RestrictedDelaunay, is_not_what_has_the_other_diagonal_of_two_triangles) {
   std::vector<std::uint32_t> concerned{best.edge[0], best.edge[1], best.apexes[0], best.apexes[1]};
   for (const Label label : found.extrinsic.failures)
     EXPECT_NE(std::find(concerned.begin(), concerned.end(), label.value), concerned.end());
+}
+
+TEST(RestrictedDelaunay, of_a_mesh_for_both_distances_where_facets_are_small) {
+  const RunOn<PolyhedralMesh> fine(polyhedral_sphere(72), ratio(1, 10));
+  const Found found = found_with(fine.triangles, {}, fine);
+  EXPECT_TRUE(found.extrinsic.holds());
+  EXPECT_TRUE(found.intrinsic.holds()) << found.intrinsic.failures.size() << " of " << fine.atlas.size();
+  // Where slopes jump by more, curves may be longer than that.
+  const RunOn<PolyhedralMesh> coarse(polyhedral_sphere(24), ratio(1, 8));
+  const Found jumping = found_with(coarse.triangles, {}, coarse);
+  EXPECT_TRUE(jumping.extrinsic.holds());
+  EXPECT_FALSE(jumping.intrinsic.failures.empty());
+}
+
+TEST(RestrictedDelaunay, density_knows_that_patches_are_flat_in_the_middle) {
+  const GraphVertices vertices = sphere().vertices();
+  const auto triangulation = check_graph_triangulation<2>(vertices, sphere().triangles, no_progress());
+  const auto with = [&](const Rational& slope) {
+    return graph_density<2>(vertices, sphere().triangles, triangulation, slope);
+  };
+  // The circumradii, and what is moved sideways; were the simplices as steep as the rims, 1.4 times as much.
+  EXPECT_LT(with(Rational(1)), with(Rational(0)) * ratio(5, 4));
+  EXPECT_GT(with(Rational(1)), with(Rational(0)));
 }
 
 TEST(RestrictedDelaunay, asks_for_discs_in_patches) {

@@ -194,5 +194,60 @@ TEST(PolyhedralMesh, is_sampled_by_its_areas_with_normals_to_the_outside) {
   EXPECT_FALSE(sampler->project(far, &identity));
 }
 
+TEST(PolyhedralMesh, slopes_are_nearly_affine_where_facets_are_small) {
+  const RoundingGuard guard;
+  const TangentChart chart = chart_at_pole();
+  const Interval side = Interval::between(-0.25, 0.25);
+  const std::array<Interval, 2> place{side, side};
+  const auto change_of = [&](int k) {
+    const auto change = polyhedral_sphere(k).evaluation()->slope_change(chart, place.data(), Interval(1));
+    EXPECT_TRUE(change);
+    return change.value_or(SlopeChange{});
+  };
+  const SlopeChange fine = change_of(64);
+  const SlopeChange coarse = change_of(16);
+  EXPECT_NEAR(fine.rate.upper(), 1, 0.1);
+  EXPECT_LT(fine.size.upper(), 0.05);
+  EXPECT_LT(fine.size.upper(), coarse.size.upper());
+  // Slopes of facets differ by what is said, and by no less than a facet's share of it.
+  const PolyhedralMesh mesh = polyhedral_sphere(16);
+  struct Slope {
+    std::array<double, 2> place, slope;
+  };
+  std::vector<Slope> slopes;
+  const std::array<Interval, 3> low{side, side, Interval::between(-0.25, 0.25)};
+  visit_facets(mesh, chart.enclosed(), low.data(), [&](std::uint32_t facet) {
+    const ShownFacet shown(mesh, chart.enclosed(), facet);
+    Slope one{};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      for (const auto& corner : shown.corners) one.place[axis] += corner[axis].lower() / 3;
+      one.slope[axis] = (-(shown.normal[axis] / shown.normal[2])).lower();
+    }
+    if (std::hypot(one.place[0], one.place[1]) < 0.25) slopes.push_back(one);
+  });
+  ASSERT_GT(slopes.size(), 20U);
+  double most = 0;
+  for (const Slope& a : slopes) {
+    for (const Slope& b : slopes) {
+      const double apart = std::hypot(a.place[0] - b.place[0], a.place[1] - b.place[1]);
+      const double change = std::hypot(a.slope[0] - b.slope[0], a.slope[1] - b.slope[1]);
+      EXPECT_LE(change, coarse.rate.upper() * apart + 2 * coarse.size.upper() + 1e-12);
+      most = std::max(most, change - coarse.rate.upper() * apart);
+    }
+  }
+  EXPECT_GT(most, 0);
+  // A facet that is vertical in the chart.
+  TangentChart high = chart_at_pole();
+  high.set_size(Rational(2), Rational(8));
+  const Interval wide = Interval::between(-1.5, 1.5);
+  const std::array<Interval, 2> all{wide, wide};
+  EXPECT_TRUE(polyhedral_sphere(1).evaluation()->slope_change(high, all.data(), Interval(1)));
+  TriangleMesh prism = sphere_mesh(1);
+  for (auto& point : prism.points) {
+    if (point[2] < Rational(0)) point = {Rational(1), Rational(0), Rational(-3)};
+  }
+  EXPECT_FALSE(PolyhedralMesh("prism", prism, {}).evaluation()->slope_change(high, all.data(), Interval(1)));
+}
+
 }  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

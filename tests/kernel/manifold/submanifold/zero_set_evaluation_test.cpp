@@ -62,13 +62,14 @@ TEST(ZeroSetEvaluation, bounds_the_second_derivative_of_the_heights) {
   const TangentChart chart = polar_chart(ratio(1, 2), ratio(1, 4));
   const Interval side = Interval::between(-0.01, 0.01);
   std::array<Interval, 3> place{side, side, side};
-  const auto bend = sphere.evaluation()->bend(chart, place.data(), Interval::exactly(0.01));
-  ASSERT_TRUE(bend);
+  const auto change = sphere.evaluation()->slope_change(chart, place.data(), Interval::exactly(0.01));
+  ASSERT_TRUE(change);
   // The identity, by Frobenius.
-  EXPECT_GE(bend->upper(), std::sqrt(2.0));
-  EXPECT_LE(bend->upper(), 1.6);
+  EXPECT_GE(change->rate.upper(), std::sqrt(2.0));
+  EXPECT_LE(change->rate.upper(), 1.6);
+  EXPECT_EQ(change->size.upper(), 0);
   place[2] = Interval::between(-1, 1);
-  EXPECT_FALSE(sphere.evaluation()->bend(chart, place.data(), Interval::exactly(0.01)));
+  EXPECT_FALSE(sphere.evaluation()->slope_change(chart, place.data(), Interval::exactly(0.01)));
 }
 
 TEST(ZeroSetEvaluation, samples_points_with_normals) {
