@@ -27,8 +27,9 @@ delcert_cli_test(attack-until-what STATUS 3 OUTPUT "^$" ERROR "--until 8x: a tim
 delcert_cli_test(attack-progress-every-what STATUS 3 OUTPUT "^$" ERROR "--progress-every 0s: a time was expected"
   COMMAND ${delcert} attack ${claim} --progress-every 0s --log attack-part-none.jsonl)
 
+# A log of another commit, from a build before, is no log of this campaign.
 delcert_cli_test(campaign-part STATUS 0 ERROR "^$" OUTPUT "^part 1/2: 1 of 1 blocks are finished in campaign-part.jsonl\n$" FIXTURE_SETUP campaign-part
-  COMMAND ${delcert} attack ${claim} --shape 1,1 --samples 300 --part 1/2 --log campaign-part.jsonl)
+  COMMAND sh -c "rm -f campaign-part.jsonl && exec \"$1\" attack \"$2\" --shape 1,1 --samples 300 --part 1/2 --log campaign-part.jsonl" sh ${delcert} ${claim})
 delcert_cli_test(campaign-part-json STATUS 0 ERROR "^$" OUTPUT "\"part\": .*\"finished\": 1" FIXTURES campaign-part
   COMMAND ${delcert} attack ${claim} --shape 1,1 --samples 300 --part 1/2 --log campaign-part.jsonl --json)
 delcert_cli_test(campaign-table-of-a-part STATUS 3 OUTPUT "^$" ERROR "campaign-part.jsonl: the log of part 1/2" FIXTURES campaign-part
@@ -47,7 +48,7 @@ foreach(share 0 2 -1/2 half)
     COMMAND ${delcert} campaign recheck campaign-part.jsonl --share=${share})
 endforeach()
 delcert_cli_test(campaign-merge-json STATUS 0 ERROR "^$" OUTPUT "\"blocks\": 1,.*\"logs\": " FIXTURE_SETUP campaign-whole
-  COMMAND sh -c "\"$1\" attack \"$2\" --shape 1,1 --samples 200 --log campaign-one.jsonl >/dev/null; \"$1\" campaign merge campaign-one.jsonl --output campaign-whole.jsonl --json"
+  COMMAND sh -c "rm -f campaign-one.jsonl && \"$1\" attack \"$2\" --shape 1,1 --samples 200 --log campaign-one.jsonl >/dev/null; \"$1\" campaign merge campaign-one.jsonl --output campaign-whole.jsonl --json"
     sh ${delcert} ${claim})
 delcert_cli_test(campaign-table STATUS 0 ERROR "^$" OUTPUT "circumradius-from-below / radius . k=1 m=1 . 200 " FIXTURES campaign-whole
   COMMAND ${delcert} campaign table campaign-whole.jsonl --least 50)
