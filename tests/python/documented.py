@@ -15,14 +15,14 @@ BLOCK = re.compile(r"^```python\n(.*?)^```$", re.M | re.S)
 
 
 def printed(source, names):
-    """What Python prints after this is entered; of an exception the last line."""
+    """What Python prints after this is entered, without empty lines at the end; of an exception the last line."""
     out = io.StringIO()
     with contextlib.redirect_stdout(out):
         try:
             exec(compile(source, "<page>", "single"), names)
         except Exception as error:
             print("".join(traceback.format_exception_only(type(error), error)), end="")
-    return "".join(line.rstrip() + "\n" for line in out.getvalue().splitlines())
+    return "".join(line.rstrip() + "\n" for line in out.getvalue().rstrip().splitlines())
 
 
 def shown(example):
