@@ -15,7 +15,7 @@ namespace DELCERT_THIS_FILE {
 TEST(CertificatePage, has_the_constants_for_the_parameters_and_the_digest_of_the_file) {
   const test::TemporaryFolder folder;
   const std::string file = (folder / "torus.json").string();
-  test::small_run().write(file);
+  small_run().write(file);
   const PageItem item = certificate_page_item(file, {});
   EXPECT_EQ(item.data.at("header").at("file_sha256"), shown_file(file).sha256);
   EXPECT_EQ(shown_file(file).name, "torus.json");
