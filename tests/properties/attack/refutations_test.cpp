@@ -15,7 +15,7 @@ TEST(Refutations, are_one_for_each_conclusion_in_the_first_shape_where_it_is_vio
   plan.targets = {
       {test::right_claim(), {1, 2}, 40}, {test::wrong_claim(), {2, 2}, 40}, {test::wrong_claim(), {2, 3}, 40}};
   plan.seed = 3;
-  const auto tallies = run_campaign(plan, no_progress());
+  const auto tallies = run_campaign(plan, no_progress()).tallies;
   std::size_t tried = 0;
   const auto found = refutations_in(plan.targets, tallies, plan.seed,
                                     [&tried](std::string_view, std::size_t, std::size_t) { ++tried; });
@@ -33,7 +33,7 @@ TEST(Refutations, are_one_for_each_conclusion_in_the_first_shape_where_it_is_vio
 TEST(Refutations, of_what_nothing_violates_are_none) {
   CampaignPlan plan;
   plan.targets = {{test::right_claim(), {1, 2}, 40}};
-  EXPECT_TRUE(refutations_in(plan.targets, run_campaign(plan, no_progress()), 0, no_progress()).empty());
+  EXPECT_TRUE(refutations_in(plan.targets, run_campaign(plan, no_progress()).tallies, 0, no_progress()).empty());
 }
 
 }  // namespace DELCERT_THIS_FILE
