@@ -71,8 +71,8 @@ ExitStatus write_report(const ReportOptions& options) {
       std::ranges::move(witness_items(file, shown_file(file)), std::back_inserter(items));
       continue;
     }
-    items.push_back(
-        certificate_page_item(file, options.is_checked ? std::optional(checked(file)) : std::optional<CheckRecord>()));
+    items.push_back(certificate_page_item(
+        file, options.is_checked ? [&file] { return checked(file); } : std::function<CheckRecord()>()));
     const nlohmann::ordered_json& check = items.back().data.at("check");
     if (!check.is_null()) statuses.push_back(static_cast<ExitStatus>(check.at("result").at("exit").get<int>()));
   }

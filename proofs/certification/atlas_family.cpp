@@ -25,7 +25,8 @@ class AtlasFamily final : public ChartFamily<m, FormulaAtlas<m>> {
   }
 
   void make_net(const NetSource& source, const Progress& progress) override {
-    this->take_atlas(FormulaAtlas<m>(gluing_, source.places<m>(*gluing_, progress), *source.radius));
+    auto places = source.places<m>(*gluing_, progress);  // first: refuses a source without a radius
+    this->take_atlas(FormulaAtlas<m>(gluing_, std::move(places), *source.radius));
     report.parameters.algorithm.separation = measure_separation<m>(*this->atlas_);
   }
 

@@ -23,7 +23,8 @@ class MetricFieldFamily final : public ChartFamily<m, MetricFieldAtlas<m>> {
   }
 
   void make_net(const NetSource& source, const Progress& progress) override {
-    this->take_atlas(MetricFieldAtlas<m>(field_, source.centres<m>(field_, progress), *source.radius));
+    auto centres = source.centres<m>(field_, progress);  // first: refuses a source without a radius
+    this->take_atlas(MetricFieldAtlas<m>(field_, std::move(centres), *source.radius));
     report.parameters.algorithm.separation = measure_separation<m>(*this->atlas_);
   }
 

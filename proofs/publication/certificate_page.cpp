@@ -36,9 +36,10 @@ ShownFile shown_file(const std::filesystem::path& path) {
   return {path.filename().string(), hash.digest()};
 }
 
-PageItem certificate_page_item(const std::filesystem::path& path, const std::optional<CheckRecord>& check) {
+PageItem certificate_page_item(const std::filesystem::path& path, const std::function<CheckRecord()>& check) {
   const CertificateSummary certificate = read_certificate(path);
-  PageItem item = certificate_item(certificate, shown_file(path), check);
+  PageItem item =
+      certificate_item(certificate, shown_file(path), check ? std::optional(check()) : std::optional<CheckRecord>());
   item.data["ledger"] = ledger_of(certificate);
   return item;
 }

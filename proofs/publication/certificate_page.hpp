@@ -1,7 +1,7 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
+#include <functional>
 
 #include "proofs/report/certificate_item.hpp"
 
@@ -10,9 +10,10 @@ namespace delcert {
 /// The name and the digest of a file. Throws InputError if it cannot be read.
 [[nodiscard]] ShownFile shown_file(const std::filesystem::path& path);
 
-/// The certificate in a file, for a page: with what the checker said, if it was asked, and with the paper's constants
-/// for its parameters (null where the paper does not speak of such parameters). Throws InputError if it cannot be read.
+/// The certificate in a file, for a page: with the answer of `check`, which is asked once the file has been read (if it
+/// is empty, the checker was not asked), and with the paper's constants for its parameters (null where the paper does
+/// not speak of such parameters). Throws InputError if the file cannot be read.
 [[nodiscard]] PageItem certificate_page_item(const std::filesystem::path& path,
-                                             const std::optional<CheckRecord>& check);
+                                             const std::function<CheckRecord()>& check);
 
 }  // namespace delcert

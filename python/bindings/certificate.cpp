@@ -142,9 +142,9 @@ class ReadCertificate {
 void write_page(const std::string& certificate, const std::string& checker, const std::string& date,
                 const std::string& result, const std::string& page) {
   apart([&] {
-    std::optional<CheckRecord> record;
-    if (!result.empty()) record = CheckRecord{checker, date, nlohmann::ordered_json::parse(result)};
-    write_file_atomically(page, html_page({certificate_page_item(certificate, record)}));
+    std::function<CheckRecord()> check;
+    if (!result.empty()) check = [&] { return CheckRecord{checker, date, nlohmann::ordered_json::parse(result)}; };
+    write_file_atomically(page, html_page({certificate_page_item(certificate, check)}));
   });
 }
 

@@ -14,10 +14,10 @@ ln -s "$program" bin/delcert
 export PATH=$work/bin:$PATH HOME=$work PARALLEL=-j2
 fail() { echo "FAILED: $*"; exit 1; }
 
-attack=("$source/examples/claims/circumradius-below-edge.toml" --shape "2,2" --shape "6,6" --samples 16000 --seed 4)
+attack=("$source/examples/claims/circumradius-below-edge.toml" --shape "2,2" --shape "6,6" --samples 64000 --seed 4)
 # Files that are not there cannot be killed: the killers wait for them.
-kill_writer found/part-3.jsonl 12 "$program" & third=$!
-kill_writer found/part-6.jsonl 13 "$program" & sixth=$!
+kill_writer found/part-3.jsonl 4 "$program" & third=$!
+kill_writer found/part-6.jsonl 5 "$program" & sixth=$!
 bash "$source/examples/campaigns/gnu-parallel.sh" 8 found "${attack[@]}" >table.txt 2>errors.txt
 status=$?
 cat errors.txt
@@ -25,7 +25,7 @@ cat errors.txt
 wait $third || fail "part 3 was not killed"
 wait $sixth || fail "part 6 was not killed"
 (($(grep -c '^{"writer"' found/part-3.jsonl) == 2)) || fail "part 3 did not go on"
-grep -q '^coverage: blocks 0 to 127, each once; 32000 samples$' table.txt || fail "coverage is not stated"
+grep -q '^coverage: blocks 0 to 511, each once; 128000 samples$' table.txt || fail "coverage is not stated"
 
 delcert attack "${attack[@]}" --witnesses single >single.txt
 # What the parts print, and the proof of coverage, come before the table.
@@ -40,6 +40,6 @@ cmp before.jsonl found/whole.jsonl || fail "another whole"
 # The twin: without a part the merge fails, and names what is missing.
 rm found/part-5.jsonl
 delcert campaign merge found/part-*.jsonl --output none.jsonl 2>missing.txt && fail "a part is missing, and nobody says so"
-grep -q 'block 4 (.*) is missing, and 15 others: .*; the first is of part 5/8' missing.txt || fail "$(cat missing.txt)"
+grep -q 'block 4 (.*) is missing, and 63 others: .*; the first is of part 5/8' missing.txt || fail "$(cat missing.txt)"
 [[ ! -e none.jsonl ]] || fail "a whole without a part"
 echo "passed"

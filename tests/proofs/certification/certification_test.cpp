@@ -59,15 +59,16 @@ TEST_F(Certification, of_every_family_writes_what_it_reports) {
     std::vector<std::string> levels;
     for (const auto& [name, entries] : certificate.levels) levels.push_back(name);
     EXPECT_EQ(levels, report.claims.names()) << member.manifold;
-    EXPECT_GT(levels.size(), 2U) << member.manifold;
+    EXPECT_GE(levels.size(), 2U) << member.manifold;
     EXPECT_FALSE(report.stages.empty());
   }
 }
 
 TEST_F(Certification, claims_no_more_than_is_asked_for) {
   CertifyOptions options = with_lattice(20);
-  options.levels = {"0", "1"};
-  EXPECT_EQ(run("torus-2", options).claims.names(), (std::vector<std::string>{"0", "1"}));
+  EXPECT_GT(run("torus-2", options).claims.names().size(), 3U);
+  options.levels = {"0", "1", "2"};
+  EXPECT_EQ(run("torus-2", options).claims.names(), (std::vector<std::string>{"0", "1", "2"}));
 }
 
 TEST_F(Certification, that_is_not_reached_is_refused_and_writes_nothing) {

@@ -53,7 +53,8 @@ TEST(WitnessPoints, are_there_for_every_class_that_has_points) {
       ASSERT_FALSE(set.points.empty()) << each->name();
       for (const auto& point : set.points) EXPECT_EQ(point.size(), set.points.front().size()) << each->name();
     }
-    EXPECT_FALSE(sets.empty()) << each->name();
+    // A run is told by its parameters, not by points.
+    EXPECT_EQ(sets.empty(), each->name() == "run") << each->name();
   }
 }
 
