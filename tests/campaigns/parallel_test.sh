@@ -3,6 +3,8 @@
 # attack gives; what is missing is named.
 set -uo pipefail
 program=$(readlink -f "$1") source=$2
+# What attacks is the program that delcert hands over to.
+writer=$(dirname "$program")/delcert-claims
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=tests/campaigns/kill_writer.sh
 . "$here/kill_writer.sh"
@@ -16,8 +18,8 @@ fail() { echo "FAILED: $*"; exit 1; }
 
 attack=("$source/examples/claims/circumradius-below-edge.toml" --shape "2,2" --shape "6,6" --samples 64000 --seed 4)
 # Files that are not there cannot be killed: the killers wait for them.
-kill_writer found/part-3.jsonl 4 "$program" & third=$!
-kill_writer found/part-6.jsonl 5 "$program" & sixth=$!
+kill_writer found/part-3.jsonl 4 "$writer" & third=$!
+kill_writer found/part-6.jsonl 5 "$writer" & sixth=$!
 bash "$source/examples/campaigns/gnu-parallel.sh" 8 found "${attack[@]}" >table.txt 2>errors.txt
 status=$?
 cat errors.txt

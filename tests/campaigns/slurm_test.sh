@@ -3,6 +3,8 @@
 # what a single attack gives; what is missing is named. As root, as slurmd asks for it.
 set -uo pipefail
 program=$(readlink -f "$1") source=$2
+# What attacks is the program that delcert hands over to.
+writer=$(dirname "$program")/delcert-claims
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=tests/campaigns/kill_writer.sh
 . "$here/kill_writer.sh"
@@ -27,8 +29,8 @@ attack=("$source/examples/claims/circumradius-below-edge.toml" --shape "2,2" --s
 array=$(sbatch --parsable --array=1-8 "$source/examples/campaigns/slurm-array.sh" found "${attack[@]}") || fail "sbatch"
 whole=$(sbatch --parsable --dependency=afterok:"$array" --output merge.txt \
   --wrap 'delcert campaign merge found/part-*.jsonl --output found/whole.jsonl') || fail "sbatch of the merge"
-kill_writer found/part-3.jsonl 25 "$program" & third=$!
-kill_writer found/part-6.jsonl 26 "$program" & sixth=$!
+kill_writer found/part-3.jsonl 25 "$writer" & third=$!
+kill_writer found/part-6.jsonl 26 "$writer" & sixth=$!
 wait_until 900 job_is_over "$array" || fail "the array does not end"
 wait $third || fail "part 3 was not killed"
 wait $sixth || fail "part 6 was not killed"

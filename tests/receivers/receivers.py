@@ -311,6 +311,8 @@ def name_of(certified):
     if certified.dimension not in (2, 3) or not certified.is_closed:
         return "–"
     found = simplified(certified)
+    if not found.isConnected():
+        return f"{found.countComponents()} components"
     if certified.dimension == 2:
         genus = 2 - found.eulerChar()
         return f"orientable, genus {genus // 2}" if found.isOrientable() else f"non-orientable, genus {genus}"
@@ -335,7 +337,8 @@ def comparisons(certified, reader):
         result += [("VTK", form, (), vtk_reads) for form in ("obj", "ply")]
     if m >= 2:
         result.append(("Regina", "regina", (), regina_reads))
-        if certified.is_closed:
+        # A signature is that of a connected complex.
+        if certified.is_closed and (not certified.groups or certified.groups[0] == (1, [])):
             result.append(("Regina", "isosig", ("--simplify",), regina_reads_signature))
     if m == 3 and certified.is_closed and certified.groups and certified.groups[3] == (1, []):
         result.append(("Regina", "snappea", ("--simplify",), regina_reads_snappea))
