@@ -542,10 +542,11 @@ std::vector<Forgery> submanifold_forgeries() {
       forged("a radius that is four times too large", "1.patch", certificate(circle, {"1", "2"}), with_one_radius(4)),
       forged("a radius for which points move too far", "5.fibre",
              certificate(given(circle_model(60, 1)), {"1f", "2", "5"}), with_one_radius(1.0 / 64)),
-      forged("a radius too small for the density", "4.density", certificate(circle, {"1", "2", "4", "5"}), [with_one_radius](Json& j) {
-        j["levels"]["4"]["density"] = text_of(0.086);  // enough with the radius of the others
-        with_one_radius(0.92)(j);
-      }),
+      forged("a radius too small for the density", "4.density", certificate(circle, {"1", "2", "4", "5"}),
+             [with_one_radius](Json& j) {
+               j["levels"]["4"]["density"] = text_of(0.086);  // enough with the radius of the others
+               with_one_radius(0.92)(j);
+             }),
       forged("another Euler characteristic", "2.count", round,
              [](Json& j) { j["levels"]["2"]["euler_characteristic"] = 2; }),
   };

@@ -22,13 +22,15 @@ const views = {
   "sphere-3": worst,
   "poincare-sphere": async () => {},
   "seifert-weber": async () => {},
-  "attack": async () => {},
+  // The third of several: a witness.
+  "several": async () => {},
 };
 for (const [name, arrange] of Object.entries(views)) {
-  const { page } = await browser.open(join(pages, `${name}.html`));
+  const { page } = await browser.open(join(pages, `${name}.html`), name === "several" ? "#3" : "");
   await arrange(page);
+  await page.evaluate(() => scrollTo(0, 0));
   await browser.drawn(page);
-  writeFileSync(join(images, `report-${name}.webp`), await webp(browser, await page.screenshot(), width, height));
+  writeFileSync(join(images, `report-${name === "several" ? "witness" : name}.webp`), await webp(browser, await page.screenshot(), width, height));
   await page.close();
 }
 await browser.close();
