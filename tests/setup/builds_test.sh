@@ -2,14 +2,8 @@
 # What building costs is said as it was measured: the table of docs/performance.md and what ./run reads are those of
 # bench/builds.json, and changed ones are noticed.
 set -uo pipefail
-project=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-failures=0
-fail() {
-  failures=$((failures + 1))
-  echo "FAILED: $*"
-}
+# shellcheck source=tests/setup/complaints.sh
+. "$(dirname "${BASH_SOURCE[0]}")/complaints.sh"
 
 "$project/bench/builds.py" check || fail "the table of builds is stale: bench/builds.py render"
 
@@ -34,5 +28,4 @@ changed "a page without its place" docs/performance.md 's/<!-- builds -->//' "ha
 # What a first ./run says is of that file.
 grep -qE '^delcert [0-9]+ [0-9]+$' "$project/cmake/build-costs.tsv" || fail "cmake/build-costs.tsv has no line of delcert"
 
-echo "$failures failures"
-exit $((failures > 0))
+finish

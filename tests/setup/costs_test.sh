@@ -2,15 +2,9 @@
 # costs_test.sh BUILD: the tables of costs are those that were measured with these programs, and tables that are not are
 # noticed.
 set -uo pipefail
-project=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+# shellcheck source=tests/setup/complaints.sh
+. "$(dirname "${BASH_SOURCE[0]}")/complaints.sh"
 build=$1
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-failures=0
-fail() {
-  failures=$((failures + 1))
-  echo "FAILED: $*"
-}
 
 "$project/bench/costs.py" check --build "$build" || fail "the tables are stale: bench/costs.py measure"
 
@@ -35,5 +29,4 @@ changed "other decisions" bench/costs.json '0,/"perturb": [0-9]*,$/s//"perturb":
 changed "other decisions of the checker" bench/costs.json '0,/"intervals": [0-9]*/s//"intervals": 7/' "check/decisions/intervals: recorded 7"
 changed "other points" bench/costs.json '0,/"content": "[0-9a-f]/s//"content": "x/' "content: recorded x"
 
-echo "$failures failures"
-exit $((failures > 0))
+finish

@@ -1,10 +1,8 @@
 #!/usr/bin/env bash
 # The functions of cmake/setup.sh on machines made of a few fake commands: what is installed, by whom, and what is said.
 set -uo pipefail
-project=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-failures=0
+# shellcheck source=tests/setup/complaints.sh
+. "$(dirname "${BASH_SOURCE[0]}")/complaints.sh"
 
 # machine NAME: an empty folder of commands, with those that any machine has.
 machine() {
@@ -221,5 +219,4 @@ expect "no package stands twice in the list" '[[ -z $duplicates ]]'
 malformed=$(grep -vE '^#|^(check|run|test|package|python|deep)\?? +[a-z0-9.+-]+ +[A-Za-z]' "$project/cmake/debian-packages.txt")
 expect "every line of the list has a purpose, a package and a description" '[[ -z $malformed ]]'
 
-echo "$failures failures"
-exit $((failures > 0))
+finish

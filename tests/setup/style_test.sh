@@ -1,14 +1,8 @@
 #!/usr/bin/env bash
 # style_test.sh: the style checks of ./test find what they are there for.
 set -uo pipefail
-project=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-failures=0
-fail() {
-  failures=$((failures + 1))
-  echo "FAILED: $*"
-}
+# shellcheck source=tests/setup/complaints.sh
+. "$(dirname "${BASH_SOURCE[0]}")/complaints.sh"
 
 cp "$project/.clang-format" "$project/.clang-tidy" "$work/"
 "$project/cmake/check-format.sh" "$work" 2>/dev/null && fail "a folder without C++ passes"
@@ -49,5 +43,4 @@ touch "$work/pages/docs/listed.md" "$work/pages/docs/forgotten.md"
 echo '[a](listed.md) [b](gone.md)' >"$work/pages/docs/README.md"
 [[ $(unlisted "$work/pages") == $'forgotten.md\ngone.md is no file' ]] || fail "the index of pages is not held to the pages"
 
-echo "$failures failures"
-exit $((failures > 0))
+finish
