@@ -39,11 +39,8 @@ template <int m>
 Claims derive_claims(const FormulaAtlas<m>& atlas, const RunParameters& parameters, const ChartRun<m>& run,
                      const AtlasMeasures<m>& measures, const LevelSelection& selection,
                      std::vector<std::string>& reasons) {
-  Derivation derivation{selection, reasons,
-                        [patch = atlas.patch_radius()](const Rational& reach) { return reach < patch; },
-                        parameters.algorithm.perturbation * atlas.sampling_radius()};
-  derivation.derive_stars(run);
-  derivation.derive_stability(measures.stability, run.margins.reach);
+  const Rational shift = parameters.algorithm.perturbation * atlas.sampling_radius();
+  Derivation derivation = derivation_in_patches<m>(atlas, run, measures.stability, shift, selection, reasons);
   if (!selects(selection, "5") || !derivation.claims.manifold || !measures.triangulation) return derivation.claims;
   const BlendedTriangulation<m>& triangulation = *measures.triangulation;
   if (triangulation.triangulates()) {

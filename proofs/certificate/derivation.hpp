@@ -39,4 +39,16 @@ struct Derivation {
   bool derive_margins(const LocalMargins& found);
 };
 
+/// Levels 1, 2 and 2s of a run in charts whose patches are balls of one radius; `shift` as there.
+template <int m, class Atlas>
+[[nodiscard]] Derivation derivation_in_patches(const Atlas& atlas, const ChartRun<m>& run,
+                                               const StarStability& stability, const Rational& shift,
+                                               const LevelSelection& selection, std::vector<std::string>& reasons) {
+  Derivation result{selection, reasons, [patch = atlas.patch_radius()](const Rational& reach) { return reach < patch; },
+                    shift};
+  result.derive_stars(run);
+  result.derive_stability(stability, run.margins.reach);
+  return result;
+}
+
 }  // namespace delcert

@@ -33,11 +33,8 @@ template <int m>
 Claims derive_claims(const MetricFieldAtlas<m>& atlas, const RunParameters& parameters,
                      const ChartDistortion& distortion, const ChartRun<m>& run, const MetricFieldMeasures& measures,
                      const LevelSelection& selection, std::vector<std::string>& reasons) {
-  Derivation derivation{selection, reasons,
-                        [patch = atlas.patch_radius()](const Rational& reach) { return reach < patch; },
-                        Rational(2) * parameters.algorithm.perturbation * atlas.sampling_radius()};
-  derivation.derive_stars(run);
-  derivation.derive_stability(measures.stability, run.margins.reach);
+  const Rational shift = Rational(2) * parameters.algorithm.perturbation * atlas.sampling_radius();
+  Derivation derivation = derivation_in_patches<m>(atlas, run, measures.stability, shift, selection, reasons);
   Claims& claims = derivation.claims;
   if (selects(selection, "4") && claims.manifold)
     claim_delaunay(derivation, Dimension(m), distortion, measures.triangulation, atlas.sampling_radius());

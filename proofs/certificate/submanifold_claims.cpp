@@ -173,11 +173,8 @@ template <int m>
 Claims derive_claims(const SubmanifoldAtlas<m>& atlas, const RunParameters& parameters, const ChartRun<m>& run,
                      const SubmanifoldMeasures<m>& measures, const LevelSelection& selection,
                      std::vector<std::string>& reasons) {
-  Derivation derivation{selection, reasons,
-                        [patch = atlas.patch_radius()](const Rational& reach) { return reach < patch; },
-                        parameters.algorithm.perturbation * atlas.sampling_radius()};
-  derivation.derive_stars(run);
-  derivation.derive_stability(measures.stability, run.margins.reach);
+  const Rational shift = parameters.algorithm.perturbation * atlas.sampling_radius();
+  Derivation derivation = derivation_in_patches<m>(atlas, run, measures.stability, shift, selection, reasons);
   Claims& claims = derivation.claims;
   claim_graph<m>(measures.triangulation, atlas.sampling_radius(), selection, claims, reasons);
   if (claims.triangulation) {
