@@ -220,22 +220,28 @@ def load(folder):
     return entries
 
 
-def main():
+def arguments_of(description, table):
+    """The arguments of a program that compares the errata with the paper, or with a list, the file `table` beside this one."""
     here = pathlib.Path(__file__).resolve().parent
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(description=description.splitlines()[0])
     parser.add_argument("--paper", help="the LaTeX file")
-    parser.add_argument("--write", action="store_true", help="write the list of quotations anew")
+    parser.add_argument("--write", action="store_true", help="write the list anew, from the paper")
     parser.add_argument("--errata", default=here.parent / "errata", help="the folder of the entries")
-    parser.add_argument("--list", default=here / "quotations.tsv", help="the list")
+    parser.add_argument("--list", default=here / table, help="the list")
     arguments = parser.parse_args()
+    if arguments.write and not arguments.paper:
+        parser.error("--write needs --paper")
+    return arguments
+
+
+def main():
+    arguments = arguments_of(__doc__, "quotations.tsv")
     entries, table = load(pathlib.Path(arguments.errata)), pathlib.Path(arguments.list)
     paper = Paper(pathlib.Path(arguments.paper).read_text(encoding="utf-8")) if arguments.paper else None
     known = None
     if not arguments.write:
         known = [tuple(row.split("\t")) for row in table.read_text(encoding="utf-8").splitlines()]
     rows, complaints = check(entries, known, paper)
-    if arguments.write and not paper:
-        complaints.append("--write needs --paper")
     if arguments.write and not complaints:
         table.write_text("".join("\t".join(row) + "\n" for row in rows), encoding="utf-8")
     for complaint in complaints:

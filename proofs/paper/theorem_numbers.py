@@ -8,12 +8,11 @@ to. With --paper the numbers are counted there, as LaTeX counts them, and compar
 with --write the list is written anew. Without, the list decides. Exit status 1 if a number is wrong.
 """
 
-import argparse
 import pathlib
 import re
 import sys
 
-from quotations import load
+from quotations import arguments_of, load
 
 
 def theorem_environments(paper):
@@ -71,15 +70,7 @@ def check(entries, numbers):
 
 
 def main():
-    here = pathlib.Path(__file__).resolve().parent
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--paper", help="the LaTeX file")
-    parser.add_argument("--write", action="store_true", help="write the list of numbers anew")
-    parser.add_argument("--errata", default=here.parent / "errata", help="the folder of the entries")
-    parser.add_argument("--list", default=here / "theorem_numbers.tsv", help="the list")
-    arguments = parser.parse_args()
-    if arguments.write and not arguments.paper:
-        parser.error("--write needs --paper")
+    arguments = arguments_of(__doc__, "theorem_numbers.tsv")
     table, complaints = pathlib.Path(arguments.list), []
     if arguments.paper:
         counted = numbers_of(pathlib.Path(arguments.paper).read_text(encoding="utf-8"))
