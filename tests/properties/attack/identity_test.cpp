@@ -12,18 +12,7 @@ namespace DELCERT_THIS_FILE {
 TEST(Identity, changes_with_whatever_an_attack_depends_on) {
   const Claim claim = test::right_claim();
   std::set<std::string> contents{contents_of(claim, {2, 2}), contents_of(claim, {2, 3}), contents_of(claim, {1, 2})};
-  const auto add = [&](auto change) {
-    Claim changed = claim;
-    change(changed);
-    contents.insert(contents_of(changed, {2, 2}));
-  };
-  add([](Claim& changed) { changed.name += "r"; });
-  add([](Claim& changed) { changed.instance += "s"; });
-  add([](Claim& changed) { changed.parameters.at("eta").upper = Rational(2); });
-  add([](Claim& changed) { changed.parameters.at("eta").has_lower = true; });
-  add([](Claim& changed) { changed.hypotheses.clear(); });
-  add([](Claim& changed) { changed.hypotheses[0].text += " "; });
-  add([](Claim& changed) { changed.conclusions[0].text += " "; });
+  for (const Claim& changed : test::changes_of_right_claim()) contents.insert(contents_of(changed, {2, 2}));
   EXPECT_EQ(contents.size(), 10U);
   EXPECT_EQ(contents_of(claim, {2, 2}), contents_of(test::right_claim(), {2, 2}));
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "proofs/formula/simplex_object.hpp"
 #include "properties/attack/claim_library.hpp"
@@ -29,6 +30,20 @@ inline Claim right_claim() {
                                "[[show]]\nname = \"radius\"\n"
                                "claim = \"eta*circumradius(s) <= longest_edge(s)/(2*thickness(s)) and k <= 2\"\n"
                                "twin = \"eta*circumradius(s) <= longest_edge(s)/4\"\n");
+}
+
+/// `right_claim` with one thing changed on which attacks depend, each time another: seven claims.
+inline std::vector<Claim> changes_of_right_claim() {
+  std::vector<Claim> result;
+  const auto add = [&result](auto change) { change(result.emplace_back(right_claim())); };
+  add([](Claim& changed) { changed.name += "r"; });
+  add([](Claim& changed) { changed.instance += "s"; });
+  add([](Claim& changed) { changed.parameters.at("eta").upper = Rational(2); });
+  add([](Claim& changed) { changed.parameters.at("eta").has_lower = true; });
+  add([](Claim& changed) { changed.hypotheses.clear(); });
+  add([](Claim& changed) { changed.hypotheses[0].text += " "; });
+  add([](Claim& changed) { changed.conclusions[0].text += " "; });
+  return result;
 }
 
 inline ObjectPointer triangle(const Rational& x, const Rational& y) {
