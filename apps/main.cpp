@@ -33,7 +33,7 @@ ExitStatus usage_error(const std::string& message) {
   return ExitStatus::usage;
 }
 
-/// Which subcommand was probably meant, where the first argument is none.
+/// Names the subcommand that was probably meant, if the first argument is not one.
 std::string hint_for(const CLI::App& program, const std::vector<std::string>& arguments) {
   if (arguments.empty() || arguments[0].starts_with('-')) return "";
   std::vector<std::string> names;

@@ -138,7 +138,8 @@ struct Certificate {
   double greatest_unit() const { return greatest_unit_; }
   /// Of an affine chart: the entries on and above the diagonal of the matrix of a label, row by row.
   std::vector<Rational> chart_entries(Label i) const;
-  /// On an atlas: the number of the chart in which the chart of a label is; as many as there are charts if it is none.
+  /// On an atlas: the number of the chart that contains the chart of a label; the number of charts if no chart contains
+  /// it.
   std::size_t home_chart(Label i) const;
   /// On a space form, a metric field, an atlas or a submanifold: within rho epsilon + 2 (circumradius) + protection of
   /// p_i is what level 1 looks at.

@@ -21,7 +21,7 @@ std::unique_ptr<ApproximateManifold> manifold_of_family(const CertificateSummary
   for (const char* linear : {"flat-torus", "euclidean-ball", "spherical", "flat", "hyperbolic", "metric-field"}) {
     if (family == linear) return std::make_unique<LinearManifold>(certificate);
   }
-  throw InputError("manifold: family is none that this version draws");
+  throw InputError("manifold: this version does not draw the family");
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ ChartManifold::ChartManifold(const CertificateSummary& certificate)
   for (std::size_t label = 0; label < certificate.points.size(); ++label) {
     std::vector<double> chart = doubles_of(certificate.charts[label]);
     if (chart.size() != 1 + m_ * (m_ + 1) / 2 || !(chart[0] >= 0 && chart[0] < static_cast<double>(fields_.size())))
-      throw InputError("charts: that of label " + std::to_string(label) + " is none");
+      throw InputError("charts: label " + std::to_string(label) + " has no chart of the atlas");
     homes_.push_back(static_cast<std::uint32_t>(chart[0]));
     chart.erase(chart.begin());
     matrices_.push_back(std::move(chart));

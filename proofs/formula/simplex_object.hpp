@@ -70,7 +70,7 @@ class PointObject : public Object {
   std::vector<Rational> coordinates_;
 };
 
-/// Exact numbers as JSON text and back; throw InputError for what is none, naming `where`.
+/// Exact numbers as JSON text and back; throw InputError for a text that is not a number, naming `where`.
 [[nodiscard]] nlohmann::ordered_json json_of(const std::vector<Rational>& numbers);
 [[nodiscard]] std::vector<Rational> rationals_from(const nlohmann::ordered_json& json, const std::string& where);
 

@@ -52,7 +52,7 @@ def at_least(square, length):
 
 
 def unfit(certificate):
-    """Why a certificate is none that this is about; empty if it is."""
+    """The reason why the argument does not apply to a certificate; empty if it applies."""
     manifold, parameters, levels = certificate["manifold"], certificate["parameters"], certificate["levels"]
     if manifold.get("family") != "flat-torus" or [[number(one) for one in row] for row in manifold["gram"]] != [[1, 0], [0, 1]]:
         return "not the square torus"

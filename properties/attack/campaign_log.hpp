@@ -43,8 +43,8 @@ struct CampaignRecord {
 };
 
 /// Reads a log without writing to it. Throws InputError, beginning with "FILE:LINE: ", for a line that is broken or
-/// does not fit those before it, for a block that is not of the campaign or of the log's part, or is there twice, and
-/// for records that are none.
+/// does not fit the lines before it, for a block that does not belong to the campaign or to the log's part, for a block
+/// that occurs twice, and for a line that is not a record.
 [[nodiscard]] CampaignRecord read_campaign(const std::filesystem::path& path);
 
 /// The log of a campaign, to go on from and to write to: a first line that says what is attacked, a line for each

@@ -75,8 +75,8 @@ struct CampaignPlan {
 /// shapes, sizes of blocks. Campaigns of the same digest draw the same sample from the same number.
 [[nodiscard]] std::string digest_of(const CampaignPlan& plan);
 
-/// The first line of its log, and the plan without log and threads that a first line tells of. Throws InputError or
-/// nlohmann::json::exception for a line that is none, and for one whose digest is not that of what it says.
+/// The first line of the log of a plan, and back: the plan that a first line describes, without log and threads. Throws
+/// InputError or nlohmann::json::exception if the line does not describe a plan or its digest does not fit.
 [[nodiscard]] nlohmann::ordered_json header_of(const CampaignPlan& plan);
 [[nodiscard]] CampaignPlan plan_from(const nlohmann::ordered_json& header);
 

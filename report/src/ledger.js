@@ -8,7 +8,7 @@ const words = (key) => key.replaceAll("_", " ");
 /** A positive number as a power of 2. */
 const asPower = (number) => `2^${decimal(Math.log2(number), 4)}`;
 
-/** Nothing where the parameters are none that the paper speaks of. */
+/** Null if the paper does not treat these parameters. */
 export function ledgerSection({ header, check, ledger }) {
   if (!ledger) return null;
   const { protection } = ledger, one = header.levels_claimed["1"];

@@ -107,6 +107,6 @@ add_test(NAME cli.mesh COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/me
 add_test(NAME cli.mesh_manifold COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/mesh_manifold.py
   $<TARGET_FILE:delcert> $<TARGET_FILE:delcert-check>)
 set_tests_properties(cli.mesh cli.mesh_manifold PROPERTIES TIMEOUT 600)
-# Files of manifolds that are none, or are written wrongly.
+# Files that do not describe a manifold, or are malformed.
 add_test(NAME cli.wrong-manifolds COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/wrong_manifolds.py $<TARGET_FILE:delcert>)
 set_tests_properties(cli.wrong-manifolds PROPERTIES TIMEOUT 1200)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""wrong_manifolds.py DELCERT: files of manifolds that are none, or that are written wrongly. `delcert certify` ends soon with the exit
-status of each – 1 what is said is not so, 2 undecided, 3 malformed – and a sentence that says where; it writes nothing."""
+"""wrong_manifolds.py DELCERT: files that do not describe a manifold, or are malformed. For each, `delcert certify` ends soon with its exit
+status – 1 for a false statement, 2 for undecided, 3 for malformed – and a sentence that says where; it writes nothing."""
 
 import re
 import subprocess
