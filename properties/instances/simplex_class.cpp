@@ -17,7 +17,7 @@ class SimplexClass : public InstanceClass {
 
   std::optional<Instance> draw(const Shape& shape, const Bindings& given, const Limits&,
                                Choices& choices) const override {
-    // So that the least altitude mostly belongs to another vertex, as eq:upper.bnd.small.sing wants it.
+    // So that the least altitude mostly belongs to another vertex, as eq:upper.bnd.small.sing assumes.
     const bool orders = choices.happens(0.75);
     auto points = random_simplex(shape, choices);
     if (!points) return std::nullopt;

@@ -91,7 +91,7 @@ export function counted(number, one, many) {
   return `${count(number)}\u00a0${number === 1 ? one : many}`;
 }
 
-/** A double as a reader wants it: `digits` significant digits. */
+/** A double with `digits` significant digits. */
 export function decimal(number, digits = 4) {
   if (number === null || number === undefined || Number.isNaN(number)) return "–";
   const text = Number(number).toPrecision(digits);

@@ -21,7 +21,7 @@ TEST(PaperLabels, are_mapped_in_the_docs_as_in_the_library) {
   std::ifstream stream(std::filesystem::path(DELCERT_SOURCE_DIR) / "docs/paper-to-code.md");
   const std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
   EXPECT_NE(text.find(paper_to_code(builtin_claim_list())), std::string::npos)
-      << "docs/paper-to-code.md wants this table:\n"
+      << "docs/paper-to-code.md should have this table:\n"
       << paper_to_code(builtin_claim_list());
 }
 
