@@ -5,6 +5,7 @@
 #include <concepts>
 #include <utility>
 
+#include "kernel/number/dyadic_arithmetic.hpp"
 #include "kernel/number/verdict.hpp"
 
 namespace delcert {
@@ -42,24 +43,15 @@ class Rational {
   [[nodiscard]] const Wrapped& wrapped() const { return value_; }
   [[nodiscard]] mpq_srcptr gmp() const { return value_.backend().data(); }
 
-  friend Rational operator+(const Rational& a, const Rational& b) { return Rational(Wrapped(a.value_ + b.value_)); }
-  friend Rational operator-(const Rational& a, const Rational& b) { return Rational(Wrapped(a.value_ - b.value_)); }
-  friend Rational operator*(const Rational& a, const Rational& b) { return Rational(Wrapped(a.value_ * b.value_)); }
+  friend Rational operator+(const Rational& a, const Rational& b) { return a.combined<add_exactly>(b); }
+  friend Rational operator-(const Rational& a, const Rational& b) { return a.combined<subtract_exactly>(b); }
+  friend Rational operator*(const Rational& a, const Rational& b) { return a.combined<multiply_exactly>(b); }
   /// Throws std::domain_error if b is 0.
   friend Rational operator/(const Rational& a, const Rational& b) { return a.divided_by(b); }
   friend Rational operator-(const Rational& a) { return Rational(Wrapped(-a.value_)); }
-  Rational& operator+=(const Rational& b) {
-    value_ += b.value_;
-    return *this;
-  }
-  Rational& operator-=(const Rational& b) {
-    value_ -= b.value_;
-    return *this;
-  }
-  Rational& operator*=(const Rational& b) {
-    value_ *= b.value_;
-    return *this;
-  }
+  Rational& operator+=(const Rational& b) { return *this = *this + b; }
+  Rational& operator-=(const Rational& b) { return *this = *this - b; }
+  Rational& operator*=(const Rational& b) { return *this = *this * b; }
   Rational& operator/=(const Rational& b) { return *this = *this / b; }
 
   friend bool operator==(const Rational& a, const Rational& b) { return a.value_ == b.value_; }
@@ -77,6 +69,12 @@ class Rational {
   friend Verdict is_zero(const Rational& a) { return verdict_of(a.value_.is_zero()); }
 
  private:
+  template <auto operation>
+  [[nodiscard]] Rational combined(const Rational& other) const {
+    Rational result;
+    operation(result.value_.backend().data(), gmp(), other.gmp());
+    return result;
+  }
   [[nodiscard]] Rational divided_by(const Rational& divisor) const;
   Wrapped value_;
 };

@@ -10,12 +10,20 @@ long Choices::between(long first, long last) {
   return std::min(last, first + static_cast<long>(std::floor(unit() * width)));
 }
 
-Rational Choices::fraction(unsigned bits) {
-  return Rational(static_cast<long>(std::floor(std::ldexp(unit(), static_cast<int>(bits))))) *
-         Rational::power_of_two(-static_cast<long>(bits));
+namespace {
+
+/// The multiple of 2^−bits that is not above a number in [0, 1): without an error, since doubles have 53 digits.
+double rounded_to_bits(double unit, unsigned bits) {
+  const int exponent = static_cast<int>(bits);
+  return std::ldexp(std::floor(std::ldexp(unit, exponent)), -exponent);
 }
 
-Rational Choices::symmetric(unsigned bits) { return fraction(bits + 1) * Rational(2) - Rational(1); }
+}  // namespace
+
+Rational Choices::fraction(unsigned bits) { return Rational::exactly(rounded_to_bits(unit(), bits)); }
+
+// A number of [0, 1) in 53 digits, doubled, less 1, has 53 digits too.
+Rational Choices::symmetric(unsigned bits) { return Rational::exactly(2 * rounded_to_bits(unit(), bits + 1) - 1); }
 
 double GivenChoices::unit() {
   constexpr double largest = 0x1.fffffffffffffp-1;

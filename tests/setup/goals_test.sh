@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# The aims of docs/performance.md are told as they were measured: the table is that of bench/goals.json, changed ones are noticed,
+# and a line is bold only where the aim is met.
+set -uo pipefail
+# shellcheck source=tests/setup/complaints.sh
+. "$(dirname "${BASH_SOURCE[0]}")/complaints.sh"
+
+"$project/bench/goals.py" check || fail "the table of aims is stale: bench/goals.py render"
+
+copy() {
+  rm -rf "$work/copy"
+  mkdir -p "$work/copy/bench" "$work/copy/docs"
+  cp "$project/docs/performance.md" "$work/copy/docs/"
+  cp "$project/bench/goals.json" "$project/bench/costs.json" "$work/copy/bench/"
+}
+
+# changed TITLE FILE EXPRESSION: a copy with one change in a file must be refused.
+changed() {
+  copy
+  sed -i "$3" "$work/copy/$2"
+  ! cmp -s "$work/copy/$2" "$project/$2" || fail "$1: nothing was changed"
+  "$project/bench/goals.py" check --root "$work/copy" >"$work/log" 2>&1 && fail "$1 passes"
+  grep -q "performance.md" "$work/log" || fail "$1: it says $(cat "$work/log")"
+}
+changed "a figure changed by hand" docs/performance.md '/<!-- goals -->/,/<!-- goals: end -->/s/ | 5 | / | 6 | /'
+changed "another measurement" bench/goals.json '0,/"load": [0-9.]*/s//"load": 77/'
+changed "other programs" bench/costs.json 's/"content": "/"content": "0/'
+changed "a page without its place" docs/performance.md 's/<!-- goals -->//'
+
+# A median on the wrong side of what is asked is not bold, one on the right side is.
+copy
+python3 - "$work/copy/bench/goals.json" <<'END' || fail "the record has no such lines"
+import json, sys
+record = json.load(open(sys.argv[1]))
+for name, figure in (("cgal", 1000.0), ("check torus-2", 0.001), ("threads attack", 0.5)):
+    record[name]["figures"] = [figure] * 5
+json.dump(record, open(sys.argv[1], "w"))
+END
+"$project/bench/goals.py" render --root "$work/copy"
+grep -q "periodic triangulation.* | 1e+03 |" "$work/copy/docs/performance.md" || fail "an aim that is missed is not told"
+grep -qF '| **0.001** |' "$work/copy/docs/performance.md" || fail "an aim that is met is not bold"
+grep -q "attack on.* | 0.5 |" "$work/copy/docs/performance.md" || fail "a speed-up that is missed is not told"
+
+finish
