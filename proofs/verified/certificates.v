@@ -175,8 +175,28 @@ Definition check_simplex (d : certificate) (g : hints) (k : positive) (s : simpl
       check_inside d g h s vertices
   end.
 
+(** In lexicographic order, which no vector is before itself. *)
+Fixpoint is_before (x y : list positive) : bool :=
+  match x, y with
+  | [], _ :: _ => true
+  | a :: x', b :: y' => Pos.ltb a b || (Pos.eqb a b && is_before x' y')
+  | _, [] => false
+  end.
+
+Fixpoint increases (x : list positive) : bool :=
+  match x with a :: ((b :: _) as x') => Pos.ltb a b && increases x' | _ => true end.
+
+(** The labels of a simplex increase, and those of the simplex before it in the list are smaller. *)
+Definition check_labels (d : certificate) (k : positive) (s : simplex) : bool :=
+  increases (map fst s) &&
+  (Pos.eqb k 1 ||
+   match PositiveMap.find (Pos.pred k) (simplices d) with
+   | Some s' => is_before (map fst s') (map fst s)
+   | None => false
+   end).
+
 (** A certificate is accepted if it is right and the hints show it. *)
 Definition check (d : certificate) (h : hints) : bool :=
   (0 <? period d) && (0 <? cells h) && negb (PositiveMap.is_empty (simplices d)) &&
   check_metric d h && for_all_entries (points d) (check_point d h) &&
-  for_all_entries (simplices d) (check_simplex d h).
+  for_all_entries (simplices d) (check_labels d) && for_all_entries (simplices d) (check_simplex d h).

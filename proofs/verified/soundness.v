@@ -115,7 +115,8 @@ Let metric := map real (gram d).
 
 Lemma rules :
   (0 < period d)%Z /\ (0 < cells g)%Z /\ PositiveMap.is_empty (simplices d) = false /\ check_metric d g = true /\
-  for_all_entries (points d) (check_point d g) = true /\ for_all_entries (simplices d) (check_simplex d g) = true.
+  for_all_entries (points d) (check_point d g) = true /\ for_all_entries (simplices d) (check_simplex d g) = true /\
+  for_all_entries (simplices d) (check_labels d) = true.
 Proof.
   pose proof accepted as C. unfold check in C. repeat (apply andb_prop in C as [C ?]).
   repeat split; try assumption; try (apply Z.ltb_lt; assumption). apply negb_true_iff; assumption.
@@ -124,7 +125,7 @@ Qed.
 Let period_positive : (0 < period d)%Z := proj1 rules.
 Let cells_positive : (0 < cells g)%Z := proj1 (proj2 rules).
 Let points_right := proj1 (proj2 (proj2 (proj2 (proj2 rules)))).
-Let simplices_right := proj2 (proj2 (proj2 (proj2 (proj2 rules)))).
+Let simplices_right := proj1 (proj2 (proj2 (proj2 (proj2 (proj2 rules))))).
 
 (** * Lifted simplices with their hints *)
 
@@ -622,10 +623,99 @@ Qed.
 
 End Soundness.
 
+(** * Labels *)
+
+Section Labels.
+Variable d : certificate.
+Hypothesis ordered : for_all_entries (simplices d) (check_labels d) = true.
+
+Lemma before_is_transitive x y z : is_before x y = true -> is_before y z = true -> is_before x z = true.
+Proof.
+  revert y z; induction x as [| a x IH]; intros [| b y] [| c z] H K; try discriminate; auto.
+  simpl in *. apply orb_prop in H as [H | H]; apply orb_prop in K as [K | K].
+  - apply Pos.ltb_lt in H; apply Pos.ltb_lt in K. rewrite (proj2 (Pos.ltb_lt a c)) by lia; reflexivity.
+  - apply andb_prop in K as [K _]. apply Pos.ltb_lt in H; apply Pos.eqb_eq in K.
+    rewrite (proj2 (Pos.ltb_lt a c)) by lia; reflexivity.
+  - apply andb_prop in H as [H _]. apply Pos.eqb_eq in H; apply Pos.ltb_lt in K.
+    rewrite (proj2 (Pos.ltb_lt a c)) by lia; reflexivity.
+  - apply andb_prop in H as [H H']; apply andb_prop in K as [K K'].
+    apply Pos.eqb_eq in H; apply Pos.eqb_eq in K; subst b c.
+    rewrite Pos.eqb_refl, (IH y z H' K'), orb_true_r; reflexivity.
+Qed.
+
+Lemma before_is_irreflexive x : is_before x x = false.
+Proof. induction x as [| a x IH]; simpl; auto. rewrite Pos.ltb_irrefl, Pos.eqb_refl, IH; reflexivity. Qed.
+
+Lemma smaller_places_are_before k k' s s' :
+  (k < k')%positive -> PositiveMap.find k (simplices d) = Some s -> PositiveMap.find k' (simplices d) = Some s' ->
+  is_before (map fst s) (map fst s') = true.
+Proof.
+  revert s'; induction k' as [| k' IH] using Pos.peano_ind; intros s' L F F'; [lia |].
+  pose proof (for_all_entries_find _ _ _ _ ordered F') as C.
+  apply andb_prop in C as [_ C]. apply orb_prop in C as [C | C]; [apply Pos.eqb_eq in C; lia |].
+  rewrite Pos.pred_succ in C.
+  destruct (PositiveMap.find k' (simplices d)) as [s0 |] eqn:F0; [| discriminate].
+  destruct (Pos.eq_dec k k') as [-> | D].
+  - replace s with s0 by congruence. exact C.
+  - apply (before_is_transitive _ _ _ (IH s0 ltac:(lia) F eq_refl) C).
+Qed.
+
+Lemma increasing_head a x : increases (a :: x) = true -> forall b, In b x -> (a < b)%positive.
+Proof.
+  revert a; induction x as [| c x IH]; intros a H b I; [destruct I |].
+  cbn [increases] in H; apply andb_prop in H as [H1 H2]. apply Pos.ltb_lt in H1.
+  destruct I as [<- | I]; [exact H1 |]. specialize (IH c H2 b I); lia.
+Qed.
+
+Lemma increasing_tail a x : increases (a :: x) = true -> increases x = true.
+Proof. destruct x; [reflexivity |]. intros H; cbn [increases] in H; apply andb_prop in H; apply H. Qed.
+
+Lemma increasing_is_different x : increases x = true -> NoDup x.
+Proof.
+  induction x as [| a x IH]; intros H; constructor.
+  - intros I. pose proof (increasing_head a x H a I). lia.
+  - apply IH, (increasing_tail a), H.
+Qed.
+
+Lemma increasing_is_determined x y :
+  increases x = true -> increases y = true -> (forall j, In j x <-> In j y) -> x = y.
+Proof.
+  revert y; induction x as [| a x IH]; intros [| b y] Hx Hy E; auto.
+  - exfalso; apply (proj2 (E b)); left; reflexivity.
+  - exfalso; apply (proj1 (E a)); left; reflexivity.
+  - pose proof (increasing_head a x Hx) as Ax. pose proof (increasing_head b y Hy) as Ay.
+    assert (a = b).
+    { destruct (proj1 (E a) (or_introl eq_refl)) as [-> | I]; [reflexivity |].
+      destruct (proj2 (E b) (or_introl eq_refl)) as [-> | J]; [reflexivity |].
+      specialize (Ay a I); specialize (Ax b J); lia. }
+    subst b; f_equal. apply IH; try (apply (increasing_tail a); assumption).
+    intros j; split; intros I.
+    + destruct (proj1 (E j) (or_intror I)) as [<- | J]; [specialize (Ax a I); lia | exact J].
+    + destruct (proj2 (E j) (or_intror I)) as [<- | J]; [specialize (Ay a I); lia | exact J].
+Qed.
+
+Lemma labels_increase k s : PositiveMap.find k (simplices d) = Some s -> increases (map fst s) = true.
+Proof. intros F; pose proof (for_all_entries_find _ _ _ _ ordered F) as C; apply andb_prop in C; apply C. Qed.
+
+Theorem sets_of_labels_differ k k' s s' :
+  PositiveMap.find k (simplices d) = Some s -> PositiveMap.find k' (simplices d) = Some s' ->
+  (forall j, In j (map fst s) <-> In j (map fst s')) -> k = k'.
+Proof.
+  intros F F' E.
+  assert (H : map fst s = map fst s').
+  { apply increasing_is_determined; [apply (labels_increase k), F | apply (labels_increase k'), F' | exact E]. }
+  destruct (Pos.lt_total k k') as [L | [L | L]]; [exfalso | exact L | exfalso].
+  - pose proof (smaller_places_are_before k k' s s' L F F') as B. rewrite H, before_is_irreflexive in B; discriminate.
+  - pose proof (smaller_places_are_before k' k s' s L F' F) as B. rewrite H, before_is_irreflexive in B; discriminate.
+Qed.
+End Labels.
+
 (** What the program says is true. *)
 Theorem accepted_certificates_are_delaunay d g : check d g = true -> is_delaunay_triangulation d.
 Proof.
-  intros A; split.
+  intros A. pose proof (proj2 (proj2 (proj2 (proj2 (proj2 (proj2 (rules d g A))))))) as O. split.
+  - intros k s F. apply increasing_is_different, (labels_increase d O k s F).
+  - exact (sets_of_labels_differ d O).
   - exact (lifts_have_different_places d g A).
   - exact (barycentric_coordinates d g A).
   - exact (every_point_is_covered d g A).

@@ -36,6 +36,9 @@ Definition is_empty_ball_of (t : list vertex) (c : vector) (r : R) : Prop :=
 
 (** The lifted simplices are the Delaunay triangulation of the lifts, in the metric of the certificate. *)
 Record is_delaunay_triangulation : Prop := {
+  labels_are_different : forall k s, PositiveMap.find k (simplices d) = Some s -> NoDup (map fst s);
+  label_sets_are_different : forall k k' s s', PositiveMap.find k (simplices d) = Some s ->
+    PositiveMap.find k' (simplices d) = Some s' -> (forall j, In j (map fst s) <-> In j (map fst s')) -> k = k';
   lifts_are_points : forall v v', is_lift v -> is_lift v' -> place v = place v' -> v = v';
   simplices_are_independent : forall t x, is_lifted_simplex t -> length x = dimension d ->
     exists w, (length w = length t /\ total w = 1 /\ x = combination w (map place t)) /\
