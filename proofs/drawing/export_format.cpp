@@ -6,6 +6,7 @@
 
 #include "proofs/drawing/complex_formats.hpp"
 #include "proofs/drawing/drawing_json.hpp"
+#include "proofs/drawing/lattice_format.hpp"
 #include "proofs/drawing/mesh_formats.hpp"
 #include "proofs/drawing/surface_formats.hpp"
 #include "support/error.hpp"
@@ -57,6 +58,7 @@ const std::vector<ExportFormat>& export_formats() {
        isosig_text},
       {"snappea", "SnapPea's triangulation file", false, [](Summary c) { require_dimension(c, 3, 3, "snappea"); },
        snappea_text},
+      {"lattice", "a flat torus in integers, exactly (delcert-verified)", false, require_lattice, lattice_text},
   };
   return formats;
 }
