@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "kernel/manifold/submanifold/spectral_norm.hpp"
+
 namespace delcert {
 
 namespace {
@@ -68,15 +70,15 @@ double GraphSimplexCheck<m>::lateral(std::uint32_t i, std::uint32_t v) const {
   std::array<Interval, most_entries> w;
   fibre(v, w.data());
   const EnclosedChart<Interval>& chart = vertices_.charts[i].enclosed();
-  Interval squared(0);
+  std::array<Interval, most_entries> along;
   for (std::size_t row = 0; row < m; ++row) {
     for (std::size_t column = 0; column < q_; ++column) {
       Interval sum(0);
       for (std::size_t axis = 0; axis < n_; ++axis) sum += chart.at(axis, row) * w[axis * q_ + column];
-      squared += square(sum);
+      along[row * q_ + column] = sum;
     }
   }
-  return square_root(squared).upper();
+  return spectral_norm({along.data(), m * q_}, q_).upper();
 }
 
 template <int m>
@@ -126,17 +128,18 @@ bool GraphSimplexCheck<m>::enclose_derivatives(const LabelSimplex<m>& simplex, d
 template <int m>
 double GraphSimplexCheck<m>::defect(const DerivativeHull& hull, std::size_t w) const {
   const Interval* fibre = &fibres_[w * n_ * q_];
+  const Interval spread = hull.spread * spectral_norm({fibre, n_ * q_}, q_);
   double result = 0;
   for (const Dense<Interval>& j : hull.matrices) {
-    Interval squared(0);
+    std::array<Interval, most_entries> rest;
     for (std::size_t row = 0; row < q_; ++row) {
       for (std::size_t column = 0; column < q_; ++column) {
         Interval sum(row == column ? 1 : 0);
         for (std::size_t axis = 0; axis < n_; ++axis) sum -= j[row * n_ + axis] * fibre[axis * q_ + column];
-        squared += square(sum);
+        rest[row * q_ + column] = sum;
       }
     }
-    result = std::max(result, (square_root(squared) + hull.spread * norm_of({fibre, n_ * q_})).upper());
+    result = std::max(result, (spectral_norm({rest.data(), q_ * q_}, q_) + spread).upper());
   }
   return result;
 }
@@ -214,16 +217,16 @@ std::optional<double> GraphSimplexCheck<m>::contraction(std::size_t at, const La
   double slope = 0;
   double size = 0;
   for (const Dense<Interval>& j : hull(at).matrices) {
-    Interval squared(0);
+    std::array<Interval, most_entries> rise;
     for (std::size_t row = 0; row < q_; ++row) {
       for (std::size_t column = 0; column < m; ++column) {
         Interval sum(0);
         for (std::size_t axis = 0; axis < n_; ++axis) sum += j[row * n_ + axis] * lift[axis * m + column];
-        squared += square(sum);
+        rise[row * m + column] = sum;
       }
     }
-    slope = std::max(slope, square_root(squared).upper());
-    size = std::max(size, norm_of(j).upper());
+    slope = std::max(slope, spectral_norm({rise.data(), q_ * m}, m).upper());
+    size = std::max(size, spectral_norm(j, n_).upper());
   }
   // The derivative of W along the chart, one N×q matrix for each of its axes.
   Interval turn_squared(0);
@@ -251,7 +254,7 @@ std::optional<double> GraphSimplexCheck<m>::contraction(std::size_t at, const La
   measured.greatest_stretch = std::min(measured.greatest_stretch, longer.upper());
   double narrowest = std::numeric_limits<double>::infinity();
   for (std::size_t v = 0; v <= m; ++v)
-    narrowest = std::min(narrowest, norm_of({&fibres_[v * n_ * q_], n_ * q_}).upper());
+    narrowest = std::min(narrowest, spectral_norm({&fibres_[v * n_ * q_], n_ * q_}, q_).upper());
   measured.normal = std::min(measured.normal, (Interval::exactly(narrowest) * along / rest).upper());
   return result;
 }
@@ -278,7 +281,7 @@ GraphSimplex<m> GraphSimplexCheck<m>::measure(const LabelSimplex<m>& simplex, do
   double widest = 0;
   for (std::size_t w = 0; w <= m; ++w) {
     for (const DerivativeHull& one : hulls_) most_defect = std::max(most_defect, defect(one, w));
-    widest = std::max(widest, norm_of({&fibres_[w * n_ * q_], n_ * q_}).upper());
+    widest = std::max(widest, spectral_norm({&fibres_[w * n_ * q_], n_ * q_}, q_).upper());
   }
   if (!(most_defect < 1)) {
     fail(GraphCause::fibre);
