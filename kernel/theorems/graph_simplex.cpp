@@ -51,6 +51,7 @@ GraphSimplexCheck<m>::GraphSimplexCheck(const GraphVertices& vertices)
       q_(vertices.manifold.codimension()),
       evaluation_(vertices.manifold.evaluation()),
       hulls_(vertices.manifold.is_smooth() ? 1 : static_cast<std::size_t>(m) + 1),
+      sizes_(hulls_.size()),
       fibres_((m + 1) * q_ * n_) {}
 
 template <int m>
@@ -69,6 +70,11 @@ template <int m>
 double GraphSimplexCheck<m>::lateral(std::uint32_t i, std::uint32_t v) const {
   std::array<Interval, most_entries> w;
   fibre(v, w.data());
+  return lateral(i, w.data());
+}
+
+template <int m>
+double GraphSimplexCheck<m>::lateral(std::uint32_t i, const Interval* w) const {
   const EnclosedChart<Interval>& chart = vertices_.charts[i].enclosed();
   std::array<Interval, most_entries> along;
   for (std::size_t row = 0; row < m; ++row) {
@@ -120,6 +126,9 @@ bool GraphSimplexCheck<m>::enclose_derivatives(const LabelSimplex<m>& simplex, d
   }
   for (std::size_t at = 0; at < hulls_.size(); ++at) {
     if (!evaluation_->enclose(vertices_.charts[simplex[at]], places, displacement, hulls_[at])) return false;
+    sizes_[at] = 0;
+    for (const Dense<Interval>& j : hulls_[at].matrices)
+      sizes_[at] = std::max(sizes_[at], spectral_norm(j, n_).upper());
   }
   return true;
 }
@@ -203,7 +212,7 @@ std::optional<double> GraphSimplexCheck<m>::contraction(std::size_t at, const La
                                                         GraphSimplex<m>& measured) const {
   const Interval shift = Interval::exactly(measured.shift);
   double side = 0;
-  for (const std::uint32_t v : simplex) side = std::max(side, lateral(simplex[at], v));
+  for (std::size_t v = 0; v <= m; ++v) side = std::max(side, lateral(simplex[at], &fibres_[v * n_ * q_]));
   // D·Y⁻¹, N×m.
   std::array<Interval, most_entries> lift;
   for (std::size_t axis = 0; axis < n_; ++axis) {
@@ -215,7 +224,6 @@ std::optional<double> GraphSimplexCheck<m>::contraction(std::size_t at, const La
     }
   }
   double slope = 0;
-  double size = 0;
   for (const Dense<Interval>& j : hull(at).matrices) {
     std::array<Interval, most_entries> rise;
     for (std::size_t row = 0; row < q_; ++row) {
@@ -226,7 +234,6 @@ std::optional<double> GraphSimplexCheck<m>::contraction(std::size_t at, const La
       }
     }
     slope = std::max(slope, spectral_norm({rise.data(), q_ * m}, m).upper());
-    size = std::max(size, spectral_norm(j, n_).upper());
   }
   // The derivative of W along the chart, one N×q matrix for each of its axes.
   Interval turn_squared(0);
@@ -242,7 +249,7 @@ std::optional<double> GraphSimplexCheck<m>::contraction(std::size_t at, const La
   const Interval sideways = Interval::exactly(side);
   const Interval stretch = norm_of({lift.data(), n_ * m});
   const Interval along = Interval::exactly(slope) + hull(at).spread * stretch;
-  const Interval across = Interval(1) + sideways * (Interval::exactly(size) + hull(at).spread) / rest;
+  const Interval across = Interval(1) + sideways * (Interval::exactly(size_of(at)) + hull(at).spread) / rest;
   const double result = (sideways * along / rest + across * square_root(turn_squared) * shift).upper();
   if (!(result < greatest_contraction)) return std::nullopt;
   const Interval moved = Interval::exactly(result);

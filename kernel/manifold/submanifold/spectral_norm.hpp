@@ -8,9 +8,9 @@
 namespace delcert {
 
 /// max |Ax|, |x| ≤ 1, from above: the upper end is a bound for all matrices A, row by row, with entries in these
-/// intervals, never above the norm of Frobenius. With G = AᵀA or AAᵀ, whichever is smaller, and its trace t, it is
-/// (t·(tr (G/t)^64)^(1/64))^½: at most 64th root of the order of G times too large, under the root. Precondition: a
-/// `RoundingGuard`.
+/// intervals, and not above the norm of Frobenius. With G = AᵀA or AAᵀ, whichever is smaller, and its trace t, it is
+/// the root of t·(tr (G/t)^16)^(1/16), too large by k^(1/32) at most if G is k×k, and for k = 2 the root of the greater
+/// eigenvalue. Throws std::invalid_argument for k > 9. Precondition: a `RoundingGuard`.
 [[nodiscard]] Interval spectral_norm(std::span<const Interval> entries, std::size_t columns);
 
 }  // namespace delcert
