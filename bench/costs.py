@@ -27,6 +27,8 @@ import tempfile
 import time
 from pathlib import Path
 
+import stability_alone
+
 ROOT = Path(__file__).resolve().parent.parent
 MARK = re.compile(r"(<!-- costs: (?!end)([a-z0-9-]+) -->\n).*?(<!-- costs: end -->)", re.DOTALL)
 
@@ -78,6 +80,9 @@ ZERO_SETS = [Run(manifold, radius, 1, 2, cheap=manifold == "two-spheres")
                                       ("two-spheres", "1/17"), ("clifford-torus", "1/20")]]
 ZERO_SETS += [Run("trefoil", "1/26", 1, 2)]
 ZERO_SETS += [Run("sphere-3-in-r4", "1/11", 1, 2, long=True)]
+# In codimension 2 and 3, without the levels that are not reached at these radii.
+ZERO_SETS += [Run(manifold, radius, 1, 2, long=True, options=("--levels", "1,2,5"))
+              for manifold, radius in [("s2-x-s1", "1/6"), ("stiefel-2-3", "1/6"), ("torus-3-in-r6", "1/7")]]
 # Radii that vary.
 ZERO_SETS += [Run("ellipsoid", "1", 1, 2, cheap=True, options=("--sizing", "curvature:3/20,1/10")),
               Run("tanglecube", "1", 1, 2, options=("--sizing", "curvature:1/10,1/10")),
@@ -122,7 +127,7 @@ def timed(command):
                                         "mib": round(peak / 1024)}
 
 
-def of_zero_set(report):
+def of_zero_set(report, document):
     """What a table says of a submanifold besides: margins of levels, in sampling radii where they are lengths."""
     levels = report["levels"]
     if report["manifold"]["family"] != "submanifold" or "5" not in levels:
@@ -134,6 +139,7 @@ def of_zero_set(report):
                          "delaunay": levels.get("4", {}).get("metric"),
                          "normal": metric and metric["normal"]["value"],
                          "homology": levels["2"]["homology"],
+                         "stable": list(stability_alone.passing(document)) if "4" in levels else None,
                          "uniformly": report["measures"].get("radii", {}).get("points_with_the_least")}}
 
 
@@ -157,7 +163,7 @@ def counts(report, certificate, check):
             "levels": [str(level["level"]) if isinstance(level, dict) else level for level in report["levels"]],
             "decisions": {stage["stage"]: sum(stage["decisions"].values()) for stage in report["stages"]
                           if sum(stage["decisions"].values()) > 0},
-            **of_zero_set(report), **of_atlas(report),
+            **of_zero_set(report, document), **of_atlas(report),
             "content": hashlib.sha256(content.encode()).hexdigest(),
             "check": {"levels": [level["level"] for level in check["levels"]], "decisions": check["decisions"]}}
 
@@ -416,11 +422,12 @@ class Tables:
                              decimals(found["contraction"], 3, math.ceil), decimals(found["displacement"], 3, math.ceil),
                              decimals(found["isotopy"], 3, math.floor) if found["isotopy"] else "–",
                              found["delaunay"] or "–",
+                             f"{100 * found['stable'][0] / found['stable'][1]:.0f} %" if found.get("stable") else "–",
                              decimals(found["normal"], 3, math.ceil) if found["normal"] else "–",
                              ", ".join(found["homology"]), f"{one['certify']['wall']:.1f}", f"{one['check']['user']:.1f}",
                              f"{max(one['certify']['mib'], one['check']['mib']):.0f}"])
-        return self.table("| manifold | ε, sizing, refinements | points | uniformly | simplices | levels | γ ≤ | ω/ε ≤ | 5i/ε ≥ | level 4 | normal ≤ | homology | certify, s | check, s | MiB |",
-                          "|---|---|--:|--:|--:|---|--:|--:|--:|---|--:|---|--:|--:|--:|", rows)
+        return self.table("| manifold | ε, sizing, refinements | points | uniformly | simplices | levels | γ ≤ | ω/ε ≤ | 5i/ε ≥ | level 4 | 4.stability | normal ≤ | homology | certify, s | check, s | MiB |",
+                          "|---|---|--:|--:|--:|---|--:|--:|--:|---|--:|--:|---|--:|--:|--:|", rows)
 
     def atlases(self):
         rows = []

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "kernel/manifold/submanifold/spectral_norm.hpp"
+
 namespace delcert {
 
 namespace {
@@ -49,6 +51,7 @@ GraphSimplexCheck<m>::GraphSimplexCheck(const GraphVertices& vertices)
       q_(vertices.manifold.codimension()),
       evaluation_(vertices.manifold.evaluation()),
       hulls_(vertices.manifold.is_smooth() ? 1 : static_cast<std::size_t>(m) + 1),
+      sizes_(hulls_.size()),
       fibres_((m + 1) * q_ * n_) {}
 
 template <int m>
@@ -67,16 +70,21 @@ template <int m>
 double GraphSimplexCheck<m>::lateral(std::uint32_t i, std::uint32_t v) const {
   std::array<Interval, most_entries> w;
   fibre(v, w.data());
+  return lateral(i, w.data());
+}
+
+template <int m>
+double GraphSimplexCheck<m>::lateral(std::uint32_t i, const Interval* w) const {
   const EnclosedChart<Interval>& chart = vertices_.charts[i].enclosed();
-  Interval squared(0);
+  std::array<Interval, most_entries> along;
   for (std::size_t row = 0; row < m; ++row) {
     for (std::size_t column = 0; column < q_; ++column) {
       Interval sum(0);
       for (std::size_t axis = 0; axis < n_; ++axis) sum += chart.at(axis, row) * w[axis * q_ + column];
-      squared += square(sum);
+      along[row * q_ + column] = sum;
     }
   }
-  return square_root(squared).upper();
+  return spectral_norm({along.data(), m * q_}, q_).upper();
 }
 
 template <int m>
@@ -118,6 +126,9 @@ bool GraphSimplexCheck<m>::enclose_derivatives(const LabelSimplex<m>& simplex, d
   }
   for (std::size_t at = 0; at < hulls_.size(); ++at) {
     if (!evaluation_->enclose(vertices_.charts[simplex[at]], places, displacement, hulls_[at])) return false;
+    sizes_[at] = 0;
+    for (const Dense<Interval>& j : hulls_[at].matrices)
+      sizes_[at] = std::max(sizes_[at], spectral_norm(j, n_).upper());
   }
   return true;
 }
@@ -126,17 +137,18 @@ bool GraphSimplexCheck<m>::enclose_derivatives(const LabelSimplex<m>& simplex, d
 template <int m>
 double GraphSimplexCheck<m>::defect(const DerivativeHull& hull, std::size_t w) const {
   const Interval* fibre = &fibres_[w * n_ * q_];
+  const Interval spread = hull.spread * spectral_norm({fibre, n_ * q_}, q_);
   double result = 0;
   for (const Dense<Interval>& j : hull.matrices) {
-    Interval squared(0);
+    std::array<Interval, most_entries> rest;
     for (std::size_t row = 0; row < q_; ++row) {
       for (std::size_t column = 0; column < q_; ++column) {
         Interval sum(row == column ? 1 : 0);
         for (std::size_t axis = 0; axis < n_; ++axis) sum -= j[row * n_ + axis] * fibre[axis * q_ + column];
-        squared += square(sum);
+        rest[row * q_ + column] = sum;
       }
     }
-    result = std::max(result, (square_root(squared) + hull.spread * norm_of({fibre, n_ * q_})).upper());
+    result = std::max(result, (spectral_norm({rest.data(), q_ * q_}, q_) + spread).upper());
   }
   return result;
 }
@@ -200,7 +212,7 @@ std::optional<double> GraphSimplexCheck<m>::contraction(std::size_t at, const La
                                                         GraphSimplex<m>& measured) const {
   const Interval shift = Interval::exactly(measured.shift);
   double side = 0;
-  for (const std::uint32_t v : simplex) side = std::max(side, lateral(simplex[at], v));
+  for (std::size_t v = 0; v <= m; ++v) side = std::max(side, lateral(simplex[at], &fibres_[v * n_ * q_]));
   // D·Y⁻¹, N×m.
   std::array<Interval, most_entries> lift;
   for (std::size_t axis = 0; axis < n_; ++axis) {
@@ -212,18 +224,16 @@ std::optional<double> GraphSimplexCheck<m>::contraction(std::size_t at, const La
     }
   }
   double slope = 0;
-  double size = 0;
   for (const Dense<Interval>& j : hull(at).matrices) {
-    Interval squared(0);
+    std::array<Interval, most_entries> rise;
     for (std::size_t row = 0; row < q_; ++row) {
       for (std::size_t column = 0; column < m; ++column) {
         Interval sum(0);
         for (std::size_t axis = 0; axis < n_; ++axis) sum += j[row * n_ + axis] * lift[axis * m + column];
-        squared += square(sum);
+        rise[row * m + column] = sum;
       }
     }
-    slope = std::max(slope, square_root(squared).upper());
-    size = std::max(size, norm_of(j).upper());
+    slope = std::max(slope, spectral_norm({rise.data(), q_ * m}, m).upper());
   }
   // The derivative of W along the chart, one N×q matrix for each of its axes.
   Interval turn_squared(0);
@@ -239,7 +249,7 @@ std::optional<double> GraphSimplexCheck<m>::contraction(std::size_t at, const La
   const Interval sideways = Interval::exactly(side);
   const Interval stretch = norm_of({lift.data(), n_ * m});
   const Interval along = Interval::exactly(slope) + hull(at).spread * stretch;
-  const Interval across = Interval(1) + sideways * (Interval::exactly(size) + hull(at).spread) / rest;
+  const Interval across = Interval(1) + sideways * (Interval::exactly(size_of(at)) + hull(at).spread) / rest;
   const double result = (sideways * along / rest + across * square_root(turn_squared) * shift).upper();
   if (!(result < greatest_contraction)) return std::nullopt;
   const Interval moved = Interval::exactly(result);
@@ -251,7 +261,7 @@ std::optional<double> GraphSimplexCheck<m>::contraction(std::size_t at, const La
   measured.greatest_stretch = std::min(measured.greatest_stretch, longer.upper());
   double narrowest = std::numeric_limits<double>::infinity();
   for (std::size_t v = 0; v <= m; ++v)
-    narrowest = std::min(narrowest, norm_of({&fibres_[v * n_ * q_], n_ * q_}).upper());
+    narrowest = std::min(narrowest, spectral_norm({&fibres_[v * n_ * q_], n_ * q_}, q_).upper());
   measured.normal = std::min(measured.normal, (Interval::exactly(narrowest) * along / rest).upper());
   return result;
 }
@@ -278,7 +288,7 @@ GraphSimplex<m> GraphSimplexCheck<m>::measure(const LabelSimplex<m>& simplex, do
   double widest = 0;
   for (std::size_t w = 0; w <= m; ++w) {
     for (const DerivativeHull& one : hulls_) most_defect = std::max(most_defect, defect(one, w));
-    widest = std::max(widest, norm_of({&fibres_[w * n_ * q_], n_ * q_}).upper());
+    widest = std::max(widest, spectral_norm({&fibres_[w * n_ * q_], n_ * q_}, q_).upper());
   }
   if (!(most_defect < 1)) {
     fail(GraphCause::fibre);

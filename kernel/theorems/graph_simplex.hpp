@@ -85,9 +85,13 @@ class GraphSimplexCheck {
  private:
   /// W_v = N_v·Y_v, N×q.
   void fibre(std::uint32_t v, Interval* w) const;
+  /// The same of W_v.
+  [[nodiscard]] double lateral(std::uint32_t i, const Interval* w) const;
   [[nodiscard]] bool enclose_derivatives(const LabelSimplex<m>& simplex, double displacement);
   /// In the chart of the label that stands at this place.
   [[nodiscard]] const DerivativeHull& hull(std::size_t at) const { return hulls_[hulls_.size() == 1 ? 0 : at]; }
+  /// ‖J‖ there, an upper bound but for the spread.
+  [[nodiscard]] double size_of(std::size_t at) const { return sizes_[sizes_.size() == 1 ? 0 : at]; }
   [[nodiscard]] double defect(const DerivativeHull& hull, std::size_t w) const;
   /// What the simplex is in the chart of the label that stands at this place; adds to what is known of it. None if γ <
   /// 1 fails.
@@ -103,6 +107,7 @@ class GraphSimplexCheck {
   std::size_t n_, q_;
   std::unique_ptr<GraphEvaluation> evaluation_;
   std::vector<DerivativeHull> hulls_;  // one, or one for each vertex
+  std::vector<double> sizes_;          // of the matrices of each, their norms
   std::vector<Interval> fibres_;       // W of each vertex, N×q
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,15 +40,16 @@ struct Derivation {
   bool derive_margins(const LocalMargins& found);
 };
 
-/// Levels 1, 2 and 2s of a run in charts whose patches are balls of one radius; `shift` as there.
+/// Levels 1, 2 and 2s of a run in charts whose patches are balls of one radius; `shift` as there. The stability is none
+/// if it was not measured, as level 2s is not selected.
 template <int m, class Atlas>
 [[nodiscard]] Derivation derivation_in_patches(const Atlas& atlas, const ChartRun<m>& run,
-                                               const StarStability& stability, const Rational& shift,
+                                               const std::optional<StarStability>& stability, const Rational& shift,
                                                const LevelSelection& selection, std::vector<std::string>& reasons) {
   Derivation result{selection, reasons, [patch = atlas.patch_radius()](const Rational& reach) { return reach < patch; },
                     shift};
   result.derive_stars(run);
-  result.derive_stability(stability, run.margins.reach);
+  if (stability) result.derive_stability(*stability, run.margins.reach);
   return result;
 }
 

@@ -123,10 +123,9 @@ SubmanifoldMeasures<m> measure_submanifold(const SubmanifoldAtlas<m>& atlas, con
                                            const Progress& progress) {
   const GraphVertices vertices = graph_vertices<m>(atlas, run.points);
   const std::vector<LabelSimplex<m>> simplices = run.complex.simplices();
-  SubmanifoldMeasures<m> result{check_stability<m>(atlas, run.points, geometry, run.complex, progress),
-                                check_graph_triangulation<m>(vertices, simplices, progress),
-                                {},
-                                {}};
+  SubmanifoldMeasures<m> result{{}, check_graph_triangulation<m>(vertices, simplices, progress), {}, {}};
+  if (selects(selection, "2s"))
+    result.stability = check_stability<m>(atlas, run.points, geometry, run.complex, progress);
   if (!result.triangulation.triangulates()) return result;
   if (selects(selection, "4")) {
     const Rational density = graph_density<m>(vertices, simplices, result.triangulation, atlas.slope());

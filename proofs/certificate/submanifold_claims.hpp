@@ -18,8 +18,8 @@ namespace delcert {
 /// What is measured of a certified run beyond levels 1 and 2.
 template <int m>
 struct SubmanifoldMeasures {
-  StarStability stability;              ///< level 2s
-  GraphTriangulation<m> triangulation;  ///< levels 5 and 5i
+  std::optional<StarStability> stability;  ///< level 2s, if that is selected
+  GraphTriangulation<m> triangulation;     ///< levels 5 and 5i
   /// Level 4, if level 5 holds.
   struct Delaunay {
     Rational density;

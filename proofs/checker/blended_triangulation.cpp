@@ -6,12 +6,6 @@
 namespace delcert::checker {
 namespace {
 
-/// Of the spectral norm: the fourth root of the sum of the squares of the entries of a^T a, or infinity.
-double spectral_norm_above(const Matrix<Interval>& a) {
-  const double root = norm_above(transposed_times(a, a));
-  return upper_root(Interval::between(0, root));
-}
-
 Interval interval_of(double x) { return Interval::between(x, x); }
 
 Interval central(const Interval& x) { return interval_of(std::clamp(NearPoints::middle(x), x.lower(), x.upper())); }

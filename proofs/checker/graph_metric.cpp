@@ -29,12 +29,12 @@ void GraphTriangulation::check_stretch(std::size_t s, Report& report) {
     for (const Matrix<Interval>& at : known.slopes) {
       slope = std::max(slope, norm_above(chart.Y * at * chart.tangent));
       error = std::max(error, norm_above(one_less(chart.Y * at * chart.normal)));
-      rise = std::max(rise, norm_above(at * rising));
+      rise = std::max(rise, spectral_norm_above(at * rising));
     }
     slope += blur * norm_above(chart.Y);
     error += blur * norm_above(chart.Y);
     rise += blur * lift;
-    thinnest = std::min(thinnest, norm_above(chart.W));
+    thinnest = std::min(thinnest, spectral_norm_above(chart.W));
     if (!(contraction < 1 && error < 1 && known.theta < 1)) continue;
     const auto rest_of = [](double x) { return Interval(1) - Interval::between(x, x); };
     least = std::max(least, (rest_of(contraction) / Interval::between(lift, lift)).lower());

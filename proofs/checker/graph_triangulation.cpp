@@ -34,7 +34,7 @@ GraphTriangulation::GraphTriangulation(const TangentCharts& charts)
 }
 
 double GraphTriangulation::lateral(Label i, Label v) const {
-  return norm_above(transposed_times(charts_.chart(i).tangent, charts_.chart(v).W));
+  return spectral_norm_above(transposed_times(charts_.chart(i).tangent, charts_.chart(v).W));
 }
 
 double GraphTriangulation::greatest_lateral(Label i, std::size_t s) const {
@@ -71,7 +71,7 @@ std::vector<GraphTriangulation::Estimate> GraphTriangulation::estimates_of_mesh(
     for (std::size_t w = 0; w < corners; ++w) {
       const Matrix<Interval>& W = charts_.chart(labels[w]).W;
       for (const Matrix<Interval>& slope : hull.slopes)
-        common.theta = std::max(common.theta, norm_above(one_less(slope * W)));
+        common.theta = std::max(common.theta, spectral_norm_above(one_less(slope * W)));
       common.longest = std::max(common.longest, norm_above(charts_.point(labels[v]) - charts_.point(labels[w])));
     }
     result.emplace_back().slopes = std::move(hull.slopes);
@@ -134,8 +134,9 @@ GraphTriangulation::Estimate GraphTriangulation::estimate(std::size_t s) {
   for (std::size_t v = 0; v < corners; ++v) {
     const Matrix<Interval>& W = charts_.chart(labels[v]).W;
     double error = 0;
-    for (const Matrix<Interval>& slope : result.slopes) error = std::max(error, norm_above(one_less(slope * W)));
-    result.theta = std::max(result.theta, error + result.bend * result.around * norm_above(W));
+    for (const Matrix<Interval>& slope : result.slopes)
+      error = std::max(error, spectral_norm_above(one_less(slope * W)));
+    result.theta = std::max(result.theta, error + result.bend * result.around * spectral_norm_above(W));
   }
   result.longest = longest;
   result.climb = (above + greatest) * reciprocal_of_rest(result.theta);
@@ -185,8 +186,8 @@ double GraphTriangulation::contraction_in(Label i, std::size_t s, const Estimate
   const Matrix<Interval> all = gradients(i, s), rising = lifted(i, s);
   double rise = 0, slope = 0, turn_squared = 0;
   for (const Matrix<Interval>& at : estimate.slopes) {
-    rise = std::max(rise, norm_above(at * rising));
-    slope = std::max(slope, norm_above(at));
+    rise = std::max(rise, spectral_norm_above(at * rising));
+    slope = std::max(slope, spectral_norm_above(at));
   }
   const double blur = estimate.bend * estimate.around;
   rise += blur * norm_above(rising);
@@ -246,7 +247,7 @@ void GraphTriangulation::check_simplex(std::size_t s, Report& report) {
   double widest = 0;
   for (int k = 0; k <= c_.m; ++k) {
     const Label i = labels[k];
-    widest = std::max(widest, norm_above(charts_.chart(i).W));
+    widest = std::max(widest, spectral_norm_above(charts_.chart(i).W));
     most_climb_[i] = std::max(most_climb_[i], climb_[s]);
     least_climb_[i] = std::min(least_climb_[i], climb_[s]);
     bool inside = true;

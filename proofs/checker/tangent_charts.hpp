@@ -43,7 +43,9 @@ class TangentCharts : public StarCharts<Ball> {
   struct Drift;
   void check_graph(Label i, Report& report);
   bool check_fibres(Label i, double& theta);
+  bool has_fibres_at_once(Label i, double& theta);
   bool check_slopes(Label i, const Matrix<Interval>& foot);
+  bool is_flat_at_once(Label i, const Matrix<Interval>& z, const Interval& blur);
   std::shared_ptr<const Drift> drift_in(Label i, const Matrix<Interval>& place);
   bool holds_in_cells(Label i, Matrix<Interval> box, const std::function<bool(Matrix<Interval>&)>& clip,
                       const std::function<Verdict(const Cell&, const Matrix<Interval>&, const Matrix<Interval>&,

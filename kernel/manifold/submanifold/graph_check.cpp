@@ -1,9 +1,12 @@
 #include "kernel/manifold/submanifold/graph_check.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "kernel/manifold/submanifold/fibre_zero.hpp"
+#include "kernel/manifold/submanifold/spectral_norm.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "kernel/number/rounding_guard.hpp"
 #include "kernel/parallel/parts.hpp"
@@ -79,10 +82,13 @@ class Cylinder {
         derivative_(q_ * n_),
         second_(q_ * n_ * n_) {}
 
-  bool is_transversal() { return !look_at_all(Aim::transversal); }
+  bool is_transversal() { return is_transversal_at_once() || !look_at_all(Aim::transversal); }
   std::optional<GraphFailure> failure() {
     if (auto reason = outside_of_centre()) return GraphFailure{*reason, true};
-    if (auto result = look_at_all(Aim::transversal)) return result;
+    if (!is_transversal_at_once()) {
+      if (auto result = look_at_all(Aim::transversal)) return result;
+    }
+    if (is_flat_at_once()) return std::nullopt;
     return look_at_all(Aim::flat);
   }
 
@@ -90,6 +96,74 @@ class Cylinder {
   /// What cells are looked at for: fibres on all of the cylinder, slopes in the cone.
   enum class Aim : unsigned char { transversal, flat };
   enum class Outcome : unsigned char { holds, open, fails, undefined };
+
+  /// Y·Df·T at the place in `at_`.
+  std::optional<Dense<Interval>> entries_at_place() {
+    chart_.position(at_.data(), x_.data());
+    if (!f_.first(x_.data(), value_.data(), derivative_.data())) return std::nullopt;
+    return product(product(chart_.preconditioner, derivative_, q_, n_), chart_.frame, n_, n_);
+  }
+  /// `bends_` of w·f in the box with these half sides about the place in `at_`, whose position `x_` has.
+  bool bends_about_place(const Dense<Interval>& weights, const std::vector<Interval>& half) {
+    for (std::size_t axis = 0; axis < n_; ++axis) {
+      for (std::size_t k = 0; k < n_; ++k) x_[axis] += chart_.at(axis, k) * (half[k] * Interval::between(-1, 1));
+    }
+    if (!f_.second(x_.data(), value_.data(), derivative_.data(), second_.data())) return false;
+    second_order(weights);
+    return true;
+  }
+  /// The greatest norm of Σ_k t_k·bend(·, k, l), |t| ≤ 1, a matrix with the columns l from `left` to before `right`, t
+  /// along the axes from `first` to before `end`: of the middles by a spectral norm, of the rest by that of Frobenius.
+  [[nodiscard]] Interval change(std::size_t first, std::size_t end, std::size_t left, std::size_t right) const {
+    std::vector<Interval> middles;
+    Interval rest(0);
+    for (std::size_t row = 0; row < q_; ++row) {
+      for (std::size_t l = left; l < right; ++l) {
+        for (std::size_t k = first; k < end; ++k) {
+          const double middle = middle_of(bend(row, k, l));
+          if (!std::isfinite(middle)) return Interval::between(0, std::numeric_limits<double>::infinity());
+          middles.push_back(Interval::exactly(middle));
+          rest += square(bend(row, k, l) - middles.back());
+        }
+      }
+    }
+    return spectral_norm(middles, end - first) + square_root(rest);
+  }
+  [[nodiscard]] std::vector<Interval> half_sides(const Interval& height) const {
+    std::vector<Interval> result(n_, radius_);
+    for (std::size_t k = m_; k < n_; ++k) result[k] = height;
+    return result;
+  }
+
+  /// ‖1 − Y·Df·N‖ on all of the cylinder, by Df at its centre and D²f on all of it.
+  bool is_transversal_at_once() {
+    for (Interval& coordinate : at_) coordinate = Interval(0);
+    const auto entries = entries_at_place();
+    if (!entries || !bends_about_place(chart_.preconditioner, half_sides(height_))) return false;
+    const Interval high = square_root(Interval(static_cast<int>(q_))) * height_;
+    const Interval most =
+        distance_from_identity(*entries) + change(0, m_, m_, n_) * radius_ + change(m_, n_, m_, n_) * high;
+    return is_proved(less(most, Interval::exactly(greatest_defect)));
+  }
+
+  /// The slopes where the rule asks for them, by Df at the point over the centre and D²f on a box around: at |y| = sϱ
+  /// and |z − z₀| ≤ LϱP(s) the N-block of (Df·N)⁻¹ at that point times Df·T is within e(s) of the identity, and the
+  /// E-block is at most b(s), both affine in sϱ and LϱP(s). L·p(s)·(1 − e(s)) − b(s) is concave in s, so it is positive
+  /// if it is at the centre and at the rim.
+  bool is_flat_at_once() {
+    at_ = foot_;
+    const auto at_foot = entries_at_place();
+    const auto adapted = at_foot ? adapted_to(*at_foot) : std::nullopt;
+    if (!adapted) return false;
+    const Dense<Interval> entries = product(*adapted, *at_foot, q_, n_);
+    const Interval highest = slope_ * radius_ * profile_integral(Interval(1));
+    if (!bends_about_place(product(*adapted, chart_.preconditioner, q_, q_), half_sides(highest))) return false;
+    const Interval defect = distance_from_identity(entries);
+    const Interval rise = tangential_norm(entries);
+    const Interval rim_defect = defect + change(0, m_, m_, n_) * radius_ + change(m_, n_, m_, n_) * highest;
+    const Interval rim_rise = rise + change(0, m_, 0, m_) * radius_ + change(m_, n_, 0, m_) * highest;
+    return over(rise, defect) < (slope_ * profile(Interval(0))).lower() && over(rim_rise, rim_defect) < slope_.lower();
+  }
 
   std::optional<GraphFailure> look_at_all(Aim aim) {
     Cell whole;
@@ -131,6 +205,8 @@ class Cylinder {
     const std::vector<Interval> origin(m_, Interval(0));
     const auto heights = zero_on_fibre<Interval>(f_, chart_, origin.data());
     if (!heights) return "no point of the manifold is certain over its centre";
+    foot_.assign(m_, Interval(0));
+    foot_.insert(foot_.end(), heights->begin(), heights->end());
     offset_ = Interval::exactly(norm_of(*heights).upper());
     if (!is_proved(less(offset_ + slope_ * radius_ * profile_integral(Interval(1)), height_)))
       return "the lid of its patch is too low";
@@ -233,10 +309,10 @@ class Cylinder {
       if (cell.upper[k] - cell.lower[k] > cell.upper[longest] - cell.lower[longest]) longest = k;
       at_[k] = Interval::exactly(cell.middle(k));
     }
-    chart_.position(at_.data(), x_.data());
-    if (!f_.first(x_.data(), value_.data(), derivative_.data())) return Outcome::undefined;
+    const auto at_middle = entries_at_place();
+    if (!at_middle) return Outcome::undefined;
     Dense<Interval> weights = chart_.preconditioner;
-    Dense<Interval> entries = product(product(weights, derivative_, q_, n_), chart_.frame, n_, n_);
+    Dense<Interval> entries = *at_middle;
     // What fails in the middle fails.
     const auto bound = bound_at_middle(cell, aim);
     if (aim == Aim::flat) {
@@ -248,11 +324,9 @@ class Cylinder {
     } else if (bound && !is_refuted(less(Interval(1), distance_from_identity(entries)))) {
       return Outcome::fails;
     }
-    for (std::size_t axis = 0; axis < n_; ++axis) {
-      for (std::size_t k = 0; k < n_; ++k) x_[axis] += chart_.at(axis, k) * (cell.half(k) * Interval::between(-1, 1));
-    }
-    if (!f_.second(x_.data(), value_.data(), derivative_.data(), second_.data())) return Outcome::open;
-    second_order(weights);
+    std::vector<Interval> half;
+    for (std::size_t k = 0; k < n_; ++k) half.push_back(cell.half(k));
+    if (!bends_about_place(weights, half)) return Outcome::open;
     return enclosed_in(cell, aim, entries, longest) ? Outcome::holds : Outcome::open;
   }
 
@@ -278,11 +352,14 @@ class Cylinder {
 
   /// ‖E-block‖/(1 − ‖1 − N-block‖); unbounded if there is no such bound.
   [[nodiscard]] double steepness_in(const Dense<Interval>& entries) const {
-    Interval tangential(0);
+    return over(tangential_norm(entries), distance_from_identity(entries));
+  }
+  [[nodiscard]] Interval tangential_norm(const Dense<Interval>& entries) const {
+    Interval squared(0);
     for (std::size_t row = 0; row < q_; ++row) {
-      for (std::size_t l = 0; l < m_; ++l) tangential += square(entries[row * n_ + l]);
+      for (std::size_t l = 0; l < m_; ++l) squared += square(entries[row * n_ + l]);
     }
-    return over(square_root(tangential), distance_from_identity(entries));
+    return square_root(squared);
   }
   static double over(const Interval& tangential, const Interval& theta) {
     if (!is_proved(less(theta, Interval(1)))) return std::numeric_limits<double>::infinity();
@@ -294,7 +371,7 @@ class Cylinder {
   /// rim.
   bool enclosed_in(const Cell& cell, Aim aim, Dense<Interval> entries, std::size_t& longest) const {
     Dense<Interval> rest(q_ * m_);
-    Dense<double> flat(q_ * m_ * m_);
+    Dense<Interval> flat(q_ * m_ * m_);
     Interval apart(0);
     Interval left(0);
     Coordinates share{};
@@ -307,10 +384,10 @@ class Cylinder {
           const Interval all = absolute(bend(row, k, l)) * half;
           Interval part = all;
           if (k < m_ && l < m_) {
-            const double middle = middle_of(bend(row, k, l));
+            const Interval middle = Interval::exactly(middle_of(bend(row, k, l)));
             flat[(row * m_ + l) * m_ + k] = middle;
-            rest[row * m_ + l] -= Interval::exactly(middle) * Interval::exactly(cell.middle(k));
-            part = absolute(bend(row, k, l) - Interval::exactly(middle)) * half;
+            rest[row * m_ + l] -= middle * Interval::exactly(cell.middle(k));
+            part = absolute(bend(row, k, l) - middle) * half;
           }
           if (l < m_) unsplit += part;
           share[k] += aim == Aim::flat ? (part + all / Interval(8)).upper() : all.upper();
@@ -327,29 +404,8 @@ class Cylinder {
     const double allowed = (slope_ * profile(Interval::exactly(cell.from))).lower();
     if (steepness_in(entries) <= allowed) return true;
     const Interval split =
-        square_root(apart) + operator_norm(flat) * Interval::exactly(cell.to) * radius_ + square_root(left);
+        square_root(apart) + spectral_norm(flat, m_) * Interval::exactly(cell.to) * radius_ + square_root(left);
     return over(split, distance_from_identity(entries)) <= allowed;
-  }
-
-  /// A bound of max |By| for |y| ≤ 1, B with m columns, by (tr (BᵀB)^64)^(1/128).
-  [[nodiscard]] Interval operator_norm(const Dense<double>& rows) const {
-    constexpr int squarings = 6;
-    Dense<Interval> gram(m_ * m_, Interval(0));
-    Interval trace(0);
-    for (std::size_t at = 0; at < rows.size(); at += m_) {
-      for (std::size_t k = 0; k < m_; ++k) {
-        for (std::size_t l = 0; l < m_; ++l)
-          gram[k * m_ + l] += Interval::exactly(rows[at + k]) * Interval::exactly(rows[at + l]);
-      }
-    }
-    for (std::size_t k = 0; k < m_; ++k) trace += gram[k * m_ + k];
-    if (!(trace.lower() > 0)) return square_root(trace);
-    for (Interval& entry : gram) entry = entry / trace;
-    for (int step = 0; step < squarings; ++step) gram = product(gram, gram, m_, m_);
-    Interval root(0);
-    for (std::size_t k = 0; k < m_; ++k) root += gram[k * m_ + k];
-    for (int step = 0; step < squarings; ++step) root = square_root(root);
-    return square_root(root * trace);
   }
 
   FormulaEvaluation<Interval>& f_;
@@ -362,6 +418,7 @@ class Cylinder {
   Interval height_;
   Interval slope_;
   Interval offset_;
+  std::vector<Interval> foot_;  // the point over the centre, (0, z₀)
   std::vector<Interval> at_;
   std::vector<Interval> x_;
   std::vector<Interval> value_;

@@ -18,7 +18,7 @@ TEST(SubmanifoldClaims, of_a_sphere_are_what_the_measures_say) {
   EXPECT_EQ(claims.names(), claims.stable_stars ? (Names{"1", "2", "2s", "4", "5", "5i", "6"})
                                                 : (Names{"1", "2", "4", "5", "5i", "6"}));
   // Level 2s is reached or not, as stars are the same in charts, and then it is the one that is not.
-  EXPECT_EQ(claims.stable_stars.has_value(), sample.measures.stability.differing == 0);
+  EXPECT_EQ(claims.stable_stars.has_value(), sample.measures.stability->differing == 0);
   // So is level 4 for the length of curves.
   EXPECT_TRUE(claims.delaunay->restricted->extrinsic);
   EXPECT_EQ(claims.delaunay->restricted->intrinsic, sample.measures.delaunay->intrinsic.holds());

@@ -63,6 +63,35 @@ TEST(GraphCheck, refuses_a_tilted_chart_and_one_without_a_point) {
   EXPECT_EQ(failure_of(m, TangentChart(data, 2), ratio(2, 5)), "no point of the manifold is certain over its centre");
 }
 
+/// The product of three unit circles in ℝ⁶, in the chart about a point, turned a little.
+TangentChart chart_of_three_circles(const Rational& radius, const Rational& height) {
+  ChartData data;
+  for (const int coordinate : {1, 0, 1, 0, 1, 0}) data.centre.emplace_back(coordinate);
+  data.columns = {2, 4, 6, 1, 3, 5};
+  data.skew.assign(15, Rational(0));
+  data.skew[0] = data.skew[7] = ratio(1, 4096);
+  for (std::size_t entry = 0; entry < 9; ++entry) data.preconditioner.push_back(ratio(entry % 4 == 0 ? 1 : 0, 2));
+  data.radius = radius;
+  data.height = height;
+  return TangentChart(data, 3);
+}
+
+TEST(GraphCheck, decides_a_wide_patch_in_codimension_3_at_once) {
+  const ZeroSet m =
+      zero_set("three-circles", {"a", "b", "c", "d", "e", "f"}, {"a^2 + b^2 - 1", "c^2 + d^2 - 1", "e^2 + f^2 - 1"},
+               std::vector<Rational>(6, Rational(3)));
+  // ϱ < L(1 − 9Lϱ/16) = 0.514 with L = 5/8: of a sphere of any dimension, and of a product of spheres.
+  const Rational radius = ratio(1, 2);
+  EXPECT_EQ(failure_of(m, chart_of_three_circles(radius, ratio(1, 4)), ratio(5, 8)), "");
+  EXPECT_TRUE(GraphCheck(m).may_be_as_high(chart_of_three_circles(radius, ratio(1, 2))));
+  // At the rim slopes are 0.577…, in the bent cone more.
+  const auto failure = GraphCheck(m).failure(chart_of_three_circles(radius, ratio(1, 4)), ratio(4, 8));
+  ASSERT_TRUE(failure);
+  EXPECT_TRUE(failure->is_slope);
+  // The other half of each circle.
+  EXPECT_FALSE(GraphCheck(m).may_be_as_high(chart_of_three_circles(radius, Rational(1))));
+}
+
 TEST(FitCharts, takes_the_greatest_patches_that_are_graphs) {
   const std::vector<std::vector<Rational>> centres{{Rational(0), Rational(0), Rational(1)},
                                                    {ratio(3, 5), ratio(-4, 5), Rational(0)}};
