@@ -1,3 +1,4 @@
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <chrono>
@@ -9,9 +10,9 @@
 
 #include "apps/attack_outcome.hpp"
 #include "apps/campaign_options.hpp"
-#include "apps/claim_commands.hpp"
 #include "apps/claim_options.hpp"
 #include "apps/interruption.hpp"
+#include "apps/other_programs.hpp"
 #include "apps/progress_line.hpp"
 #include "properties/attack/attack_report.hpp"
 #include "properties/attack/refutations.hpp"

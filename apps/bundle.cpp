@@ -1,5 +1,6 @@
 #include "proofs/publication/bundle.hpp"
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -7,7 +8,7 @@
 #include <memory>
 
 #include "apps/checker_source.hpp"
-#include "apps/commands.hpp"
+#include "apps/other_programs.hpp"
 #include "support/atomic_file.hpp"
 #include "support/error.hpp"
 
@@ -49,8 +50,7 @@ ExitStatus write_bundle(const BundleOptions& options) {
 
 void add_bundle(CLI::App& program, Action& chosen) {
   const auto options = std::make_shared<BundleOptions>();
-  CLI::App* command =
-      program.add_subcommand("bundle", "Put certificates into a ZIP archive, for the supplement of a paper");
+  CLI::App* command = add_named(program, about_bundle);
   command->add_option("CERTIFICATE", options->files, "Certificates, plain or compressed")->required();
   command->add_option("--output", options->output, "The archive to write")->type_name("FILE")->required();
   command->add_option("--title", options->facts.title, "The title of the supplement")->required();

@@ -1,5 +1,7 @@
+#include <CLI/CLI.hpp>
+
 #include "apps/campaign_commands.hpp"
-#include "apps/claim_commands.hpp"
+#include "apps/other_programs.hpp"
 
 namespace delcert {
 

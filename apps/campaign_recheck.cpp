@@ -1,5 +1,6 @@
 #include "properties/attack/campaign_recheck.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
 #include <memory>

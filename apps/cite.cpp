@@ -1,7 +1,8 @@
+#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 
-#include "apps/commands.hpp"
+#include "apps/other_programs.hpp"
 #include "apps/printable.hpp"
 #include "proofs/publication/citation.hpp"
 #include "support/error.hpp"
@@ -37,8 +38,7 @@ ExitStatus print_references(const CiteOptions& options) {
 
 void add_cite(CLI::App& program, Action& chosen) {
   const auto options = std::make_shared<CiteOptions>();
-  CLI::App* command = program.add_subcommand(
-      "cite", "Print references to the paper, to delcert and to certificates, for a bibliography");
+  CLI::App* command = add_named(program, about_cite);
   command->add_option("CERTIFICATE", options->files, "Certificates, plain or compressed");
   const auto read_format = [options](const std::string& name) {
     const std::vector<std::string_view> names{"bibtex", "text"};

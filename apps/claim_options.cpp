@@ -1,5 +1,6 @@
 #include "apps/claim_options.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 

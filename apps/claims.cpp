@@ -1,10 +1,11 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 
-#include "apps/claim_commands.hpp"
 #include "apps/claim_options.hpp"
+#include "apps/other_programs.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "proofs/formula/latex.hpp"
 #include "properties/attack/claim_library.hpp"

@@ -1,7 +1,7 @@
-// A part of delcert and not of delcert-claims: of the subcommands about claims it has the names only.
+// A part of delcert and delcert-publish, not of delcert-claims: of the subcommands about claims they have the names
+// only.
 
-#include "apps/claim_commands.hpp"
-#include "apps/witness_file.hpp"
+#include "apps/other_programs.hpp"
 
 namespace delcert {
 
@@ -28,8 +28,5 @@ void add_prove(CLI::App& program, Action&) { add_named(program, about_prove); }
 void add_errata(CLI::App& program, Action&) { add_named(program, about_errata); }
 void add_tables(CLI::App& program, Action&) { add_named(program, about_tables); }
 void add_formalise(CLI::App& program, Action&) { add_named(program, about_formalise); }
-
-std::vector<PageItem> witness_items(const std::string&, const ShownFile&) { hand_over_to_claims(); }
-Figure witness_figure(const std::string&) { hand_over_to_claims(); }
 
 }  // namespace delcert

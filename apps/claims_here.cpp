@@ -1,6 +1,6 @@
-// A part of delcert-claims and not of delcert.
+// A part of delcert-claims alone.
 
-#include "apps/claim_commands.hpp"
+#include "apps/other_programs.hpp"
 
 namespace delcert {
 

@@ -1,10 +1,13 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "apps/exit_status.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace delcert {
 

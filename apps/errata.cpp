@@ -1,7 +1,8 @@
+#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 
-#include "apps/claim_commands.hpp"
+#include "apps/other_programs.hpp"
 #include "proofs/errata/errata_text.hpp"
 
 namespace delcert {

@@ -1,5 +1,7 @@
 #include "apps/exact_option.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include "kernel/number/exact_text.hpp"
 
 namespace delcert {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <functional>
 #include <iostream>
@@ -7,7 +8,7 @@
 #include <stdexcept>
 
 #include "apps/checker_process.hpp"
-#include "apps/commands.hpp"
+#include "apps/other_programs.hpp"
 #include "proofs/certificate/reader.hpp"
 #include "proofs/drawing/certificate_export.hpp"
 #include "support/atomic_file.hpp"
@@ -84,8 +85,7 @@ CLI::Option* add_name_option(CLI::App& command, const std::string& option, std::
 
 void add_export(CLI::App& program, Action& chosen) {
   const auto options = std::make_shared<ExportOptions>();
-  CLI::App* command = program.add_subcommand(
-      "export", "Write the complex of a certificate, in approximate coordinates, for another program");
+  CLI::App* command = add_named(program, about_export);
   command->add_option("FILE", options->file, "A certificate, plain or compressed")->required();
   const auto read_format = [options](const std::string& name) {
     try {

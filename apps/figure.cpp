@@ -1,9 +1,10 @@
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 
-#include "apps/claim_commands.hpp"
 #include "apps/commands.hpp"
+#include "apps/other_programs.hpp"
 #include "apps/witness_file.hpp"
 #include "proofs/drawing/certificate_facts.hpp"
 #include "proofs/drawing/picture.hpp"
@@ -37,7 +38,7 @@ ExitStatus write_figure(const FigureOptions& options) {
         "PDF)");
   }
   const bool is_witness = witness_file(options.file) != WitnessFile::other;
-  if (is_witness && is_left_to_claims(about_attack.name)) hand_over_to_claims();
+  if (is_witness && is_left_to_claims(about_attack.name)) hand_over_to(claims_program);
   try {
     Figure figure = is_witness ? witness_figure(options.file) : figure_of_certificate(options);
     if (options.plain) figure.scale.reset();
@@ -55,8 +56,7 @@ ExitStatus write_figure(const FigureOptions& options) {
 
 void add_figure(CLI::App& program, Action& chosen) {
   const auto options = std::make_shared<FigureOptions>();
-  CLI::App* command =
-      program.add_subcommand("figure", "Draw a certificate of dimension 1 or 2, or a witness, for a paper");
+  CLI::App* command = add_named(program, about_figure);
   command->add_option("FILE", options->file, "A certificate, plain or compressed, or a witness of attack or tighten")
       ->required();
   command->add_option("--output", options->output, "The file to write: x.svg, or x.tikz or x.tex for a tikzpicture")

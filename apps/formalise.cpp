@@ -1,11 +1,12 @@
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
 
-#include "apps/claim_commands.hpp"
 #include "apps/claim_options.hpp"
+#include "apps/other_programs.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "proofs/formal/step_lemma.hpp"
 #include "support/error.hpp"

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <iostream>
@@ -7,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "apps/certificate_picture.hpp"
 #include "apps/commands.hpp"
 #include "apps/printable.hpp"
 #include "kernel/number/decimal_bounds.hpp"
@@ -14,7 +16,6 @@
 #include "proofs/certificate/stated_levels.hpp"
 #include "proofs/certificate/summary_json.hpp"
 #include "proofs/certification/run_report.hpp"
-#include "proofs/drawing/picture.hpp"
 #include "proofs/publication/certificate_table.hpp"
 #include "support/atomic_file.hpp"
 #include "support/error.hpp"
@@ -120,7 +121,7 @@ std::string output_of(const CertificateSummary& certificate, const InfoOptions& 
 ExitStatus print_info(const InfoOptions& options) {
   const CertificateSummary certificate = read_certificate(options.file);
   const std::string output = output_of(certificate, options);
-  if (!options.picture.empty()) write_file_atomically(options.picture, picture_svg(drawing_of(certificate, {})));
+  if (!options.picture.empty()) write_file_atomically(options.picture, certificate_picture(certificate));
   std::cout << output;
   return ExitStatus::verified;
 }

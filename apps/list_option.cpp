@@ -1,5 +1,6 @@
 #include "apps/list_option.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <string_view>

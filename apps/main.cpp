@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "apps/claim_commands.hpp"
 #include "apps/exit_status.hpp"
 #include "apps/interruption.hpp"
+#include "apps/other_programs.hpp"
 #include "delcert_version.hpp"
 #include "kernel/number/self_test.hpp"
 #include "support/spelling.hpp"
@@ -61,8 +61,10 @@ ExitStatus run(int argc, char** argv) {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   if (arguments.size() > 1 && arguments[0] == "check" && !asks_for_help(arguments[1])) {
     chosen = [&]() -> ExitStatus { run_checker({arguments.begin() + 1, arguments.end()}); };
+  } else if (!arguments.empty() && is_left_to_publishing(arguments[0])) {
+    chosen = []() -> ExitStatus { hand_over_to(publishing_program); };
   } else if (!arguments.empty() && is_left_to_claims(arguments[0])) {
-    chosen = []() -> ExitStatus { hand_over_to_claims(); };
+    chosen = []() -> ExitStatus { hand_over_to(claims_program); };
   } else {
     try {
       program.parse(argc, argv);

@@ -1,5 +1,7 @@
 #include "apps/net_options.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include "apps/exact_option.hpp"
 
 namespace delcert {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -7,9 +8,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "apps/claim_commands.hpp"
 #include "apps/claim_options.hpp"
 #include "apps/interruption.hpp"
+#include "apps/other_programs.hpp"
 #include "apps/proof_report.hpp"
 #include "proofs/prover/proof_log.hpp"
 #include "support/atomic_file.hpp"

@@ -1,5 +1,6 @@
 #include <fmt/chrono.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -8,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/checker_process.hpp"
-#include "apps/claim_commands.hpp"
 #include "apps/commands.hpp"
+#include "apps/other_programs.hpp"
 #include "apps/progress_line.hpp"
 #include "apps/witness_file.hpp"
 #include "proofs/publication/certificate_page.hpp"
@@ -59,7 +60,7 @@ bool is_about_claims(const std::string& file) { return witness_file(file) != Wit
 
 ExitStatus write_report(const ReportOptions& options) {
   if (is_left_to_claims(about_attack.name) && std::ranges::any_of(options.files, is_about_claims))
-    hand_over_to_claims();
+    hand_over_to(claims_program);
   ProgressLine line;
   const Progress progress = line.callback();
   std::vector<PageItem> items;
@@ -85,7 +86,7 @@ ExitStatus write_report(const ReportOptions& options) {
 
 void add_report(CLI::App& program, Action& chosen) {
   const auto options = std::make_shared<ReportOptions>();
-  CLI::App* command = program.add_subcommand("report", "Write a page for a browser: certificates and witnesses");
+  CLI::App* command = add_named(program, about_report);
   command
       ->add_option("FILE", options->files,
                    "Certificates, plain or compressed; witnesses of attacks, or what attack --json printed")

@@ -1,9 +1,10 @@
+#include <CLI/CLI.hpp>
 #include <fstream>
 #include <iostream>
 #include <iterator>
 #include <memory>
 
-#include "apps/claim_commands.hpp"
+#include "apps/other_programs.hpp"
 #include "proofs/tables/constant_table.hpp"
 #include "properties/attack/claim_library.hpp"
 #include "support/error.hpp"

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -7,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "apps/claim_commands.hpp"
 #include "apps/claim_options.hpp"
 #include "apps/interruption.hpp"
+#include "apps/other_programs.hpp"
 #include "apps/progress_line.hpp"
 #include "proofs/publication/latex_table.hpp"
 #include "properties/attack/attack_report.hpp"

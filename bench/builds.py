@@ -24,7 +24,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 MARK = re.compile(r"(<!-- builds -->\n).*?(<!-- builds: end -->)", re.DOTALL)
-PROGRAMS = ["delcert", "delcert-check", "delcert-claims"]
+PROGRAMS = ["delcert", "delcert-check", "delcert-publish", "delcert-claims"]
 
 
 def run(command, folder):
@@ -77,10 +77,12 @@ def measured(commit, jobs, everything):
 
 def sums_of(targets):
     """The rows of a record: what is called for, at which commit, and what that costs from nothing."""
-    first = [targets[name] for name in PROGRAMS[:2]]
-    rows = [("`./run`: certify and check", first)]
-    if PROGRAMS[2] in targets:
-        rows.append(("and then attack, prove", first + [targets[PROGRAMS[2]]]))
+    parts = [targets[name] for name in PROGRAMS[:2]]
+    rows = [("`./run`: certify and check", parts)]
+    for name, title in zip(PROGRAMS[2:], ["and then export, report", "and then attack, prove"]):
+        if name in targets:
+            parts = parts + [targets[name]]
+            rows.append((title, parts))
     if "all" in targets:
         rows.append(("`./test`: everything", [targets["all"]]))
     return [(title, parts[-1]["commit"], max(part["load"] for part in parts),

@@ -8,15 +8,17 @@ set_target_properties(delcert_rigour PROPERTIES EXPORT_NAME rigour)
 set_target_properties(delcert_support PROPERTIES EXPORT_NAME support)
 set_target_properties(delcert_kernel PROPERTIES EXPORT_NAME kernel)
 set_target_properties(delcert_certificates PROPERTIES EXPORT_NAME certificates)
+set_target_properties(delcert_spectra PROPERTIES EXPORT_NAME spectra)
+set_target_properties(delcert_publication PROPERTIES EXPORT_NAME publication)
 set_target_properties(delcert_proofs PROPERTIES EXPORT_NAME proofs)
 set_target_properties(delcert_properties PROPERTIES EXPORT_NAME properties)
 install(TARGETS delcert_rigour delcert_support delcert_kernel delcert_certificates EXPORT delcert
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 install(TARGETS delcert RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT delcert)
 # What ./run builds only when it is called for: a folder where it has not been built is installed without it.
-install(TARGETS delcert_proofs delcert_properties EXPORT delcert-claims
+install(TARGETS delcert_spectra delcert_publication delcert_proofs delcert_properties EXPORT delcert-claims
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development OPTIONAL)
-install(TARGETS delcert-claims delcert-replay RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT delcert OPTIONAL)
+install(TARGETS delcert-publish delcert-claims delcert-replay RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT delcert OPTIONAL)
 
 # Below include/delcert/, so that consumers write the same includes as we do.
 foreach(folder support kernel proofs/constants proofs/certificate proofs/formula proofs/prover properties/instances properties/attack)
@@ -68,7 +70,7 @@ foreach(subcommand attack bundle campaign certify cite claims constants errata e
     tables tighten)
   delcert_manual(delcert-${subcommand} delcert "delcert ${subcommand}" ${subcommand})
   if(TARGET manual-of-delcert-${subcommand})
-    add_dependencies(manual-of-delcert-${subcommand} delcert-claims)
+    add_dependencies(manual-of-delcert-${subcommand} delcert-publish delcert-claims)
   endif()
 endforeach()
 delcert_manual(delcert delcert "certified Delaunay triangulations of manifolds")

@@ -17,7 +17,7 @@ case ${1-all} in
     else
       configure DELCERT_TESTS=OFF DELCERT_UNITED_SOURCES=ON DELCERT_PYTHON=ON
     fi
-    build delcert delcert-claims delcert-check delcert-replay delcert_properties _delcert
+    build delcert delcert-publish delcert-claims delcert-check delcert-replay delcert_properties _delcert
     build man
     ;;
   checker)

@@ -48,8 +48,11 @@ programs_for() {
   case ${1-} in
     attack | campaign | claims | errata | formalise | prove | tables | tighten) echo delcert; echo delcert-claims ;;
     check) case ${2-} in "" | --help | -h) echo delcert ;; *) echo delcert-check ;; esac ;;
-    figure | report) echo delcert; echo delcert-check; shows_witnesses "${@:2}" && echo delcert-claims ;;
-    cite | constants | homology | info | manifolds | sample | --help | -h | --version) echo delcert ;;
+    figure | report) echo delcert; echo delcert-publish; echo delcert-check; shows_witnesses "${@:2}" && echo delcert-claims ;;
+    bundle | export) echo delcert; echo delcert-publish; echo delcert-check ;;
+    cite) echo delcert; echo delcert-publish ;;
+    info) echo delcert; [[ " $* " != *" --picture"* ]] || echo delcert-publish ;;
+    constants | homology | manifolds | sample | --help | -h | --version) echo delcert ;;
     *) echo delcert; echo delcert-check ;;
   esac
   return 0

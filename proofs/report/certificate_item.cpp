@@ -1,11 +1,15 @@
 #include "proofs/report/certificate_item.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <utility>
 
 #include "kernel/number/exact_text.hpp"
 #include "proofs/certificate/summary_json.hpp"
 #include "proofs/drawing/drawing.hpp"
+#include "proofs/report/decimation.hpp"
 #include "proofs/report/packed_drawing.hpp"
 #include "support/error.hpp"
 
@@ -64,7 +68,8 @@ std::vector<std::string> exact_coordinates(const CertificateSummary& certificate
 }
 
 void add_drawing(const CertificateSummary& certificate, PageItem& item) {
-  const Drawing drawing = drawing_of(certificate, {});
+  const Drawing whole = drawing_of(certificate, {});
+  const Drawing drawing = decimated(whole, most_simplices_of_a_page);
   const std::vector<std::string> exact = exact_coordinates(certificate);
   for (const auto& [detail, note] : choices) {
     PackedDrawing packed = packed_drawing(drawing, exact, detail);
@@ -74,6 +79,15 @@ void add_drawing(const CertificateSummary& certificate, PageItem& item) {
     item.data["drawing"]["exact_names"] = exact_names(certificate);
     item.block = std::move(packed.block);
     if (*note != '\0') item.data["notes"].push_back(note);
+    if (drawing.simplex_count() < whole.simplex_count()) {
+      item.data["notes"].push_back(
+          fmt::format("To keep this page small, it has {} of the {} simplices: those that share a point with one of "
+                      "the ten worst of each "
+                      "measure, so that their stars are whole, and an even part of the others, whose stars are not. "
+                      "Levels and margins are "
+                      "those of all.",
+                      drawing.simplex_count(), whole.simplex_count()));
+    }
     if (!drawing.projection.empty()) item.data["notes"].push_back("Drawn by the " + drawing.projection + ".");
     return;
   }
@@ -81,7 +95,7 @@ void add_drawing(const CertificateSummary& certificate, PageItem& item) {
 
 }  // namespace
 
-std::size_t page_budget(std::size_t simplices) { return 600000 + 9 * simplices; }
+std::size_t page_budget(std::size_t simplices) { return std::min<std::size_t>(600000 + 9 * simplices, 4800000); }
 
 PageItem certificate_item(const CertificateSummary& certificate, const ShownFile& file,
                           const std::optional<CheckRecord>& check) {

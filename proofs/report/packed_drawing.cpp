@@ -8,14 +8,14 @@
 #include <numeric>
 #include <utility>
 
+#include "proofs/report/worst_simplices.hpp"
+
 namespace delcert {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 using Numbers = std::vector<std::uint32_t>;
-
-constexpr std::size_t worst_listed = 10;
 
 /// Coordinate `axis` of all vertices; 0 beyond those that there are.
 std::vector<double> axis_of(const Drawing& drawing, std::size_t axis) {
@@ -71,21 +71,11 @@ std::vector<std::pair<Numbers, std::uint32_t>> sorted_simplices(const Drawing& d
   return result;
 }
 
-/// The worst values with the numbers of their simplices, the worst first; of equal ones the first.
+/// The worst values with the numbers of their simplices, the worst first.
 Json worst_of(const std::vector<double>& values, bool least_is_worst) {
-  Numbers order;
-  for (std::size_t at = 0; at < values.size(); ++at) {
-    if (!std::isnan(values[at])) order.push_back(static_cast<std::uint32_t>(at));
-  }
-  const auto listed = static_cast<std::ptrdiff_t>(std::min(worst_listed, order.size()));
-  std::partial_sort(order.begin(), order.begin() + listed, order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return values[a] == values[b] ? a < b : (values[a] < values[b]) == least_is_worst;
-  });
   Json result = Json::array();
-  for (std::ptrdiff_t at = 0; at < listed; ++at) {
-    const std::uint32_t simplex = order[static_cast<std::size_t>(at)];
+  for (const std::uint32_t simplex : worst_simplices(values, least_is_worst))
     result.push_back(Json::array({simplex, values[simplex]}));
-  }
   return result;
 }
 

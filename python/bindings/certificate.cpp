@@ -12,6 +12,7 @@
 #include "proofs/drawing/cell_data.hpp"
 #include "proofs/drawing/certificate_export.hpp"
 #include "proofs/drawing/picture.hpp"
+#include "proofs/drawing/simplex_bounds.hpp"
 #include "proofs/publication/certificate_page.hpp"
 #include "proofs/publication/certificate_table.hpp"
 #include "proofs/publication/citation.hpp"
@@ -99,6 +100,21 @@ class ReadCertificate {
     return result;
   }
 
+  /// Of each measure a row (lower, upper) for each simplex.
+  [[nodiscard]] py::dict bounds() const {
+    const SimplexBounds bounds = apart([&] { return simplex_bounds(content_); });
+    const auto rows = [](const MeasureEnclosures& one) {
+      std::vector<double> values;
+      for (std::size_t at = 0; at < one.lower.size(); ++at) values.insert(values.end(), {one.lower[at], one.upper[at]});
+      return table_of<double>(values, 2);
+    };
+    py::dict result;
+    result["protection"] = rows(bounds.protection);
+    result["thickness"] = rows(bounds.thickness);
+    result["circumradius"] = rows(bounds.circumradius);
+    return result;
+  }
+
   [[nodiscard]] py::bytes exported(const std::string& format, const std::string& copies,
                                    const std::optional<std::string>& model, bool is_exact, bool simplify,
                                    bool is_verified) const {
@@ -165,6 +181,7 @@ void add_certificate(py::module_& module) {
       .def("point", &ReadCertificate::point)
       .def("point_count", &ReadCertificate::point_count)
       .def("drawing", &ReadCertificate::drawing)
+      .def("bounds", &ReadCertificate::bounds)
       .def("exported", &ReadCertificate::exported)
       .def("picture", &ReadCertificate::picture)
       .def("latex", &ReadCertificate::latex)

@@ -50,10 +50,21 @@ class Picture:
 
 class Margin:
     """A measure of all simplices: `lower` or `upper` is the bound that the certificate states, exactly (the other is
-    None), `approximate` what is computed for each simplex in floats, without error bounds."""
+    None), `approximate` what is computed for each simplex in floats, without error bounds, and `bounds` what is proved of
+    each simplex, on flat tori."""
 
-    def __init__(self, name, approximate, lower=None, upper=None):
+    def __init__(self, name, approximate, lower=None, upper=None, bounds=None):
         self.name, self.approximate, self.lower, self.upper = name, approximate, lower, upper
+        self._bounds = bounds
+
+    @property
+    def bounds(self):
+        """float64, a row (lower, upper) for each simplex, by intervals that are rounded outwards, from the exact points. The
+        lower bound of the protection rests on level 4, which `check()` verifies; the others rest on nothing. Flat tori only:
+        MalformedInput elsewhere."""
+        rows = self._bounds()[self.name]
+        rows.flags.writeable = False
+        return rows
 
     def __repr__(self):
         bound = f">= {self.lower}" if self.upper is None else f"<= {self.upper}"
@@ -152,11 +163,13 @@ class Certificate:
         def measured(name):
             return drawn["measures"][name][order]
 
+        # All three at once, when the first is asked for.
+        bounds = functools.cache(self._content.bounds)
         radius = self.parameters["sampling_radius"]
         return SimpleNamespace(
-            protection=Margin("protection", measured("protection"), lower=stated("protection", radius)),
-            thickness=Margin("thickness", measured("thickness"), lower=stated("thickness", 1)),
-            circumradius=Margin("circumradius", measured("circumradius"), upper=stated("circumradius", radius)),
+            protection=Margin("protection", measured("protection"), lower=stated("protection", radius), bounds=bounds),
+            thickness=Margin("thickness", measured("thickness"), lower=stated("thickness", 1), bounds=bounds),
+            circumradius=Margin("circumradius", measured("circumradius"), upper=stated("circumradius", radius), bounds=bounds),
         )
 
     # For other programs.

@@ -41,7 +41,7 @@ function head(item) {
 export async function certificatePage(item, block) {
   const root = element("article", { class: "certificate" }, head(item)), parts = { root };
   if (item.drawing) {
-    const drawing = await unpackedDrawing(item.drawing, block), complex = new Complex(drawing);
+    const drawing = await unpackedDrawing(item.drawing, block), complex = new Complex(drawing, item.simplices);
     parts.complex = complex;
     if (item.drawing.dimension === 2 || item.drawing.dimension === 3) parts.picture = new Picture(item.header, complex);
     parts.inspector = new Inspector(item.header, complex, parts.picture);
@@ -52,7 +52,8 @@ export async function certificatePage(item, block) {
       root.append(element("p", { class: "note" }, "Where the protection is below 0 another point is in the circumscribed ball of the simplex: there the complex is not Delaunay."));
     }
     if (names.length) {
-      root.append(element("section", {}, element("h3", {}, "All simplices"),
+      const all = complex.size === item.simplices;
+      root.append(element("section", {}, element("h3", {}, all ? "All simplices" : `The ${count(complex.size)} simplices of ${count(item.simplices)} that this page has`),
         element("p", { class: "note hint" }, "Drag over a histogram, or move its two sliders: the picture shows the simplices in between."),
         element("div", { class: "histograms" }, names.map((name) => histogram(complex, name)))));
     }

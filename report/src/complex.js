@@ -2,9 +2,11 @@
 import { measures, Scale } from "./measures.js";
 
 export class Complex extends EventTarget {
-  constructor(drawing) {
+  /** `whole`: how many simplices the certificate has; the page has no more of them. */
+  constructor(drawing, whole = 0) {
     super();
     this.drawing = drawing;
+    this.whole = whole;
     this.corners = drawing.corners;
     this.size = drawing.simplices.length / drawing.corners;
     this.scales = {};

@@ -66,7 +66,7 @@ export class Inspector {
     const neighbours = new Set(star.flatMap((simplex) => complex.labels(simplex)));
     body.replaceChildren(...[
       element("h4", {}, `Label ${count(label)}`),
-      element("p", {}, `In ${counted(star.length, "simplex", "simplices")}, with ${counted(neighbours.size - 1, "neighbour", "neighbours")}`,
+      element("p", {}, `In ${counted(star.length, "simplex", "simplices")}${complex.size < complex.whole ? " of those on this page" : ""}, with ${counted(neighbours.size - 1, "neighbour", "neighbours")}`,
         lifts.some((lift) => !/^(1|0( 0)*)$/.test(lift)) ? `; drawn at ${lifts.length > 1 ? "the lifts" : "the lift"} ${lifts.join(" and ")}` : "", "."),
       exact && element("dl", { class: "coordinates" }, exact.map((text, axis) =>
         [element("dt", {}, drawing.exact_names[axis]), element("dd", {}, element("code", { class: "exact" }, text), element("span", { class: "decimal" }, ` ≈ ${decimal(approximate(text), 8)}`))])),

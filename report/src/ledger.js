@@ -14,7 +14,7 @@ export function ledgerSection({ header, check, ledger }) {
   const { protection } = ledger, one = header.levels_claimed["1"];
   const certified = one ? approximate(one.protection) / approximate(header.parameters.sampling_radius) : NaN;
   const state = levelVerdict(check, "1") === "verified" ? "verified" : "claimed";
-  return element("section", {}, element("h3", {}, "Beside the paper"),
+  return element("section", { class: "paper" }, element("h3", {}, "Beside the paper"),
     element("p", {}, `For these parameters, and where its hypotheses hold, the paper guarantees a protection of at least 2^${decimal(Number(protection.log2_lower), 5)} ε. `,
       one && certified > 0 ? `Of this complex ${asPower(certified)} ε is ${state}, that is ${decimal(certified, 4)} ε.` : "This certificate claims none."),
     element("details", { class: "ledger" }, element("summary", {}, "All constants of the paper for these parameters"),

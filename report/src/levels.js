@@ -32,7 +32,7 @@ export function levelsTable(item) {
         found && element("div", { class: "note" }, found.seconds < 0.001 ? "less than 0.001 s" : `${decimal(found.seconds, 3)} s`),
         element("details", {}, element("summary", {}, "rules"), element("span", { class: "rules" }, known.rules.join(", ")))));
   });
-  return element("section", {}, element("h3", {}, "Levels"),
+  return element("section", { class: "levels" }, element("h3", {}, "Levels"),
     table("Every level that the certificate claims, with its margins as they stand there", ["Level", "Verdict", "It says", "Margins", "What the checker computed"], rows));
 }
 
@@ -45,7 +45,7 @@ export function homologySection(item) {
   if (two.closed) facts.push(["closed", two.closed === "true" ? "yes" : "no"]);
   const checked = levelVerdict(check, "2");
   const derived = [["orientability", manifold?.orientability], ["first homology of the group", manifold?.first_homology && groupText(manifold.first_homology)], ["size", manifold?.size]].filter(([, text]) => text);
-  return element("section", {}, element("h3", {}, "Topology"),
+  return element("section", { class: "topology" }, element("h3", {}, "Topology"),
     element("p", {}, checked === "verified" ? "Stated by the certificate, and verified with level 2:" : "As the certificate states it; not verified here:"),
     element("dl", { class: "facts homology" }, facts.map(([name, text]) => [element("dt", {}, name), element("dd", {}, text)])),
     derived.length > 0 && element("p", {}, "Found by the checker itself:"),
@@ -63,7 +63,7 @@ export function howChecked(item) {
     parts.push(element("p", {}, "The checker was not run when this page was made. Everything here is as the certificate claims it."));
   }
   const missing = order.filter((level) => !(level in header.levels_claimed));
-  return element("section", {}, element("h3", {}, "How this was checked"), parts,
+  return element("section", { class: "checked" }, element("h3", {}, "How this was checked"), parts,
     element("p", {}, "delcert-check shares no code with the program that made the certificate. Trust rests on it, on the compiler, on the processor's directed rounding, and on GMP and FLINT (with Arb). The proofs that its rules suffice are read by people."),
     element("h4", {}, "Check it again"),
     element("p", {}, copied(`sha256sum ${shellWord(file)}`, "the command for the checksum"), check && element("span", {}, ` must print ${header.file_sha256}`)),

@@ -1,12 +1,15 @@
 #!/usr/bin/env bash
-# two_programs.sh CASE DELCERT: delcert and delcert-claims, beside it, are one program to their users.
+# two_programs.sh CASE DELCERT: delcert, and delcert-publish and delcert-claims beside it, are one program to their users.
 set -uo pipefail
-case=$1 delcert=$2 claims=$2-claims
+case=$1 delcert=$2 publish=$2-publish claims=$2-claims
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
 case $case in
-  help) diff <("$delcert" --help) <("$claims" --help) && diff <("$delcert" attack --help) <("$claims" attack --help) && echo "the same" ;;
+  help)
+    diff <("$delcert" --help) <("$claims" --help) && diff <("$delcert" --help) <("$publish" --help) &&
+      diff <("$delcert" attack --help) <("$claims" attack --help) && diff <("$delcert" export --help) <("$claims" export --help) && echo "the same"
+    ;;
   process)
     "$delcert" attack --all --samples 1000000 --threads 1 >"$folder/output" 2>&1 &
     process=$!
@@ -23,5 +26,16 @@ case $case in
     cp "$delcert" "$folder/delcert"
     "$folder/delcert" manifolds torus-2 --names || exit 99
     "$folder/delcert" claims
+    ;;
+  alone-publishing)
+    cp "$delcert" "$folder/delcert"
+    "$folder/delcert" manifolds torus-2 --names || exit 99
+    "$folder/delcert" cite
+    ;;
+  without-claims)
+    # A witness is handed over twice, and the second program is the one that is missing.
+    cp "$delcert" "$publish" "$folder"
+    printf '{"delcert_witness": 1}' >"$folder/witness.json"
+    "$folder/delcert" figure "$folder/witness.json" --output "$folder/witness.svg"
     ;;
 esac

@@ -97,6 +97,32 @@ class Read(Case):
         self.assertLess(margins.thickness.approximate.min(), 2 * float(margins.thickness.lower))
         self.assertIsNone(margins.protection.upper)
 
+    def test_bounds_of_each_simplex_hold_and_are_narrow(self):
+        certificate = delcert.certify("torus-2", radius="1/24", seed=1)
+        for name in ("protection", "thickness", "circumradius"):
+            margin = getattr(certificate.margins, name)
+            lower, upper = margin.bounds.T
+            self.assertEqual(margin.bounds.shape, (len(certificate.simplices), 2))
+            self.assertEqual(margin.bounds.dtype, numpy.float64)
+            self.assertTrue((lower < upper).all() and (upper - lower < 1e-9).all(), name)
+            # What is computed in floats is within the bounds, up to its own error.
+            self.assertTrue((margin.approximate > lower - 1e-9).all() and (margin.approximate < upper + 1e-9).all(), name)
+            # What the certificate states of all holds of the worst, and is near it.
+            if margin.lower is not None:
+                self.assertTrue(Fraction(upper.min()) >= margin.lower > Fraction(lower.min()) * Fraction(99, 100), name)
+            else:
+                self.assertTrue(Fraction(lower.max()) <= margin.upper < Fraction(upper.max()) * Fraction(101, 100), name)
+        # Twin: bounds of another simplex do not hold.
+        thickness = certificate.margins.thickness
+        shifted = numpy.roll(thickness.bounds, 1, axis=0)
+        self.assertFalse((thickness.approximate > shifted[:, 0] - 1e-9).all())
+        with self.assertRaises(ValueError):
+            thickness.bounds[0, 0] = 1
+
+    def test_bounds_of_each_simplex_are_of_flat_tori_only(self):
+        bolza = delcert.certify("bolza-surface", radius="1/8", seed=1)
+        self.assertIn("flat tori", self.message_of(delcert.MalformedInput, lambda: bolza.margins.thickness.bounds))
+
     def test_of_a_file_that_is_none_is_refused(self):
         path = self.folder / "c.json"
         path.write_text("{}")

@@ -137,6 +137,12 @@ async function expectPictures(page, name, models = 0) {
   }
 }
 
+/** How many sheets a page takes in print. */
+async function sheets(page) {
+  const printed = await page.pdf({ preferCSSPageSize: true, printBackground: true });
+  return (printed.toString("latin1").match(/\/Type\s*\/Page\b/g) ?? []).length;
+}
+
 async function expectKeyboard(page, name) {
   const canvas = page.locator(".picture canvas[tabindex]"), before = await canvas.screenshot();
   await canvas.focus();
@@ -163,6 +169,7 @@ async function lookAt(own) {
   await expectHistograms(page, name, simplices);
   await expectPictures(page, name, own.models);
   await expectKeyboard(page, name);
+  expectEqual(await sheets(page), 1, `${name}: sheets of A4 in print`);
   expectQuiet(opened, name);
   console.log(`${name}: ${simplices} simplices, ${size} bytes`);
   await page.close();
@@ -285,6 +292,9 @@ async function lookAtTwins() {
   await expectNoticed(() => expectHistograms(blank.page, "torus-2", 798), "a histogram without one of its classes");
   await blank.page.evaluate(() => { for (const label of document.querySelectorAll("label")) label.remove(); });
   await expectNoticed(async () => expectEqual(await browser.obstacles(blank.page), [], "axe"), "controls without labels");
+  // Another 40 lines do not fit on the sheet.
+  await blank.page.evaluate(() => { for (let line = 0; line < 40; ++line) document.querySelector(".checked").append(document.createElement("p"), "more"); });
+  await expectNoticed(async () => expectEqual(await sheets(blank.page), 1, "sheets"), "a page that prints on two sheets");
   await expectNoticed(() => expectMargins(blank.page, "torus-2", { levels_claimed: { 1: { protection: "1/2" } } }), "another margin");
 }
 

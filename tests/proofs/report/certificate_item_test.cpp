@@ -54,6 +54,7 @@ TEST(CertificateItem, of_what_cannot_be_drawn_says_why) {
 TEST(CertificateItem, keeps_to_its_budget) {
   EXPECT_EQ(page_budget(0), 600000U);
   EXPECT_EQ(page_budget(66485), 600000U + 598365U);
+  EXPECT_EQ(page_budget(1000000), 4800000U);
   // Thousands of digits that nothing compresses well: they do not fit, and the page says that it leaves them out.
   CertificateSummary certificate = drawn_certificates().at("flat-torus");
   Rational power(1);

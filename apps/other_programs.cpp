@@ -1,5 +1,8 @@
+#include "apps/other_programs.hpp"
+
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
@@ -8,16 +11,19 @@
 #include <system_error>
 
 #include "apps/checker_path.hpp"
-#include "apps/claim_commands.hpp"
 
 namespace delcert {
 
-void hand_over_to_claims() {
+CLI::App* add_named(CLI::App& program, const CommandName& command) {
+  return program.add_subcommand(command.name, command.description);
+}
+
+void hand_over_to(const OtherProgram& other) {
   namespace fs = std::filesystem;
-  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "delcert-claims";
+  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / other.name;
   if (first_executable({program}).empty())
-    throw std::runtime_error(program.string() +
-                             " is not there, and claims are its part; in the source tree ./run builds it");
+    throw std::runtime_error(program.string() + " is not there, and " + other.part +
+                             " are its part; in the source tree ./run builds it");
   std::ifstream stream("/proc/self/cmdline", std::ios::binary);
   std::string words((std::istreambuf_iterator<char>(stream)), {});
   std::vector<char*> pointers;
