@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "kernel/number/rounding_guard.hpp"
-#include "kernel/stars/approximate_delaunay.hpp"
 #include "kernel/stars/approximate_sphere.hpp"
+#include "kernel/stars/approximate_star.hpp"
 
 namespace delcert {
 
@@ -127,8 +127,7 @@ typename VoronoiCells<m>::Cell VoronoiCells<m>::cell(const std::vector<Vector<do
   if (!others.empty()) result.nearest = 2 * length_of_tangent(std::sqrt(nearest) / 2);
 
   double farthest = 0;
-  for (const auto& simplex : approximate_delaunay<m>(points)) {
-    if (simplex[0] != 0) continue;
+  for (const auto& simplex : approximate_star<m>(points, 0)) {
     std::array<Vector<double, m>, static_cast<std::size_t>(m) + 1> vertices;
     for (std::size_t corner = 0; corner <= m; ++corner) vertices[corner] = points[simplex[corner]];
     const auto sphere = approximate_sphere<m>(cartesian<m>(), vertices);

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "kernel/simplex/dimensions.hpp"
-#include "kernel/stars/approximate_delaunay.hpp"
+#include "kernel/stars/approximate_star.hpp"
 
 namespace delcert {
 
@@ -43,11 +43,7 @@ std::vector<PlaceSimplex<m>> proposed(const ChartView<m>& view, std::uint32_t ho
     }
   }
   for (auto& x : approximate) x = view.atlas().metric().approximate_cartesian(x);
-  std::vector<PlaceSimplex<m>> result;
-  for (const auto& simplex : approximate_delaunay<m>(approximate)) {
-    if (std::find(simplex.begin(), simplex.end(), home) != simplex.end()) result.push_back(simplex);
-  }
-  return result;
+  return approximate_star<m>(approximate, home);
 }
 
 template <int m>
