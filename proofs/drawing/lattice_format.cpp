@@ -16,7 +16,8 @@ using Rows = std::vector<std::vector<Rational>>;
 
 Rows gram_matrix(const CertificateSummary& certificate) {
   Rows result;
-  for (const auto& row : manifold_json(certificate).at("gram")) {
+  const nlohmann::ordered_json manifold = manifold_json(certificate);
+  for (const auto& row : manifold.at("gram")) {
     result.emplace_back();
     for (const auto& entry : row) result.back().push_back(parse_exact(entry.get<std::string>()));
   }
