@@ -3,30 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/simplex/cholesky.hpp"
+
 namespace delcert {
 
 namespace {
 
 /// More than what the few operations on doubles of a query round, relative to their results.
 constexpr double rounding_slack = 0x1p-40;
-
-/// G = RᵀR, R upper triangular.
-template <int m>
-Matrix<Interval, m> upper_factor(const MetricOn<Interval, m>& metric, const Matrix<Rational, m>& gram) {
-  Matrix<Interval, m> result{};
-  for (std::size_t row = 0; row < m; ++row) {
-    for (std::size_t column = row; column < m; ++column) {
-      Interval rest = scalar_from<Interval>(gram[row][column]);
-      for (std::size_t k = 0; k < row; ++k) rest -= result[k][row] * result[k][column];
-      if (metric.is_cartesian()) {
-        result[row][column] = rest;
-      } else {
-        result[row][column] = row == column ? square_root(rest) : rest / result[row][row];
-      }
-    }
-  }
-  return result;
-}
 
 /// An upper bound of the chord of two points at this distance: 2 sin(d/2), d or 2 sinh(d/2).
 double chord_of(Curvature curvature, double distance) {
@@ -41,7 +25,7 @@ double chord_of(Curvature curvature, double distance) {
 template <int m>
 LiftGrid<m>::LiftGrid(Curvature curvature, const FrameMetric<m>& metric, double cell_width)
     : curvature_(curvature),
-      cholesky_(upper_factor<m>(metric.template on<Interval>(), metric.gram())),
+      cholesky_(upper_factor<Interval, m>(metric.template on<Interval>(), metric.gram())),
       axes_(curvature == Curvature::positive ? m + 1 : m),
       bits_(static_cast<unsigned>(64 / axes_)),
       cells_per_unit_(1 / cell_width) {}
@@ -51,10 +35,8 @@ typename LiftGrid<m>::Place LiftGrid<m>::embedded(const ModelPoint<Interval, m>&
   Vector<Interval, m + 1> at = x;
   Place result;
   if (curvature_ == Curvature::zero) {
-    for (std::size_t row = 0; row < m; ++row) {
-      at[row] = cholesky_[row][row] * x[row + 1];
-      for (std::size_t column = row + 1; column < m; ++column) at[row] += cholesky_[row][column] * x[column + 1];
-    }
+    const auto cartesian = upper_applied(cholesky_, detail::spatial_part<Interval, static_cast<std::size_t>(m)>(x));
+    std::copy(cartesian.begin(), cartesian.end(), at.begin());
   } else if (curvature_ == Curvature::negative) {
     const auto conformal = conformal_coordinates<Interval, m>(x);
     std::copy(conformal.begin(), conformal.end(), at.begin());
@@ -108,11 +90,9 @@ void LiftGrid<m>::insert(const Lift<m>& lift, const ModelPoint<Interval, m>& x) 
   Cell cell{};
   for (std::size_t axis = 0; axis < axes_; ++axis) cell[axis] = cell_coordinate(place.at[axis]);
   const auto number = static_cast<std::uint32_t>(places_.size());
-  const auto [position, is_new] = cells_.try_emplace(key_of(cell), number);
-  if (!is_new) {
-    place.next = position->second;
-    position->second = number;
-  }
+  std::uint32_t& last = cells_.at(key_of(cell));
+  place.next = last;
+  last = number;
   places_.push_back(place);
 }
 
@@ -124,18 +104,19 @@ void LiftGrid<m>::visit_near(const ModelPoint<Interval, m>& x, double distance, 
   error += error_;
   const double chord = chord_of(curvature_, distance);
   const double reach = (embedded_distance(place, error, distance, chord) + error) * (1 + rounding_slack);
-  const double most = chord * chord * (1 + 2 * rounding_slack);
+  const double most = most_chord(distance);
   // The exact points are `error` closer at most than the stored ones are, and |e(x) − e(y)| is at most `reach`:
   // (|e| − error)² ≥ |e|² − 2·error·reach.
   const double relief = 2 * error * reach * (1 + rounding_slack);
+  double found = 0;  // the chord of the last place, as `near` tells it
   const auto is_near = [&](const Place& other) {
     double squared = 0;
     for (std::size_t axis = 0; axis < axes_; ++axis) {
       const double step = other.at[axis] - place.at[axis];
       squared += step * step;
     }
-    return squared <= reach * reach * (1 + 2 * rounding_slack) &&
-           (squared * (1 - rounding_slack) - relief) * (place.weight * other.weight) <= most;
+    found = (squared * (1 - rounding_slack) - relief) * (place.weight * other.weight);
+    return squared <= reach * reach * (1 + 2 * rounding_slack) && found <= most;
   };
   Cell first{};
   Cell last{};
@@ -149,16 +130,14 @@ void LiftGrid<m>::visit_near(const ModelPoint<Interval, m>& x, double distance, 
   }
   if (count > static_cast<double>(places_.size())) {
     for (const Place& other : places_) {
-      if (is_near(other) && visit(other)) return;
+      if (is_near(other) && visit(other, found)) return;
     }
     return;
   }
   Cell cell = first;
   while (true) {
-    if (const auto found = cells_.find(key_of(cell)); found != cells_.end()) {
-      for (std::uint32_t at = found->second; at != none; at = places_[at].next) {
-        if (is_near(places_[at]) && visit(places_[at])) return;
-      }
+    for (std::uint32_t at = cells_.find(key_of(cell)); at != none; at = places_[at].next) {
+      if (is_near(places_[at]) && visit(places_[at], found)) return;
     }
     std::size_t axis = axes_;
     while (axis > 0 && ++cell[axis - 1] > last[axis - 1]) {
@@ -171,16 +150,31 @@ void LiftGrid<m>::visit_near(const ModelPoint<Interval, m>& x, double distance, 
 
 template <int m>
 void LiftGrid<m>::near(const ModelPoint<Interval, m>& x, double distance, std::vector<Lift<m>>& out) const {
-  visit_near(x, distance, [&out](const Place& place) {
+  visit_near(x, distance, [&out](const Place& place, double) {
     out.push_back(place.lift);
     return false;
   });
 }
 
 template <int m>
+void LiftGrid<m>::near(const ModelPoint<Interval, m>& x, double distance,
+                       std::vector<std::pair<Lift<m>, double>>& out) const {
+  visit_near(x, distance, [&out](const Place& place, double chord) {
+    out.emplace_back(place.lift, chord);
+    return false;
+  });
+}
+
+template <int m>
+double LiftGrid<m>::most_chord(double distance) const {
+  const double chord = chord_of(curvature_, distance);
+  return chord * chord * (1 + 2 * rounding_slack);
+}
+
+template <int m>
 bool LiftGrid<m>::approximately_occupied(const ModelPoint<Interval, m>& x, double distance) const {
   bool occupied = false;
-  visit_near(x, distance, [&occupied](const Place&) { return occupied = true; });
+  visit_near(x, distance, [&occupied](const Place&, double) { return occupied = true; });
   return occupied;
 }
 

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
+#include "kernel/chart/cell_table.hpp"
 #include "kernel/chart/model_space.hpp"
 #include "kernel/chart/point_grid.hpp"
 
@@ -33,11 +34,16 @@ class LiftGrid {
   /// which order.
   void near(const ModelPoint<Interval, m>& x, double distance, std::vector<Lift<m>>& out) const;
 
+  /// The same, to ask for less than this distance later: lists of what is found need be made once only. A lift belongs
+  /// to the answer for a distance d up to the one given if its chord is at most `most_chord(d)`.
+  void near(const ModelPoint<Interval, m>& x, double distance, std::vector<std::pair<Lift<m>, double>>& out) const;
+  [[nodiscard]] double most_chord(double distance) const;
+
   /// Whether some lift is closer to x than `distance`, or by a relative 2⁻³⁰ farther.
   [[nodiscard]] bool approximately_occupied(const ModelPoint<Interval, m>& x, double distance) const;
 
  private:
-  static constexpr std::uint32_t none = 0xffffffffU;
+  static constexpr std::uint32_t none = CellTable::none;
   using Embedded = Vector<double, m + 1>;
   using Cell = Vector<std::int64_t, m + 1>;
 
@@ -65,7 +71,7 @@ class LiftGrid {
   double cells_per_unit_;
   double error_ = 0;  // of the lift whose enclosure is widest
   std::vector<Place> places_;
-  std::unordered_map<std::uint64_t, std::uint32_t> cells_;
+  CellTable cells_;  // to the last place of each cell that has some
 };
 
 }  // namespace delcert

@@ -129,18 +129,21 @@ void PointGrid<m>::visit_near(const Vector<double, m>& centre, double distance, 
   }
   // Rounding in xᵀGx, with every |x_a| below its half-width, relative to the square of the distance.
   const double most = widened * widened * (1 + 0x1p-48 * gram_rounding_);
-  Index cell = first;
-  while (true) {
-    Index wrapped = cell;
-    Shift<m> period{};
-    if (periodic_) {
-      for (std::size_t axis = 0; axis < m; ++axis) {
-        std::int64_t turns = cell[axis] / cells_[axis];
-        if (turns * cells_[axis] > cell[axis]) --turns;
-        wrapped[axis] = cell[axis] - turns * cells_[axis];
-        period[axis] = static_cast<std::int32_t>(turns);
-      }
+  // The cell at hand, by its number in the unit cell and by how many periods it is away.
+  Index first_wrapped = first;
+  Shift<m> first_period{};
+  if (periodic_) {
+    for (std::size_t axis = 0; axis < m; ++axis) {
+      std::int64_t turns = first[axis] / cells_[axis];
+      if (turns * cells_[axis] > first[axis]) --turns;
+      first_wrapped[axis] = first[axis] - turns * cells_[axis];
+      first_period[axis] = static_cast<std::int32_t>(turns);
     }
+  }
+  Index cell = first;
+  Index wrapped = first_wrapped;
+  Shift<m> period = first_period;
+  while (true) {
     for (const Entry& entry : grid_[flat_index(wrapped)]) {
       Vector<double, m> offset;
       for (std::size_t axis = 0; axis < m; ++axis) {
@@ -153,9 +156,15 @@ void PointGrid<m>::visit_near(const Vector<double, m>& centre, double distance, 
     std::size_t axis = m;
     while (axis > 0 && ++cell[axis - 1] > last[axis - 1]) {
       cell[axis - 1] = first[axis - 1];
+      wrapped[axis - 1] = first_wrapped[axis - 1];
+      period[axis - 1] = first_period[axis - 1];
       --axis;
     }
     if (axis == 0) return;
+    if (++wrapped[axis - 1] == cells_[axis - 1] && periodic_) {
+      wrapped[axis - 1] = 0;
+      ++period[axis - 1];
+    }
   }
 }
 

@@ -22,6 +22,13 @@ struct CandidateTest<m>::Collector {
   Filter filter_squared_reach;
   double far_power = std::numeric_limits<double>::infinity();  // s(2ϱ + s), rounded up; infinite without a bound
 
+  // In the frame, whose origin is nearly the original point.
+  double reach = 0;
+  double circumradius_bound = 0;
+  Vector<double, m> offset{};
+  double squared_offset = 0;
+  ApexForm<double>::Probe rounded_probe{};
+
   Vector<Filter, m> filter_offset;  // from the first vertex to the original point
   Filter filter_squared_offset;
   Vector<Rational, m> exact_offset;
@@ -52,10 +59,7 @@ struct CandidateTest<m>::Collector {
     const Filter power = stack.power(filter_offset, filter_squared_offset);
     if (is_proved(is_farther(power, stack.squared_radius(), filter_squared_reach))) return true;
     add(vertices);
-    Candidate<m>& candidate = test->candidates_.back();
-    candidate.in_filter = true;
-    candidate.centre = stack.centre();
-    candidate.squared_radius = stack.squared_radius();
+    take_sphere(stack.centre(), stack.squared_radius());
     return true;
   }
 
@@ -68,10 +72,7 @@ struct CandidateTest<m>::Collector {
     const Filter power = SphereStack<Filter, m>::power_over(apex, probe);
     if (is_certainly_far(power) || is_proved(is_farther(power, apex.squared_radius, filter_squared_reach))) return;
     add(vertices);
-    Candidate<m>& candidate = test->candidates_.back();
-    candidate.in_filter = true;
-    candidate.centre = stack.centre_over(apex);
-    candidate.squared_radius = apex.squared_radius;
+    take_sphere(stack.centre_over(apex), apex.squared_radius);
   }
 
   bool enter(const SphereStack<Rational, m>& stack, std::span<const std::uint32_t> vertices) {
@@ -86,6 +87,65 @@ struct CandidateTest<m>::Collector {
 
   /// A degenerate simplex is no facet of a forbidden configuration (its facets are good) and has no diametric sphere.
   void degenerate(std::span<const std::uint32_t>) {}
+
+  void start_rounded(const Vector<double, m>& place) {
+    for (std::size_t axis = 0; axis < m; ++axis) offset[axis] = -place[axis];
+    squared_offset = pairing(offset, offset);
+  }
+
+  /// Whether the circumradius 2wR/2w is below its bound; `bound` is that of both.
+  [[nodiscard]] Verdict is_small(double norm, double weight, std::size_t vertex_count) const {
+    const double excess = norm - (circumradius_bound + circumradius_bound) * weight;
+    if (excess > test->radius_errors_[vertex_count]) return Verdict::refuted;
+    return excess < -test->radius_errors_[vertex_count] ? Verdict::proved : Verdict::undecided;
+  }
+
+  RoundedAnswer enter_rounded(const FaceForm<double, m>& face, std::span<const std::uint32_t> vertices) {
+    const SphereForm<double, m>& form = face.sphere;
+    const Verdict small = is_small(form.norm, form.weight, vertices.size());
+    if (is_undecided(small)) return RoundedAnswer::unsure;
+    if (is_proved(small) && vertices.size() >= least_vertices) {
+      const SphereGap<double> gap(form.power(offset, squared_offset), form.norm, form.weight, reach);
+      const Verdict farther = is_farther(gap, *test->centre_gap_bounds_[vertices.size()]);
+      if (is_undecided(farther)) return RoundedAnswer::unsure;
+      if (is_refuted(farther)) add(vertices, form);
+    }
+    ++test->visited_;
+    return is_proved(small) ? RoundedAnswer::go_on : RoundedAnswer::stop;
+  }
+
+  void facet_rounded(const FacetForm<double, m>& facet) {
+    rounded_probe = ApexForm<double>::probe(facet, offset, squared_offset);
+  }
+
+  RoundedAnswer over_rounded(const FacetForm<double, m>& facet, const ApexForm<double>& apex,
+                             std::span<const std::uint32_t> vertices) {
+    const Verdict small = is_small(apex.norm, apex.weight, m + 1);
+    if (is_undecided(small)) return RoundedAnswer::unsure;
+    if (is_proved(small)) {
+      const double power = apex.signed_power(rounded_probe);
+      const SphereGap<double> gap(apex.slope < 0 ? -power : power, apex.norm, apex.weight, reach);
+      const Verdict farther = is_farther(gap, *test->centre_gap_bounds_[m + 1]);
+      if (is_undecided(farther)) return RoundedAnswer::unsure;
+      if (is_refuted(farther)) add(vertices, apex.form(facet));
+    }
+    ++test->visited_;
+    return RoundedAnswer::stop;
+  }
+
+  void add(std::span<const std::uint32_t> vertices, const SphereForm<double, m>& form) {
+    add(vertices);
+    test->candidates_.back().sphere = form;
+    test->candidates_.back().is_bounded = true;
+  }
+
+  void take_sphere(const Vector<Filter, m>& about, const Filter& squared_radius) {
+    SphereForm<double, m>& sphere = test->candidates_.back().sphere;
+    sphere.weight = 1;
+    sphere.norm = 2 * test->frame_.scale() * square_root(squared_radius).lower();
+    const auto place = test->frame_.vector(about);
+    for (std::size_t axis = 0; axis < m; ++axis) sphere.normal[axis] = 2 * place.at[axis];
+  }
 
   void add(std::span<const std::uint32_t> vertices) {
     Candidate<m> candidate;
@@ -127,17 +187,94 @@ CandidateTest<m>::CandidateTest(const Atlas<m>& atlas, const PointSet<m>& points
       parameters_(parameters),
       filter_(filter_metric(atlas)),
       exact_(atlas.metric().template on<Rational>()),
-      view_(atlas, points) {}
+      view_(atlas, points),
+      frame_([&] {
+        const FilterGuard guard;
+        return RoundedFrame<m>(filter_, atlas.metric().gram());
+      }()) {}
+
+namespace {
+
+/// A length that doubles compute with: rounded, and how much it is rounded by at most.
+double rounded(const Rational& length, RoundingBound& bound) {
+  const Filter enclosure = scalar_from<Filter>(length);
+  const Filter width = Filter::exactly(enclosure.upper()) - Filter::exactly(enclosure.lower());
+  bound = RoundingBound::of(enclosure.upper(), width.upper());
+  return enclosure.upper();
+}
+
+}  // namespace
+
+template <int m>
+void CandidateTest<m>::measure_in(const Rational& unit) {
+  Lengths& lengths = lengths_;
+  lengths.unit = unit;
+  // What is not tested against may be wanted to choose by.
+  lengths.reach_of_spheres = (parameters_.perturbation + maximum(parameters_.tolerance, parameters_.clearance)) * unit;
+  lengths.reach_of_sightings = approximate_double(reach_of_candidates(parameters_) * unit) * (1 + 0x1p-40);
+  lengths.squared_reach = scalar_from<Filter>(square(reach_in_place(parameters_) * unit));
+  lengths.squared_edge_bound = scalar_from<Filter>(square(parameters_.edge_bound * unit));
+  lengths.squared_reach_of_spheres = square(lengths.reach_of_spheres);
+  lengths.filter_squared_reach_of_spheres = scalar_from<Filter>(lengths.squared_reach_of_spheres);
+  lengths.squared_circumradius_bound = square(parameters_.circumradius_bound * unit);
+  lengths.filter_squared_circumradius_bound = scalar_from<Filter>(lengths.squared_circumradius_bound);
+  lengths.far_power =
+      scalar_from<Filter>(lengths.reach_of_spheres *
+                          (Rational(2) * parameters_.circumradius_bound * unit + lengths.reach_of_spheres))
+          .upper();
+  lengths.squared_tolerance = square(parameters_.tolerance * unit);
+  lengths.filter_squared_tolerance = scalar_from<Filter>(lengths.squared_tolerance);
+
+  frame_.measure_by(scalar_from<Filter>(parameters_.edge_bound * unit).upper());
+  const Rational scale = Rational::exactly(frame_.scale());
+  lengths.scaled_reach_of_spheres = rounded(lengths.reach_of_spheres * scale, lengths.bound_of_reach_of_spheres);
+  lengths.scaled_circumradius_bound =
+      rounded(parameters_.circumradius_bound * unit * scale, lengths.bound_of_circumradius_bound);
+  lengths.scaled_tolerance = rounded(parameters_.tolerance * unit * scale, lengths.bound_of_tolerance);
+  bounds_.reset();
+  lengths.largest_offset = scalar_from<Filter>(parameters_.perturbation * unit * scale).upper() * (1 + 0x1p-10);
+}
+
+template <int m>
+void CandidateTest<m>::look_in_doubles() {
+  in_doubles_ = false;
+  places_.fill(frame_, view_);
+  if constexpr (m <= 3) {
+    const double origin_error = frame_.place(atlas_.net().enclosure(view_.chart())).error;
+    if (!is_pruned() || !uses_doubles_ || !(places_.error <= RoundedPlaces<m>::most_error)) return;
+    if (!(origin_error <= RoundedPlaces<m>::most_error)) return;
+    places_.error = std::fmax(places_.error, origin_error);
+    in_doubles_ = true;
+    if (bounds_ && bounded_size_ == places_.size && bounded_error_ == places_.error) return;
+    bounded_size_ = places_.size;
+    bounded_error_ = places_.error;
+    error_of_x_ = 4 * places_.error + 0x1p-50;
+    // Edges are below their bound or not certainly above it.
+    const double scale = frame_.scale();
+    bounds_.emplace(places_.size, places_.error, lengths_.squared_edge_bound.upper() * scale * scale * (1 + 0x1p-8));
+    bound_gaps();
+  }
+}
+
+/// Marks as adjacent all pairs but those certainly at least the edge bound apart.
+template <int m>
+void CandidateTest<m>::connect() {
+  if (!is_pruned()) {
+    view_.connect(filter_, nullptr);
+  } else if (!in_doubles_) {
+    view_.connect(filter_, &lengths_.squared_edge_bound);
+  } else {
+    const Filter scale = Filter::exactly(frame_.scale());
+    view_.connect(filter_, lengths_.squared_edge_bound, places_.is_below(lengths_.squared_edge_bound * square(scale)));
+  }
+}
 
 template <int m>
 void CandidateTest<m>::prepare(Label i) {
   const Rational& unit = atlas_.sampling_radius(i);
-  const bool pruned = parameters_.candidates == CandidateRule::pruned;
-  squared_tolerance_ = square(parameters_.tolerance * unit);
-  filter_squared_tolerance_ = scalar_from<Filter>(squared_tolerance_);
-
-  const Filter squared_reach = scalar_from<Filter>(square(reach_in_place(parameters_) * unit));
-  atlas_.sightings(i, approximate_double(reach_of_candidates(parameters_) * unit) * (1 + 0x1p-40), seen_);
+  if (lengths_.unit != unit) measure_in(unit);
+  const bool pruned = is_pruned();
+  atlas_.sightings(i, lengths_.reach_of_sightings, seen_);
   view_.clear(i);
   const auto& filter_centre = atlas_.net().enclosure(i);
   for (const Sighting<m>& sighting : seen_) {
@@ -145,59 +282,131 @@ void CandidateTest<m>::prepare(Label i) {
     if (pruned && placed_[sighting.index] == 0) continue;
     const PointSet<m>& measured = pruned ? points_ : atlas_.net();
     const auto position = atlas_.carry(i, sighting, measured.enclosure(label_of<m>(sighting)));
-    if (is_refuted(less(filter_.squared_norm(difference(position, filter_centre)), squared_reach))) continue;
-    view_.add(sighting);
+    if (is_refuted(less(filter_.squared_norm(difference(position, filter_centre)), lengths_.squared_reach))) continue;
+    if (pruned) {
+      view_.add(sighting, position);
+    } else {
+      view_.add(sighting);
+    }
   }
-  const Filter squared_edge_bound = scalar_from<Filter>(square(parameters_.edge_bound * unit));
-  view_.connect(filter_, pruned ? &squared_edge_bound : nullptr);
+  frame_.look_about(filter_centre);
+  look_in_doubles();
+  connect();
 
-  // What is not tested against may be wanted to choose by.
-  const Rational reach_of_spheres =
-      (parameters_.perturbation + maximum(parameters_.tolerance, parameters_.clearance)) * unit;
   Collector collector;
   collector.test = this;
   collector.least_vertices = parameters_.candidates == CandidateRule::printed ? m + 1 : 2;
   if (pruned) {
-    collector.squared_radius_bound = square(parameters_.circumradius_bound * unit);
-    collector.filter_squared_radius_bound = scalar_from<Filter>(*collector.squared_radius_bound);
-    collector.far_power =
-        scalar_from<Filter>(reach_of_spheres * (Rational(2) * parameters_.circumradius_bound * unit + reach_of_spheres))
-            .upper();
+    collector.squared_radius_bound = lengths_.squared_circumradius_bound;
+    collector.filter_squared_radius_bound = lengths_.filter_squared_circumradius_bound;
+    collector.far_power = lengths_.far_power;
   }
   collector.centre = atlas_.net().exact(i);
   collector.filter_centre = filter_centre;
-  collector.squared_reach = square(reach_of_spheres);
-  collector.filter_squared_reach = scalar_from<Filter>(collector.squared_reach);
+  collector.squared_reach = lengths_.squared_reach_of_spheres;
+  collector.filter_squared_reach = lengths_.filter_squared_reach_of_spheres;
   candidates_.clear();
   visited_ = 0;
   SimplexWalk<m, Collector> walk(view_, filter_, exact_, collector);
-  for (std::uint32_t origin = 0; origin < view_.size(); ++origin) walk.from(origin);
+  bool is_done = false;
+  if constexpr (m <= 3) {
+    if (in_doubles_) {
+      collector.reach = lengths_.scaled_reach_of_spheres;
+      collector.circumradius_bound = lengths_.scaled_circumradius_bound;
+      RoundedWalk<m, Collector> in_doubles(view_, places_.at, *bounds_, walk, collector);
+      for (std::uint32_t origin = 0; origin < view_.size(); ++origin) in_doubles.from(origin);
+      is_done = true;
+    }
+  }
+  if (!is_done) {
+    for (std::uint32_t origin = 0; origin < view_.size(); ++origin) walk.from(origin);
+  }
   ladder_statistics().count(Rung::interval, visited_);
+}
+
+/// Bounds of what the collector computes at the original point, and of what `is_far_in_doubles` does at perturbations.
+template <int m>
+void CandidateTest<m>::bound_gaps() {
+  const RoundingBound doubled_radius = lengths_.bound_of_circumradius_bound + lengths_.bound_of_circumradius_bound;
+  Vector<RoundingBound, m> origin;
+  origin.fill(RoundingBound::of(bounded_error_, bounded_error_));
+  Vector<RoundingBound, m> anywhere;
+  anywhere.fill(RoundingBound::of(lengths_.largest_offset + error_of_x_, error_of_x_));
+  const auto from_origin = difference(origin, bounds_->place);
+  const auto from_anywhere = difference(anywhere, bounds_->place);
+  const auto note = [&](std::size_t vertex_count, const SphereForm<RoundingBound, m>& form,
+                        const RoundingBound& power) {
+    radius_errors_[vertex_count] = (form.norm - doubled_radius * form.weight).error();
+    centre_gap_bounds_[vertex_count].emplace(power, form.norm, form.weight, lengths_.bound_of_reach_of_spheres);
+    gap_bounds_[vertex_count].emplace(form.power(from_anywhere, pairing(from_anywhere, from_anywhere)), form.norm,
+                                      form.weight, lengths_.bound_of_tolerance);
+  };
+  const RoundingBound squared = pairing(from_origin, from_origin);
+  for (std::size_t k = 1; k < m; ++k)
+    note(k + 1, bounds_->face[k].sphere, bounds_->face[k].sphere.power(from_origin, squared));
+  const auto facet = bounds_->facet();
+  const auto apex = bounds_->apex();
+  note(m + 1, apex.form(facet), apex.signed_power(ApexForm<RoundingBound>::probe(facet, from_origin, squared)));
 }
 
 template <int m>
 bool CandidateTest<m>::accepts(const Vector<Rational, m>& x) const {
-  Vector<Filter, m> filter_x;
-  for (std::size_t axis = 0; axis < m; ++axis) filter_x[axis] = scalar_from<Filter>(x[axis]);
+  Vector<Filter, m> enclosure;
+  for (std::size_t axis = 0; axis < m; ++axis) enclosure[axis] = scalar_from<Filter>(x[axis]);
+  return accepts(enclosure, [&x] { return x; });
+}
+
+template <int m>
+bool CandidateTest<m>::accepts(const Vector<Filter, m>& enclosure,
+                               const std::function<Vector<Rational, m>()>& exactly) const {
+  const auto place = frame_.place(enclosure);
+  bool is_bounded = in_doubles_ && place.error <= error_of_x_;
+  for (const double coordinate : place.at) is_bounded = is_bounded && std::fabs(coordinate) <= lengths_.largest_offset;
+  std::optional<Vector<Rational, m>> x;
   for (const Candidate<m>& candidate : candidates_) {
-    if (!is_far(candidate, filter_x, x)) return false;
+    if (is_bounded && candidate.is_bounded) {
+      const Verdict verdict = is_far_in_doubles(candidate, place.at);
+      if (is_proved(verdict)) {
+        ladder_statistics().count(Rung::interval);
+        continue;
+      }
+      if (is_refuted(verdict)) {
+        ladder_statistics().count(Rung::interval);
+        return false;
+      }
+    }
+    const Verdict verdict = is_far_in_filter(candidate, enclosure);
+    if (!is_undecided(verdict)) {
+      ladder_statistics().count(Rung::interval);
+      if (is_refuted(verdict)) return false;
+      continue;
+    }
+    if (!x) x = exactly();
+    if (!is_proved(decide_above_filter([&]<class S>() { return is_far_in<S>(candidate, *x); }))) return false;
   }
   return true;
 }
 
 template <int m>
-bool CandidateTest<m>::is_far(const Candidate<m>& candidate, const Vector<Filter, m>& filter_x,
-                              const Vector<Rational, m>& x) const {
-  if (candidate.in_filter) {
-    const auto offset = difference(filter_x, view_.position(candidate.vertices[0]));
-    const Filter power = filter_.squared_norm(offset) - Filter(2) * filter_.inner(offset, candidate.centre);
-    const Verdict verdict = is_farther(power, candidate.squared_radius, filter_squared_tolerance_);
-    if (!is_undecided(verdict)) {
-      ladder_statistics().count(Rung::interval);
-      return is_proved(verdict);
-    }
+Verdict CandidateTest<m>::is_far_in_doubles(const Candidate<m>& candidate, const Vector<double, m>& x) const {
+  const auto offset = difference(x, places_.at[candidate.vertices[0]]);
+  const SphereForm<double, m>& form = candidate.sphere;
+  const SphereGap<double> gap(form.power(offset, pairing(offset, offset)), form.norm, form.weight,
+                              lengths_.scaled_tolerance);
+  return is_farther(gap, *gap_bounds_[candidate.vertex_count]);
+}
+
+template <int m>
+Verdict CandidateTest<m>::is_far_in_filter(const Candidate<m>& candidate, const Vector<Filter, m>& x) const {
+  SphereStack<Filter, m> stack(filter_);
+  const auto& origin = view_.position(candidate.vertices[0]);
+  for (std::uint32_t at = 1; at < candidate.vertex_count; ++at) {
+    const auto edge = difference(view_.position(candidate.vertices[at]), origin);
+    if (!is_proved(stack.push(edge, filter_.squared_norm(edge)))) return Verdict::undecided;
   }
-  return is_proved(decide_above_filter([&]<class S>() { return is_far_in<S>(candidate, x); }));
+  const auto offset = difference(x, origin);
+  return is_farther(stack.power(offset, filter_.squared_norm(offset)), stack.squared_radius(),
+                    lengths_.filter_squared_tolerance);
 }
 
 template <int m>
@@ -214,7 +423,7 @@ Verdict CandidateTest<m>::is_far_in(const Candidate<m>& candidate, const Vector<
   Vector<S, m> offset;
   for (std::size_t axis = 0; axis < m; ++axis) offset[axis] = scalar_from<S>(x[axis]) - origin[axis];
   return is_farther(stack.power(offset, metric.squared_norm(offset)), stack.squared_radius(),
-                    scalar_from<S>(squared_tolerance_));
+                    scalar_from<S>(lengths_.squared_tolerance));
 }
 
 #define DELCERT_INSTANTIATE(m) template class CandidateTest<m>;

@@ -1,6 +1,7 @@
 #include "kernel/perturb/delaunay_candidates.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "kernel/simplex/dimensions.hpp"
 
@@ -9,68 +10,73 @@ namespace delcert {
 template <int m>
 DelaunayCandidates<m>::DelaunayCandidates(const Atlas<m>& atlas, const PointSet<m>& points, const PlacedLabels& placed,
                                           const PerturbationParameters& parameters)
-    : atlas_(atlas), points_(points), placed_(placed), parameters_(parameters), metric_([&] {
-        const FilterGuard guard;
-        return atlas.metric().template on<Filter>();
-      }()) {}
+    : atlas_(atlas), points_(points), placed_(placed), parameters_(parameters) {}
 
 template <int m>
 void DelaunayCandidates<m>::prepare(Label i, const CandidateTest<m>& test) {
-  const Rational& unit = atlas_.sampling_radius(i);
-  atlas_.sightings(i, approximate_double(reach_of_delaunay_candidates(parameters_) * unit), seen_);
-  struct Other {
-    Vector<Filter, m> position;
-    bool is_placed;
-  };
-  std::vector<Other> others;
+  frame_ = &test.frame();
+  const double unit = approximate_double(atlas_.sampling_radius(i));
+  const double scaled_unit = unit * frame_->scale();
+  atlas_.sightings(i, approximate_double(reach_of_delaunay_candidates(parameters_)) * unit, seen_);
+  others_.clear();
+  std::uint32_t in_view = 0;
   for (const Sighting<m>& seen : seen_) {
     const Label label = label_of<m>(seen);
     if (label == i) continue;
     const bool is_placed = placed_[label.value] != 0;
-    others.push_back({atlas_.carry(i, seen, (is_placed ? points_ : atlas_.net()).enclosure(label)), is_placed});
+    // The view of the test has the same order.
+    while (in_view < test.view().size() && test.view().sighting(in_view) < seen) ++in_view;
+    if (is_placed && in_view < test.view().size() && test.view().sighting(in_view) == seen) {
+      others_.push_back({test.places()[in_view], is_placed});
+      continue;
+    }
+    const auto position = atlas_.carry(i, seen, (is_placed ? points_ : atlas_.net()).enclosure(label));
+    others_.push_back({frame_->place(position).at, is_placed});
   }
-  const Filter clearance = scalar_from<Filter>(parameters_.clearance * unit);
-  const Filter drift = scalar_from<Filter>(parameters_.perturbation * unit);
-  const double largest = scalar_from<Filter>(Rational(2) * parameters_.circumradius_bound * unit).upper();
+  const double clearance = approximate_double(parameters_.clearance) * scaled_unit;
+  const double drift = approximate_double(parameters_.perturbation) * scaled_unit;
+  const double largest = 2 * approximate_double(parameters_.circumradius_bound) * scaled_unit;
   spheres_.clear();
   for (const Candidate<m>& candidate : test.candidates()) {
-    if (!candidate.in_filter || candidate.vertex_count != m + 1) continue;
-    const Sphere sphere{sum(test.view().position(candidate.vertices[0]), candidate.centre),
-                        square_root(candidate.squared_radius)};
-    if (!(sphere.radius.upper() <= largest)) continue;  // nothing is known of it
+    const SphereForm<double, m>& form = candidate.sphere;
+    if (candidate.vertex_count != m + 1 || !(form.weight > 0)) continue;
+    Sphere sphere;
+    sphere.radius = form.norm / (2 * form.weight);
+    if (!(sphere.radius <= largest)) continue;  // nothing is known of it
+    const Vector<double, m>& first = test.places()[candidate.vertices[0]];
+    for (std::size_t axis = 0; axis < m; ++axis)
+      sphere.centre[axis] = first[axis] + form.normal[axis] / (2 * form.weight);
     // Vertices of the simplex are on the sphere, so none of them is inside by the clearance unless that is tiny.
-    const Filter least = sphere.radius * Filter::exactly(0x1p-20);
+    const double least = sphere.radius * 0x1p-20;
+    const auto squared_inside = [&](double allowed) {
+      const double inside = sphere.radius - std::max(allowed, least);
+      return inside > 0 ? inside * inside : 0;
+    };
+    const double squared_placed = squared_inside(clearance);
+    const double squared_unplaced = squared_inside(clearance + drift);
     const auto is_inside = [&](const Other& other) {
-      const Filter allowed = other.is_placed ? clearance : clearance + drift;
-      const Filter squared = metric_.squared_norm(difference(other.position, sphere.centre));
-      // Most points are far outside: for these no root is taken.
-      if (squared.lower() > sphere.radius.upper() * sphere.radius.upper()) return false;
-      return is_proved(less(maximum(allowed, least), sphere.radius - square_root(squared)));
+      const auto offset = difference(other.at, sphere.centre);
+      return pairing(offset, offset) < (other.is_placed ? squared_placed : squared_unplaced);
     };
     // A point that was inside of one sphere often is inside of the next one: it is asked first.
-    const auto inside = std::find_if(others.begin(), others.end(), is_inside);
-    if (inside == others.end()) {
+    const auto inside = std::find_if(others_.begin(), others_.end(), is_inside);
+    if (inside == others_.end()) {
       spheres_.push_back(sphere);
     } else {
-      std::iter_swap(others.begin(), inside);
+      std::iter_swap(others_.begin(), inside);
     }
   }
 }
 
 template <int m>
-double DelaunayCandidates<m>::clearance(const Vector<Rational, m>& x) const {
-  Vector<Filter, m> at;
-  for (std::size_t axis = 0; axis < m; ++axis) at[axis] = scalar_from<Filter>(x[axis]);
-  return clearance(at);
-}
-
-template <int m>
 double DelaunayCandidates<m>::clearance(const Vector<Filter, m>& x) const {
   double result = std::numeric_limits<double>::infinity();
+  const Vector<double, m> at = frame_->place(x).at;
   for (const Sphere& sphere : spheres_) {
-    result = std::min(result, absolute(distance(x, sphere.centre) - sphere.radius).lower());
+    const auto offset = difference(at, sphere.centre);
+    result = std::min(result, std::fabs(std::sqrt(pairing(offset, offset)) - sphere.radius));
   }
-  return result;
+  return result / frame_->scale();
 }
 
 #define DELCERT_INSTANTIATE(m) template class DelaunayCandidates<m>;

@@ -23,33 +23,35 @@ class DelaunayCandidates {
   DelaunayCandidates(const Atlas<m>& atlas, const PointSet<m>& points, const PlacedLabels& placed,
                      const PerturbationParameters& parameters);
 
-  /// Chooses among the candidates of a test that has been prepared for this label. Precondition: a `FilterGuard` is
-  /// alive.
-  void prepare(Label i, const CandidateTest<m>& test);
+  /// Chooses among the candidates of a test that has been prepared for this label, and is kept. Precondition: a
+  /// `FilterGuard` is alive.
+  // Not inlined, here and below: see `CandidateTest::prepare`.
+  [[gnu::noinline]] void prepare(Label i, const CandidateTest<m>& test);
 
-  /// The least distance of x, in the chart of the label, from these spheres, a lower bound; infinite if there are none.
-  /// Precondition: a `FilterGuard` is alive.
-  [[nodiscard]] double clearance(const Vector<Rational, m>& x) const;
-  /// The same of enclosures.
-  [[nodiscard]] double clearance(const Vector<Filter, m>& x) const;
+  /// The least distance of x, in the chart of the label, from these spheres; infinite if there are none. x is in this
+  /// enclosure. Precondition: a `FilterGuard` is alive.
+  [[nodiscard]] [[gnu::noinline]] double clearance(const Vector<Filter, m>& x) const;
 
   [[nodiscard]] std::size_t size() const { return spheres_.size(); }
 
  private:
+  // In the coordinates of `CandidateTest::frame`.
   struct Sphere {
-    Vector<Filter, m> centre;
-    Filter radius;
+    Vector<double, m> centre;
+    double radius;
   };
-  [[nodiscard]] Filter distance(const Vector<Filter, m>& a, const Vector<Filter, m>& b) const {
-    return square_root(metric_.squared_norm(difference(a, b)));
-  }
+  struct Other {
+    Vector<double, m> at;
+    bool is_placed;
+  };
 
   const Atlas<m>& atlas_;
   const PointSet<m>& points_;
   const PlacedLabels& placed_;
   PerturbationParameters parameters_;
-  MetricOn<Filter, m> metric_;
+  const RoundedFrame<m>* frame_ = nullptr;
   std::vector<Sighting<m>> seen_;
+  std::vector<Other> others_;
   std::vector<Sphere> spheres_;
 };
 

@@ -1,8 +1,9 @@
 #include "kernel/perturb/forbidden_search.hpp"
 
 #include "kernel/chart/length_units.hpp"
+#include "kernel/parallel/parts.hpp"
 #include "kernel/perturb/candidates.hpp"
-#include "kernel/perturb/simplex_walk.hpp"
+#include "kernel/perturb/rounded_walk.hpp"
 #include "kernel/simplex/dimensions.hpp"
 
 namespace delcert {
@@ -14,13 +15,13 @@ class Search {
  public:
   static constexpr bool visits_top = true;
 
-  /// Precondition: a `FilterGuard` is alive.
-  Search(const Atlas<m>& atlas, const PointSet<m>& points, const ForbiddenPropertiesParameters<Rational>& parameters,
-         const Rational& perturbation)
+  /// References are kept. Precondition: a `FilterGuard` is alive.
+  Search(const Atlas<m>& atlas, const PointSet<m>& points, const LengthUnits& units,
+         const ForbiddenPropertiesParameters<Rational>& parameters, const Rational& perturbation)
       : atlas_(atlas),
         points_(points),
         parameters_(parameters),
-        units_(atlas),
+        units_(units),
         shift_(approximate_double(Rational(2) * perturbation)),
         edge_bound_(approximate_double(parameters.edge_bound)),
         exact_(atlas.metric().template on<Rational>()),
@@ -28,7 +29,8 @@ class Search {
         filter_(atlas.metric().template on<Filter>()),
         greatest_squared_edge_bound_(scalar_from<Filter>(square(parameters.edge_bound))),
         greatest_squared_radius_bound_(scalar_from<Filter>(Rational(4) * square(parameters.sampling_radius))),
-        squared_hoop_(scalar_from<Filter>(parameters.squared_hoop_bound)) {}
+        squared_hoop_(scalar_from<Filter>(parameters.squared_hoop_bound)),
+        frame_(filter_, atlas.metric().gram()) {}
 
   /// The sets whose smallest label is i.
   void look_at(Label i) {
@@ -50,8 +52,27 @@ class Search {
       const auto distance = filter_.squared_norm(difference(position, view_.position(0)));
       if (!is_refuted(less(distance, squared_edge_bound_))) view_.add(sighting);
     }
-    view_.connect(filter_, &squared_edge_bound_);
     SimplexWalk<m, Search> walk(view_, filter_, exact_, *this);
+    if constexpr (m <= 3) {
+      frame_.measure_by(edge_bound_ * unit);
+      frame_.look_about(view_.position(0));
+      places_.fill(frame_, view_);
+      if (places_.error <= RoundedPlaces<m>::most_error) {
+        const Filter scale = Filter::exactly(frame_.scale());
+        const Filter squared_edge = squared_edge_bound_ * square(scale);
+        view_.connect(filter_, squared_edge_bound_, places_.is_below(squared_edge));
+        if (!bounds_ || bounded_unit_ != unit || bounded_size_ != places_.size || bounded_error_ != places_.error) {
+          bounded_unit_ = unit;
+          bounded_size_ = places_.size;
+          bounded_error_ = places_.error;
+          bounds_.emplace(places_.size, places_.error, squared_edge.upper() * (1 + 0x1p-8));
+          take_bounds(*bounds_, square_root(squared_radius_bound_) * scale);
+        }
+        RoundedWalk<m, Search>(view_, places_.at, *bounds_, walk, *this).from(0);
+        return;
+      }
+    }
+    view_.connect(filter_, &squared_edge_bound_);
     walk.from(0);
   }
 
@@ -106,7 +127,66 @@ class Search {
     decide_exactly({all.data(), vertices.size() + 1});
   }
 
+  // The same in doubles. What is looked at is far from a hoop for every radius below the bound: nearly always.
+
+  void start_rounded(const Vector<double, m>&) {}
+
+  RoundedAnswer enter_rounded(const FaceForm<double, m>& face, std::span<const std::uint32_t> vertices) {
+    // The weight is the squared altitude times the base.
+    if (vertices.size() >= 3 && !(face.sphere.weight - squared_hoop_reach_ * face.base > altitude_error_))
+      return RoundedAnswer::unsure;
+    return counted(face.sphere.norm, face.sphere.weight, vertices.size());
+  }
+
+  void facet_rounded(const FacetForm<double, m>& facet) { least_slope_ = hoop_reach_ * facet.covector_norm; }
+
+  RoundedAnswer over_rounded(const FacetForm<double, m>&, const ApexForm<double>& apex,
+                             std::span<const std::uint32_t> vertices) {
+    if (vertices.size() >= 3 && !(std::fabs(apex.slope) - least_slope_ > slope_error_)) return RoundedAnswer::unsure;
+    return counted(apex.norm, apex.weight, vertices.size());
+  }
+
+  bool top_rounded(const SphereForm<double, m>& form, const Vector<double, m>& edge, double squared_edge) {
+    const SphereGap<double> gap(form.power(edge, squared_edge), form.norm, form.weight, hoop_reach_);
+    if (!is_proved(is_farther(gap, *gap_bound_))) return false;
+    ++result.configurations;
+    return true;
+  }
+
  private:
+  /// Prunes on P2, and counts what is not left open.
+  RoundedAnswer counted(double norm, double weight, std::size_t vertex_count) {
+    const double excess = norm - doubled_radius_bound_ * weight;
+    const double error = radius_errors_[vertex_count];
+    if (!(std::fabs(excess) > error)) return RoundedAnswer::unsure;
+    ++result.simplices;
+    if (vertex_count >= 3) ++result.configurations;
+    return excess > 0 ? RoundedAnswer::stop : RoundedAnswer::go_on;
+  }
+
+  /// What the doubles compare with, and how wrong the comparisons are; `radius` is the bound of P2 in the frame.
+  void take_bounds(const RoundedBounds<m>& bounds, const Filter& radius) {
+    const auto take = [](const Filter& length, double& value) {
+      value = length.upper();
+      return RoundingBound::of(value, (Filter::exactly(value) - Filter::exactly(length.lower())).upper());
+    };
+    const Filter hoop = square_root(squared_hoop_) * radius;
+    const RoundingBound hoop_reach = take(hoop, hoop_reach_);
+    const RoundingBound squared_hoop_reach = take(square(hoop), squared_hoop_reach_);
+    const RoundingBound doubled_radius = take(twice(radius), doubled_radius_bound_);
+    for (std::size_t k = 1; k < m; ++k) {
+      const auto& form = bounds.face[k].sphere;
+      radius_errors_[k + 1] = (form.norm - doubled_radius * form.weight).error();
+      altitude_error_ = (form.weight - squared_hoop_reach * bounds.face[k].base).error();
+    }
+    const auto facet = bounds.facet();
+    const auto apex = bounds.apex();
+    radius_errors_[m + 1] = (apex.norm - doubled_radius * apex.weight).error();
+    slope_error_ = (apex.slope - hoop_reach * facet.covector_norm).error();
+    const auto form = apex.form(facet);
+    gap_bound_.emplace(form.power(bounds.edge, bounds.squared_edge), form.norm, form.weight, hoop_reach);
+  }
+
   /// The least of the labels.
   [[nodiscard]] Rational unit_of(std::span<const std::uint32_t> vertices) const {
     double least = 1;
@@ -141,7 +221,7 @@ class Search {
   const Atlas<m>& atlas_;
   const PointSet<m>& points_;
   ForbiddenPropertiesParameters<Rational> parameters_;
-  LengthUnits units_;
+  const LengthUnits& units_;
   double shift_;
   double edge_bound_;
   MetricOn<Rational, m> exact_;
@@ -153,6 +233,22 @@ class Search {
   Filter squared_radius_bound_;
   Filter squared_hoop_;
   std::vector<Sighting<m>> seen_;
+
+  RoundedFrame<m> frame_;
+  RoundedPlaces<m> places_;
+  std::optional<RoundedBounds<m>> bounds_;
+  double bounded_unit_ = 0;  // for which the bounds were computed
+  double bounded_size_ = 0;
+  double bounded_error_ = 0;
+  // In the frame; α₀R is at most the first.
+  double hoop_reach_ = 0;
+  double squared_hoop_reach_ = 0;
+  double doubled_radius_bound_ = 0;
+  double least_slope_ = 0;                                               // of the facet at hand
+  std::array<double, static_cast<std::size_t>(m) + 2> radius_errors_{};  // by vertex count
+  double altitude_error_ = 0;
+  double slope_error_ = 0;
+  std::optional<SphereGap<RoundingBound>> gap_bound_;
 };
 
 }  // namespace
@@ -161,17 +257,25 @@ template <int m>
 ForbiddenSearch search_forbidden(const Atlas<m>& atlas, const PointSet<m>& points,
                                  const ForbiddenPropertiesParameters<Rational>& parameters,
                                  const Rational& perturbation, const Progress& progress) {
-  auto search = [&] {
-    const FilterGuard guard;
-    return Search<m>(atlas, points, parameters, perturbation);
-  }();
-  for (std::uint32_t index = 0; index < atlas.size() && !search.result.found; ++index) {
-    if (index % 64 == 0) progress("search forbidden configurations", index, atlas.size());
-    search.look_at(Label(index));
-  }
-  progress("search forbidden configurations", atlas.size(), atlas.size());
-  ladder_statistics().count(Rung::interval, search.result.configurations - search.result.decided_exactly);
-  return search.result;
+  ForbiddenSearch result;
+  const LengthUnits units(atlas);
+  const auto look = [&](std::size_t first, std::size_t last) {
+    auto search = [&] {
+      const FilterGuard guard;
+      return Search<m>(atlas, points, units, parameters, perturbation);
+    }();
+    for (std::size_t index = first; index < last && !search.result.found; ++index) search.look_at(Label(index));
+    ladder_statistics().count(Rung::interval, search.result.configurations - search.result.decided_exactly);
+    return search.result;
+  };
+  in_parts("search forbidden configurations", atlas.size(), progress, look, [&result](const ForbiddenSearch& here) {
+    if (result.found) return;
+    result.simplices += here.simplices;
+    result.configurations += here.configurations;
+    result.decided_exactly += here.decided_exactly;
+    result.found = here.found;
+  });
+  return result;
 }
 
 #define DELCERT_INSTANTIATE(m)                                                                                  \

@@ -16,21 +16,40 @@ constexpr unsigned head_bits = 52;
 template <int m>
 GridBall<m>::GridBall(const FrameMetric<m>& metric, const MetricOn<Filter, m>& enclosed,
                       const Vector<Rational, m>& centre, const Rational& radius, long exponent)
-    : metric_(metric),
-      enclosed_(enclosed),
-      centre_(centre),
-      squared_radius_(square(radius)),
-      enclosed_squared_radius_(scalar_from<Filter>(squared_radius_)),
-      step_(Rational::power_of_two(exponent)) {
+    : metric_(metric), enclosed_(enclosed), exponent_(exponent), step_(Rational::power_of_two(exponent)) {
+  take_radius(radius);
+  take_centre(centre);
+}
+
+template <int m>
+void GridBall<m>::move_to(const Vector<Rational, m>& centre, const Rational& radius) {
+  // On quotients of model spaces all balls are the same.
+  const bool is_same_radius = radius == radius_;
+  if (is_same_radius && centre == centre_) return;
+  if (!is_same_radius) take_radius(radius);
+  take_centre(centre);
+}
+
+template <int m>
+void GridBall<m>::take_radius(const Rational& radius) {
+  radius_ = radius;
+  squared_radius_ = square(radius);
+  enclosed_squared_radius_ = scalar_from<Filter>(squared_radius_);
+  for (std::size_t at = 0; at < m; ++at)
+    halves_[at] = square_root_upper(squared_radius_ * metric_.inverse_diagonal(at), 32);
+}
+
+template <int m>
+void GridBall<m>::take_centre(const Vector<Rational, m>& centre) {
+  centre_ = centre;
   for (std::size_t at = 0; at < m; ++at) {
     Axis& axis = axes_[at];
-    const Rational half = square_root_upper(squared_radius_ * metric.inverse_diagonal(at), 32);
-    const Integer first = floor_of((centre[at] - half) / step_);
-    axis.count = ceiling_of((centre[at] + half) / step_) - first + 1;
+    const Integer first = floor_of((centre[at] - halves_[at]) / step_);
+    axis.count = ceiling_of((centre[at] + halves_[at]) / step_) - first + 1;
     axis.bits = static_cast<unsigned>(msb(axis.count)) + 1;
     axis.rest = axis.bits > head_bits ? axis.bits - head_bits : 0;
     axis.head_of_count = Integer(axis.count >> axis.rest).template convert_to<std::uint64_t>();
-    axis.unit = scalar_from<Filter>(Rational::power_of_two(exponent + static_cast<long>(axis.rest)));
+    axis.unit = scalar_from<Filter>(Rational::power_of_two(exponent_ + static_cast<long>(axis.rest)));
     axis.words.resize((axis.bits + 31) / 32);
     axis.first = Rational(first) * step_;
     axis.from_zero = scalar_from<Filter>(axis.first);

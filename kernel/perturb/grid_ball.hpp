@@ -24,7 +24,12 @@ class GridBall {
   [[nodiscard]] const Vector<Filter, m>& enclosure() const { return enclosure_; }
   [[nodiscard]] Vector<Rational, m> exact() const;
 
+  /// From now on the ball about this centre with this radius, on the same grid.
+  void move_to(const Vector<Rational, m>& centre, const Rational& radius);
+
  private:
+  void take_radius(const Rational& radius);
+  void take_centre(const Vector<Rational, m>& centre);
   /// The grid points of a box that holds the ball have the coordinates first, first + step, … .
   struct Axis {
     Rational first;
@@ -48,8 +53,11 @@ class GridBall {
   const FrameMetric<m>& metric_;
   const MetricOn<Filter, m>& enclosed_;
   Vector<Rational, m> centre_;
+  Rational radius_;
   Rational squared_radius_;
+  Vector<Rational, m> halves_;  // of the sides of the box
   Filter enclosed_squared_radius_;
+  long exponent_;
   Rational step_;
   Vector<Axis, m> axes_;
   Vector<Filter, m> enclosure_{};

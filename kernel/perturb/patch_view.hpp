@@ -28,26 +28,34 @@ class PatchView {
   }
   /// Precondition: a `FilterGuard` is alive.
   void add(const Sighting<m>& sighting) {
+    add(sighting, atlas_->carry(chart_, sighting, points_->enclosure(label_of<m>(sighting))));
+  }
+  /// The same where the position is known already: what `Atlas::carry` returns.
+  void add(const Sighting<m>& sighting, const Vector<Filter, m>& position) {
     seen_.push_back(sighting);
-    position_.push_back(atlas_->carry(chart_, sighting, points_->enclosure(label_of<m>(sighting))));
+    position_.push_back(position);
   }
 
   /// Marks as adjacent all pairs but those certainly at squared distance ≥ the bound; without a bound all pairs.
   void connect(const MetricOn<Filter, m>& metric, const Filter* squared_bound) {
-    words_ = (size() + 63) / 64;
-    adjacency_.assign(size() * words_, 0);
-    for (std::size_t a = 0; a < size(); ++a) {
-      for (std::size_t b = a + 1; b < size(); ++b) {
-        if (squared_bound != nullptr) {
-          const auto distance = metric.squared_norm(difference(position_[b], position_[a]));
-          if (is_refuted(less(distance, *squared_bound))) continue;
-        }
-        adjacency_[a * words_ + b / 64] |= std::uint64_t{1} << (b % 64);
-      }
+    if (squared_bound == nullptr) {
+      connect_pairs([](std::size_t, std::size_t) { return true; });
+    } else {
+      connect(metric, *squared_bound, [](std::size_t, std::size_t) { return Verdict::undecided; });
     }
+  }
+  /// The same where `is_below(a, b)` is sure about most pairs of positions.
+  template <class IsBelow>
+  void connect(const MetricOn<Filter, m>& metric, const Filter& squared_bound, const IsBelow& is_below) {
+    connect_pairs([&](std::size_t a, std::size_t b) {
+      const Verdict known = is_below(a, b);
+      if (!is_undecided(known)) return is_proved(known);
+      return !is_refuted(less(metric.squared_norm(difference(position_[b], position_[a])), squared_bound));
+    });
   }
 
   [[nodiscard]] std::size_t size() const { return seen_.size(); }
+  [[nodiscard]] Label chart() const { return chart_; }
   [[nodiscard]] std::size_t words() const { return words_; }
   [[nodiscard]] const Sighting<m>& sighting(std::size_t at) const { return seen_[at]; }
   [[nodiscard]] Label label(std::size_t at) const { return label_of<m>(seen_[at]); }
@@ -74,6 +82,17 @@ class PatchView {
   }
 
  private:
+  template <class Are>
+  void connect_pairs(const Are& are_adjacent) {
+    words_ = (size() + 63) / 64;
+    adjacency_.assign(size() * words_, 0);
+    for (std::size_t a = 0; a < size(); ++a) {
+      for (std::size_t b = a + 1; b < size(); ++b) {
+        if (are_adjacent(a, b)) adjacency_[a * words_ + b / 64] |= std::uint64_t{1} << (b % 64);
+      }
+    }
+  }
+
   static Vector<Rational, m> middle_of(const Vector<Filter, m>& enclosure) {
     Vector<Rational, m> result;
     for (std::size_t axis = 0; axis < m; ++axis) {

@@ -79,8 +79,16 @@ void Placement<m>::place(Label i) {
   statistics_.candidates += test_.candidate_count();
   statistics_.most_candidates = std::max<std::uint64_t>(statistics_.most_candidates, test_.candidate_count());
   statistics_.visited += test_.visited();
-  GridBall<m> ball(atlas_.metric(), metric_, atlas_.net().exact(i),
-                   parameters_.perturbation * atlas_.sampling_radius(i), state_.grid_exponent);
+  if (unit_ != atlas_.sampling_radius(i)) {
+    unit_ = atlas_.sampling_radius(i);
+    radius_ = parameters_.perturbation * unit_;
+  }
+  if (!ball_) {
+    ball_.emplace(atlas_.metric(), metric_, atlas_.net().exact(i), radius_, state_.grid_exponent);
+  } else {
+    ball_->move_to(atlas_.net().exact(i), radius_);
+  }
+  GridBall<m>& ball = *ball_;
   std::uint32_t tries = 0;
   if (auto x = chooses(parameters_) ? best_good(i, ball, tries) : first_good(i, ball, tries)) {
     state_.points.place(i, std::move(*x));
@@ -98,11 +106,11 @@ void Placement<m>::place(Label i) {
 
 template <int m>
 std::optional<Vector<Rational, m>> Placement<m>::first_good(Label i, GridBall<m>& ball, std::uint32_t& tries) {
+  const auto exactly = [&ball] { return ball.exact(); };
   while (tries < parameters_.most_tries) {
     ++tries;
     draw(i, state_.attempts[i.value]++, ball);
-    Vector<Rational, m> x = ball.exact();
-    if (test_.accepts(x)) return x;
+    if (test_.accepts(ball.enclosure(), exactly)) return ball.exact();
   }
   return std::nullopt;
 }
@@ -113,6 +121,7 @@ std::optional<Vector<Rational, m>> Placement<m>::best_good(Label i, GridBall<m>&
   const double enough = approximate_double(parameters_.clearance * atlas_.sampling_radius(i));
   // A test takes much longer than a draw: the farthest of the first positions are tested first, and of those that
   // follow only what would be better.
+  const auto exactly = [&ball] { return ball.exact(); };
   struct Drawn {
     std::uint32_t attempt;
     double clearance;
@@ -131,9 +140,8 @@ std::optional<Vector<Rational, m>> Placement<m>::best_good(Label i, GridBall<m>&
   double farthest = 0;
   for (const Drawn& position : drawn) {
     draw(i, position.attempt, ball);
-    Vector<Rational, m> x = ball.exact();
-    if (!test_.accepts(x)) continue;
-    best = std::move(x);
+    if (!test_.accepts(ball.enclosure(), exactly)) continue;
+    best = ball.exact();
     farthest = position.clearance;
     break;
   }
@@ -141,9 +149,8 @@ std::optional<Vector<Rational, m>> Placement<m>::best_good(Label i, GridBall<m>&
     if (best && (farthest >= enough || chosen >= 16 * std::size_t{parameters_.choices})) break;
     const Drawn position = draw_next();
     if (best && position.clearance <= farthest) continue;
-    Vector<Rational, m> x = ball.exact();
-    if (!test_.accepts(x)) continue;
-    best = std::move(x);
+    if (!test_.accepts(ball.enclosure(), exactly)) continue;
+    best = ball.exact();
     farthest = position.clearance;
   }
   return best;

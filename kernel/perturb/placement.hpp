@@ -68,6 +68,9 @@ class Placement {
   MetricOn<Filter, m> metric_;
   CandidateTest<m> test_;
   DelaunayCandidates<m> delaunay_;
+  Rational unit_{0};  // the sampling radius of the last label
+  Rational radius_;   // in which perturbations of it were
+  std::optional<GridBall<m>> ball_;
   PerturbationStatistics statistics_;
 };
 

@@ -15,6 +15,16 @@ namespace delcert {
 template <int m>
 using ViewSimplex = std::array<std::uint32_t, static_cast<std::size_t>(m) + 2>;
 
+/// Calls `visit` with the positions of the bits that are set, in increasing order.
+template <class Visit>
+[[gnu::always_inline]] inline void for_each_bit(std::span<const std::uint64_t> words, const Visit& visit) {
+  for (std::size_t word = 0; word < words.size(); ++word) {
+    for (std::uint64_t rest = words[word]; rest != 0; rest &= rest - 1) {
+      visit(static_cast<std::uint32_t>(word * 64 + static_cast<std::size_t>(std::countr_zero(rest))));
+    }
+  }
+}
+
 /// Visits the non-degenerate simplices of dimension 1 … m whose vertices are pairwise adjacent in a patch view, with
 /// their diametric spheres, depth first. In the filter; where that cannot tell a simplex from a degenerate one, that
 /// branch is walked in rationals.
@@ -42,6 +52,59 @@ class SimplexWalk {
 
   /// All simplices whose first vertex is this one. Precondition: a `FilterGuard` is alive.
   void from(std::uint32_t origin) {
+    prepare(origin);
+    visitor_->template start<Filter>(view_->position(origin));
+    SphereStack<Filter, m> stack(*filter_);
+    walk(stack, 1);
+  }
+
+  /// Of these, the simplices with this vertex next after those given, which have been visited and are not degenerate.
+  /// Precondition: that of `from`; all of these vertices are pairwise adjacent, in increasing order, at most m.
+  void extend(std::span<const std::uint32_t> vertices, std::uint32_t next) {
+    if (vertices_[0] != vertices[0] || !is_prepared_) prepare(vertices[0]);
+    std::copy(vertices.begin(), vertices.end(), vertices_.begin());
+    const std::size_t count = vertices.size();
+    for (std::size_t at = 1; at < count; ++at) narrow(at, vertices[at]);
+    visitor_->template start<Filter>(view_->position(vertices[0]));
+    SphereStack<Filter, m> stack(*filter_);
+    for (std::size_t at = 1; at < count; ++at) {
+      if (!is_proved(stack.push(edges_[vertices[at]], squared_edges_[vertices[at]]))) {
+        step_exactly(count, next);
+        return;
+      }
+    }
+    if constexpr (!Visitor::visits_top) {
+      if (stack.dimension() == m - 1) {
+        visitor_->facet(stack);
+        step_over(stack, count, next);
+        return;
+      }
+    }
+    step(stack, count, next);
+  }
+
+  /// Of these, the set of an m-simplex that has been entered and a further vertex. Precondition: as for `extend`.
+  void look_at_top(std::span<const std::uint32_t> vertices, std::uint32_t apex) {
+    if (vertices_[0] != vertices[0] || !is_prepared_) prepare(vertices[0]);
+    std::copy(vertices.begin(), vertices.end(), vertices_.begin());
+    if (!look_at_top_in<Filter>(SphereStack<Filter, m>(*filter_), vertices, apex))
+      look_at_top_in<Rational>(SphereStack<Rational, m>(*exact_), vertices, apex);
+  }
+
+ private:
+  /// Whether the simplex is certainly not degenerate.
+  template <class S>
+  bool look_at_top_in(SphereStack<S, m> stack, std::span<const std::uint32_t> vertices, std::uint32_t apex) {
+    for (const std::uint32_t vertex : vertices.subspan(1)) {
+      const auto vector = edge<S>(vertex);
+      if (!is_proved(stack.push(vector, squared<S>(vertex, vector)))) return false;
+    }
+    const auto apex_edge = edge<S>(apex);
+    visitor_->top(stack, vertices, apex, apex_edge, squared<S>(apex, apex_edge));
+    return true;
+  }
+
+  void prepare(std::uint32_t origin) {
     const std::size_t count = view_->size();
     edges_.resize(count);
     squared_edges_.resize(count);
@@ -51,20 +114,15 @@ class SimplexWalk {
       squared_edges_[other] = filter_->squared_norm(edges_[other]);
     });
     vertices_[0] = origin;
-    visitor_->template start<Filter>(view_->position(origin));
     masks_[0].assign(row.begin(), row.end());
-    SphereStack<Filter, m> stack(*filter_);
-    walk(stack, 1);
+    is_prepared_ = true;
   }
 
- private:
-  template <class Visit>
-  static void for_each_bit(std::span<const std::uint64_t> words, const Visit& visit) {
-    for (std::size_t word = 0; word < words.size(); ++word) {
-      for (std::uint64_t rest = words[word]; rest != 0; rest &= rest - 1) {
-        visit(static_cast<std::uint32_t>(word * 64 + static_cast<std::size_t>(std::countr_zero(rest))));
-      }
-    }
+  /// What may come after this vertex, the one with this number.
+  void narrow(std::size_t at, std::uint32_t vertex) {
+    const auto row = view_->later_neighbours(vertex);
+    masks_[at].resize(view_->words());
+    for (std::size_t word = 0; word < view_->words(); ++word) masks_[at][word] = masks_[at - 1][word] & row[word];
   }
 
   template <class S>
@@ -104,19 +162,21 @@ class SimplexWalk {
   // Nearly all of the time goes here: everything inlined but the exact way out.
   [[gnu::flatten]] void walk_over(SphereStack<Filter, m>& stack, std::size_t count) {
     visitor_->facet(stack);
+    for_each_bit(masks_[count - 1], [&](std::uint32_t next) { step_over(stack, count, next); });
+  }
+
+  void step_over(SphereStack<Filter, m>& stack, std::size_t count, std::uint32_t next) {
     const std::span<const std::uint32_t> vertices(vertices_.data(), count + 1);
-    for_each_bit(masks_[count - 1], [&](std::uint32_t next) {
-      const auto apex = stack.apex(edges_[next], squared_edges_[next]);
-      vertices_[count] = next;
-      if (is_proved(apex.non_degenerate)) {
-        visitor_->over(stack, apex, vertices);
-      } else if (is_refuted(apex.non_degenerate)) {
-        visitor_->degenerate(vertices);
-      } else {
-        ladder_statistics().count(Rung::rational);
-        step_exactly(count, next);
-      }
-    });
+    const auto apex = stack.apex(edges_[next], squared_edges_[next]);
+    vertices_[count] = next;
+    if (is_proved(apex.non_degenerate)) {
+      visitor_->over(stack, apex, vertices);
+    } else if (is_refuted(apex.non_degenerate)) {
+      visitor_->degenerate(vertices);
+    } else {
+      ladder_statistics().count(Rung::rational);
+      step_exactly(count, next);
+    }
   }
 
   template <class S>
@@ -137,10 +197,7 @@ class SimplexWalk {
       return;
     }
     if (visitor_->enter(stack, vertices)) {
-      const auto row = view_->later_neighbours(next);
-      masks_[count].resize(view_->words());
-      for (std::size_t word = 0; word < view_->words(); ++word)
-        masks_[count][word] = masks_[count - 1][word] & row[word];
+      narrow(count, next);
       if (stack.dimension() < m) {
         walk(stack, count + 1);
       } else if constexpr (Visitor::visits_top) {
@@ -171,6 +228,7 @@ class SimplexWalk {
   std::vector<Vector<Filter, m>> edges_;
   std::vector<Filter> squared_edges_;
   ViewSimplex<m> vertices_{};
+  bool is_prepared_ = false;
 };
 
 }  // namespace delcert

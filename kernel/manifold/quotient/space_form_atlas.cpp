@@ -1,6 +1,8 @@
 #include "kernel/manifold/quotient/space_form_atlas.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <cstring>
 #include <stdexcept>
 #include <string>
 
@@ -15,6 +17,17 @@ namespace {
 constexpr double reach_slack = 0x1p-20;
 /// Cells of this many sampling radii: most queries ask for two or three.
 constexpr double cell_factor = 2;
+
+/// Lists have the lifts within so many sampling radii: what perturbation and stars of usual nets ask for.
+constexpr double listed_radii = 4.5 * (1 + 0x1p-20);
+/// Of entries, in all: half a gigabyte.
+constexpr std::size_t most_listed = std::size_t{1} << 25U;
+
+/// Another one for each atlas.
+std::uint64_t next_number() {
+  static std::atomic<std::uint64_t> last = 0;
+  return ++last;
+}
 
 template <class To, class From, std::size_t n>
 std::array<To, n> converted(const std::array<From, n>& x) {
@@ -76,7 +89,10 @@ SpaceFormAtlas<m>::SpaceFormAtlas(SpaceForm form, std::vector<Vector<Rational, m
       frames_(frames_of<m>(curvature(), centres_)),
       lifts_(lifts_of<m>(form_, frames_, greatest_distance() * (1 + reach_slack))),
       grid_(empty_grid<m>(form_, sampling_radius_)),
-      net_(std::vector<Vector<Rational, m>>(centres_.size())) {
+      net_(std::vector<Vector<Rational, m>>(centres_.size())),
+      number_(next_number()),
+      listed_distance_(std::min(greatest_distance(), listed_radii * approximate_double(sampling_radius_))),
+      near_(std::make_unique<NearLists>(centres_.size(), most_listed)) {
   fill_grid();
 }
 
@@ -112,14 +128,42 @@ const ModelMatrix<Interval, m>* SpaceFormAtlas<m>::lift_frame(std::uint32_t labe
   return found == last || found->number != number ? nullptr : &found->matrix;
 }
 
+/// What was computed last of some labels: charts that are looked at one after the other show much the same points.
+template <int m>
+struct SpaceFormAtlas<m>::Moved {
+  std::uint64_t atlas = 0;
+  std::uint32_t label = 0;
+  Vector<Interval, m> home{};
+  ModelPoint<Interval, m> about_origin{};  // exp_o(home)
+  ModelPoint<Interval, m> in_place{};      // F_j of that
+
+  static constexpr std::size_t kept = 1U << 12U;
+};
+
+template <int m>
+const typename SpaceFormAtlas<m>::Moved& SpaceFormAtlas<m>::moved(std::uint32_t label,
+                                                                  const Vector<Interval, m>& home) const {
+  thread_local std::vector<Moved> memory(Moved::kept);
+  Moved& result = memory[label % Moved::kept];
+  // The same bits, so the same enclosures as computed anew.
+  if (result.atlas != number_ || result.label != label || std::memcmp(&result.home, &home, sizeof(home)) != 0) {
+    result.about_origin = exponential<Interval, m>(curvature(), home);
+    result.in_place = frames_[label].applied(result.about_origin);
+    result.home = home;
+    result.label = label;
+    result.atlas = number_;
+  }
+  return result;
+}
+
 template <int m>
 ModelPoint<Interval, m> SpaceFormAtlas<m>::enclosed_lift(const Sighting<m>& seen,
                                                          const Vector<Interval, m>& home) const {
-  const auto x = exponential<Interval, m>(curvature(), home);
   const std::uint32_t number = seen.element;
-  if (number == 0) return frames_[seen.index].applied(x);
-  if (const auto* frame = lift_frame(seen.index, number)) return applied(*frame, x);
-  return applied(lifts_.table().matrix(number), frames_[seen.index].applied(x));
+  const Moved& x = moved(seen.index, home);
+  if (number == 0) return x.in_place;
+  if (const auto* frame = lift_frame(seen.index, number)) return applied(*frame, x.about_origin);
+  return applied(lifts_.table().matrix(number), x.in_place);
 }
 
 template <int m>
@@ -173,8 +217,35 @@ void SpaceFormAtlas<m>::find_near(const ModelPoint<Interval, m>& x, double dista
 }
 
 template <int m>
+const NearLists::List* SpaceFormAtlas<m>::listed_about(Label i) const {
+  return near_->of(i.value, [&] {
+    const RoundingGuard guard;
+    thread_local std::vector<std::pair<Lift<m>, double>> found;
+    found.clear();
+    grid_.near(frames_[i.value].point(), listed_distance_, found);
+    std::sort(found.begin(), found.end());
+    NearLists::List result;
+    result.reserve(found.size());
+    for (const auto& [lift, chord] : found) result.push_back({lift.index, lift.element, chord});
+    return result;
+  });
+}
+
+template <int m>
 void SpaceFormAtlas<m>::sightings(Label i, double distance, std::vector<Sighting<m>>& out) const {
-  find_near(frames_[i.value].point(), distance, out);
+  const NearLists::List* list = distance <= listed_distance_ ? listed_about(i) : nullptr;
+  if (list == nullptr) {
+    find_near(frames_[i.value].point(), distance, out);
+    return;
+  }
+  const double most = [&] {
+    const RoundingGuard guard;
+    return grid_.most_chord(distance);
+  }();
+  out.clear();
+  for (const NearLift& lift : *list) {
+    if (lift.chord <= most) out.push_back({lift.index, {}, lift.element});
+  }
 }
 
 template <int m>

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "kernel/chart/atlas.hpp"
 #include "kernel/chart/lift_grid.hpp"
+#include "kernel/chart/near_lists.hpp"
 #include "kernel/manifold/quotient/frame.hpp"
 #include "kernel/manifold/quotient/group_lifts.hpp"
 
@@ -77,6 +79,11 @@ class SpaceFormAtlas final : public Atlas<m> {
   [[nodiscard]] bool has_exact_transitions() const override { return curvature() == Curvature::zero; }
 
  private:
+  struct Moved;
+  /// The point with these home coordinates, in the linear model.
+  [[nodiscard]] const Moved& moved(std::uint32_t label, const Vector<Interval, m>& home) const;
+  /// The lifts within `listed_distance_` of p̂_i, sorted; none if there are too many.
+  [[nodiscard]] const NearLists::List* listed_about(Label i) const;
   void fill_grid();
   [[nodiscard]] double greatest_distance() const;
   void find_near(const ModelPoint<Interval, m>& x, double distance, std::vector<Sighting<m>>& out) const;
@@ -101,6 +108,9 @@ class SpaceFormAtlas final : public Atlas<m> {
     std::uint32_t number;
     ModelMatrix<Interval, m> matrix;
   };
+  std::uint64_t number_;  // of this atlas
+  double listed_distance_ = 0;
+  std::unique_ptr<NearLists> near_;  // the lifts within that distance
   std::vector<std::size_t> first_lift_frame_;
   std::vector<LiftFrame> lift_frames_;
 };

@@ -48,6 +48,18 @@ void expect_all_near_and_none_far(Curvature curvature, const FrameMetric<m>& fra
   for (std::size_t centre = 0; centre < 400; centre += 5) {
     std::vector<Lift<m>> found;
     grid.near(cloud.point(curvature, centre), distance, found);
+    // What is found for more and less than this distance away by its chord is the same.
+    std::vector<std::pair<Lift<m>, double>> with_chords;
+    grid.near(cloud.point(curvature, centre), 1.5 * distance, with_chords);
+    std::vector<Lift<m>> by_chord;
+    for (const auto& [lift, chord] : with_chords) {
+      if (chord <= grid.most_chord(distance)) by_chord.push_back(lift);
+    }
+    std::sort(by_chord.begin(), by_chord.end());
+    auto sorted = found;
+    std::sort(sorted.begin(), sorted.end());
+    EXPECT_TRUE(std::includes(by_chord.begin(), by_chord.end(), sorted.begin(), sorted.end()));
+    EXPECT_LE(by_chord.size(), sorted.size() + (width > 0 ? 40 : 0));
     std::vector<bool> is_found(400);
     for (const auto& lift : found) is_found[lift.index] = true;
     for (std::size_t label = 0; label < 400; ++label) {

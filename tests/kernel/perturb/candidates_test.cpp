@@ -90,17 +90,19 @@ ExactPoints<m> positions(const Scene<m>& scene, std::uint32_t i, const std::vect
 
 struct Tally {
   std::size_t candidates = 0;
+  std::size_t bounded = 0;  // of these, in doubles
   int accepted = 0;
   int refused = 0;
 };
 
 /// The candidates of every label are those of the definition, and positions are accepted exactly when good.
 template <int m>
-Tally check_scene(const Scene<m>& scene) {
+Tally check_scene(const Scene<m>& scene, bool on_intervals = false) {
   Tally tally;
   const auto atlas = scene.atlas();
   const PointSet<m> points(scene.points);
   CandidateTest<m> test(atlas, points, scene.placed, scene.parameters);
+  if (on_intervals) test.use_intervals_only();
   for (std::uint32_t i = 0; i < scene.net.size(); i += 4) {
     {
       const FilterGuard guard;
@@ -111,6 +113,7 @@ Tally check_scene(const Scene<m>& scene) {
     EXPECT_EQ(test.candidate_count(), expected.size());
     EXPECT_GE(test.visited(), expected.size());
     tally.candidates += expected.size();
+    for (const auto& candidate : test.candidates()) tally.bounded += candidate.is_bounded ? 1 : 0;
     for (const auto& x : positions<m>(scene, i, expected, 30, i + 1)) {
       const bool good = scene.is_good(expected, x);
       const FilterGuard guard;
@@ -137,6 +140,19 @@ TEST(CandidateTest, has_the_candidates_of_the_definition_and_accepts_what_is_goo
   add(check_scene(any_scene<4>(ball_of<4>(Rational(1)), random_points<4>(14, 5, 20), ratio(1, 2), ratio(1, 64), 5)));
   EXPECT_GT(all.accepted, 50);
   EXPECT_GT(all.refused, 50);
+}
+
+TEST(CandidateTest, is_the_same_on_intervals_only_as_with_doubles_first) {
+  const auto plane = any_scene<2>(hexagonal_torus(), random_points<2>(40, 2, 20), ratio(1, 9), ratio(1, 32), 2);
+  const auto solid = any_scene<3>(skewed_torus(), random_points<3>(30, 4, 20), ratio(1, 5), ratio(1, 64), 4);
+  const Tally doubles[] = {check_scene(plane), check_scene(solid)};
+  const Tally intervals[] = {check_scene(plane, true), check_scene(solid, true)};
+  for (std::size_t at = 0; at < 2; ++at) {
+    EXPECT_EQ(doubles[at].candidates, intervals[at].candidates);
+    EXPECT_EQ(doubles[at].accepted, intervals[at].accepted);
+    EXPECT_EQ(doubles[at].bounded, doubles[at].candidates) << "of points in general position all";
+    EXPECT_EQ(intervals[at].bounded, 0U);
+  }
 }
 
 TEST(CandidateTest, of_the_reference_modes_has_all_simplices_of_the_paper) {

@@ -67,7 +67,9 @@ TEST(DelaunayCandidates, are_those_with_nearly_empty_balls) {
       }
       const double clearance = [&] {
         const FilterGuard guard;
-        return delaunay.clearance(x);
+        Vector<Filter, 2> enclosure;
+        for (std::size_t axis = 0; axis < 2; ++axis) enclosure[axis] = scalar_from<Filter>(x[axis]);
+        return delaunay.clearance(enclosure);
       }();
       if (expected.empty()) {
         EXPECT_EQ(clearance, least);

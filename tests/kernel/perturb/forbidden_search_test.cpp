@@ -224,16 +224,16 @@ TEST(SearchForbidden, looks_as_far_as_perturbed_points_can_be_from_their_origina
 
 TEST(SearchForbidden, tells_its_progress) {
   const auto space = cubic_torus<2>();
-  const PointSet<2> points(random_points<2>(100, 1));
-  const FlatAtlas<2> atlas(space, points, ratio(1, 100));
+  const PointSet<2> points(random_points<2>(1100, 1));
+  const FlatAtlas<2> atlas(space, points, ratio(1, 1000));
   std::vector<std::size_t> reports;
-  (void)search_forbidden<2>(atlas, points, parameters_of(ratio(1, 1000000), ratio(1, 1000000), ratio(1, 100)),
+  (void)search_forbidden<2>(atlas, points, parameters_of(ratio(1, 1000000), ratio(1, 1000000), ratio(1, 1000)),
                             Rational(0), [&](std::string_view stage, std::size_t done, std::size_t total) {
                               EXPECT_EQ(stage, "search forbidden configurations");
-                              EXPECT_EQ(total, 100U);
+                              EXPECT_EQ(total, 1100U);
                               reports.push_back(done);
                             });
-  EXPECT_EQ(reports, (std::vector<std::size_t>{0, 64, 100}));
+  EXPECT_EQ(reports, (std::vector<std::size_t>{0, 1024, 1100}));
 }
 
 }  // namespace DELCERT_THIS_FILE

@@ -58,6 +58,27 @@ TEST(GridBall, draws_what_the_definition_draws) {
   }
 }
 
+TEST(GridBall, that_is_moved_draws_what_a_new_one_draws) {
+  const FilterGuard guard;
+  const auto space = hexagonal_torus();
+  const auto enclosed = space.metric.on<Filter>();
+  const auto centres = random_points<2>(6, 4);
+  GridBall<2> moving(space.metric, enclosed, centres[0], ratio(1, 30), -46);
+  for (std::uint32_t at = 0; at < 24; ++at) {
+    // Another centre, another radius, both, and neither.
+    const auto& centre = centres[at / 2 % 6];
+    const Rational radius = ratio(1, at % 8 < 3 ? 30 : 17);
+    moving.move_to(centre, radius);
+    GridBall<2> fresh(space.metric, enclosed, centre, radius, -46);
+    CounterRandom random(1, RandomPurpose::perturbation, at, 0);
+    CounterRandom same(1, RandomPurpose::perturbation, at, 0);
+    moving.draw(random);
+    fresh.draw(same);
+    EXPECT_EQ(moving.exact(), fresh.exact());
+    EXPECT_LE(squared_distance<2>(space, moving.exact(), centre), square(radius));
+  }
+}
+
 TEST(GridBall, holds_points_exactly_on_its_border) {
   // Steps of 1, radius 5: (±5, 0), (±3, ±4) … of 81 points.
   const FrameMetric<2> metric = FrameMetric<2>::cartesian();

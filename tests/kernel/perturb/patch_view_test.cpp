@@ -41,6 +41,29 @@ TEST(PatchView, shows_the_points_where_the_chart_sees_them) {
   }
 }
 
+TEST(PatchView, believes_what_is_sure_and_asks_the_metric_else) {
+  const PointSet<2> points = displaced();
+  const FilterGuard guard;
+  const auto metric = space.metric.on<Filter>();
+  PatchView<2> view(atlas, points);
+  PatchView<2> same(atlas, points);
+  for (const auto& sighting : atlas.neighbours(Label(3))) {
+    view.add(sighting);
+    same.add(sighting, atlas.carry(Label(3), sighting, points.enclosure(label_of<2>(sighting))));
+  }
+  const Filter bound = scalar_from<Filter>(ratio(1, 16));
+  view.connect(metric, &bound);
+  same.connect(metric, bound, [](std::size_t a, std::size_t b) {
+    return a == 0 ? Verdict::proved : b % 5 == 0 ? Verdict::refuted : Verdict::undecided;
+  });
+  for (std::size_t a = 0; a < view.size(); ++a) {
+    for (std::size_t b = a + 1; b < view.size(); ++b) {
+      const bool expected = a == 0 || (b % 5 != 0 && are_adjacent(view, a, b));
+      EXPECT_EQ(are_adjacent(same, a, b), expected);
+    }
+  }
+}
+
 TEST(PatchView, connects_what_is_not_certainly_apart) {
   const PointSet<2> points = displaced();
   const FilterGuard guard;
