@@ -52,6 +52,10 @@ refused "$1" "a smaller change of the circumradius" sharper_circumradius.v \
   's|<= 3 / 2 \* vertex_share k \* r \* xi|<= 4 / 3 * vertex_share k * r * xi|' "FAILED: sharper_circumradius.v"
 refused "$1" "a smaller hoop constant" sharper_hoops.v 's/17410/17409/g' "FAILED: sharper_hoops.v"
 refused "$1" "a printed lemma with a smaller constant" printed_lemmas.v 's/3 \* sqrt (INR k)/2 * sqrt (INR k)/' "FAILED: printed_lemmas.v"
+refused "$1" "a smaller hoop bound of forbidden configurations" forbidden_configurations.v 's/2 ^ 13 \* g/2 ^ 11 * g/g' \
+  "FAILED: forbidden_configurations.v"
+refused "$1" "more protection than forbidden configurations give" protected_stars.v 's/r + delta < distance m (q l) x/r + 2 * delta < distance m (q l) x/g' \
+  "FAILED: protected_stars.v"
 
 echo "$failures failures"
 exit $((failures > 0))
