@@ -33,13 +33,20 @@ void BoxIndex<m>::meeting(const Vector<double, m>& lowest, const Vector<double, 
   const double first = (Filter::between(lowest[0], lowest[0]) - Filter::between(widest_, widest_)).lower();
   auto entry = std::lower_bound(entries_.begin(), entries_.end(), first,
                                 [](const Entry& one, double bound) { return one.lower[0] < bound; });
+  // Every point is written, and kept if it meets the box: whether it does cannot be foreseen, so nothing branches on
+  // it.
+  out.resize(entries_.size());
+  std::size_t count = 0;
   for (; entry != entries_.end() && !(entry->lower[0] > highest[0]); ++entry) {
-    bool meets = true;
-    for (std::size_t axis = 0; axis < m; ++axis) {
-      meets = meets && !(entry->lower[axis] > highest[axis]) && !(entry->upper[axis] < lowest[axis]);
+    unsigned misses = entry->upper[0] < lowest[0] ? 1 : 0;
+    for (std::size_t axis = 1; axis < m; ++axis) {
+      misses |= entry->lower[axis] > highest[axis] ? 1U : 0U;
+      misses |= entry->upper[axis] < lowest[axis] ? 1U : 0U;
     }
-    if (meets) out.push_back(entry->point);
+    out[count] = entry->point;
+    count += 1 - misses;
   }
+  out.resize(count);
 }
 
 #define DELCERT_INSTANTIATE(m) template class BoxIndex<m>;

@@ -8,6 +8,9 @@ namespace delcert {
 
 namespace {
 
+/// Cells of this many sampling radii: most queries ask for 2.5 to 4.5.
+constexpr double cell_factor = 2;
+
 template <class S, int m>
 Vector<S, m> translated(const Vector<S, m>& x, const Shift<m>& shift) {
   Vector<S, m> result = x;
@@ -34,8 +37,8 @@ FlatAtlas<m>::FlatAtlas(FlatSpace<m> space, PointSet<m> net, SamplingRadii radii
       net_(std::move(net)),
       radii_(std::move(radii)),
       radius_variation_(std::move(radius_variation)),
-      grid_(space_.metric, space_.box_radius(), approximate_double(sampling_radius()) * middle_unit(radii_.units()),
-            net_.size()) {
+      grid_(space_.metric, space_.box_radius(),
+            cell_factor * approximate_double(sampling_radius()) * middle_unit(radii_.units()), net_.size()) {
   for (const auto& point : net_.approximate_all()) grid_.insert(point);
   interior_.reserve(net_.size());
   for (std::uint32_t index = 0; index < net_.size(); ++index) {

@@ -211,7 +211,9 @@ void CandidateTest<m>::measure_in(const Rational& unit) {
   lengths.unit = unit;
   // What is not tested against may be wanted to choose by.
   lengths.reach_of_spheres = (parameters_.perturbation + maximum(parameters_.tolerance, parameters_.clearance)) * unit;
-  lengths.reach_of_sightings = approximate_double(reach_of_candidates(parameters_) * unit) * (1 + 0x1p-40);
+  const Rational reach = reach_of_candidates(parameters_);
+  lengths.reach_of_sightings =
+      approximate_double((reach_around_ ? maximum(reach, *reach_around_) : reach) * unit) * (1 + 0x1p-40);
   lengths.squared_reach = scalar_from<Filter>(square(reach_in_place(parameters_) * unit));
   lengths.squared_edge_bound = scalar_from<Filter>(square(parameters_.edge_bound * unit));
   lengths.squared_reach_of_spheres = square(lengths.reach_of_spheres);
@@ -270,39 +272,46 @@ void CandidateTest<m>::connect() {
 }
 
 template <int m>
+void CandidateTest<m>::look(Label i) {
+  atlas_.sightings(i, lengths_.reach_of_sightings, seen_);
+  view_.clear(i);
+  around_.clear();
+  const auto& centre = atlas_.net().enclosure(i);
+  frame_.look_about(centre);
+  for (const Sighting<m>& sighting : seen_) {
+    const Label label = label_of<m>(sighting);
+    if (label == i) continue;
+    const bool is_placed = placed_[label.value] != 0;
+    // In the reference modes simplices are on labels: their original points tell which.
+    const bool is_wanted = is_placed || !is_pruned();
+    if (!is_wanted && !reach_around_) continue;
+    const auto position = atlas_.carry(i, sighting, (is_placed ? points_ : atlas_.net()).enclosure(label));
+    if (reach_around_) around_.push_back({frame_.place(position).at, is_placed});
+    if (!is_wanted) continue;
+    const auto& measured = is_pruned() ? position : atlas_.carry(i, sighting, atlas_.net().enclosure(label));
+    if (is_refuted(less(filter_.squared_norm(difference(measured, centre)), lengths_.squared_reach))) continue;
+    view_.add(sighting, position);
+  }
+}
+
+template <int m>
 void CandidateTest<m>::prepare(Label i) {
   const Rational& unit = atlas_.sampling_radius(i);
   if (lengths_.unit != unit) measure_in(unit);
-  const bool pruned = is_pruned();
-  atlas_.sightings(i, lengths_.reach_of_sightings, seen_);
-  view_.clear(i);
-  const auto& filter_centre = atlas_.net().enclosure(i);
-  for (const Sighting<m>& sighting : seen_) {
-    if (label_of<m>(sighting) == i) continue;
-    if (pruned && placed_[sighting.index] == 0) continue;
-    const PointSet<m>& measured = pruned ? points_ : atlas_.net();
-    const auto position = atlas_.carry(i, sighting, measured.enclosure(label_of<m>(sighting)));
-    if (is_refuted(less(filter_.squared_norm(difference(position, filter_centre)), lengths_.squared_reach))) continue;
-    if (pruned) {
-      view_.add(sighting, position);
-    } else {
-      view_.add(sighting);
-    }
-  }
-  frame_.look_about(filter_centre);
+  look(i);
   look_in_doubles();
   connect();
 
   Collector collector;
   collector.test = this;
   collector.least_vertices = parameters_.candidates == CandidateRule::printed ? m + 1 : 2;
-  if (pruned) {
+  if (is_pruned()) {
     collector.squared_radius_bound = lengths_.squared_circumradius_bound;
     collector.filter_squared_radius_bound = lengths_.filter_squared_circumradius_bound;
     collector.far_power = lengths_.far_power;
   }
   collector.centre = atlas_.net().exact(i);
-  collector.filter_centre = filter_centre;
+  collector.filter_centre = atlas_.net().enclosure(i);
   collector.squared_reach = lengths_.squared_reach_of_spheres;
   collector.filter_squared_reach = lengths_.filter_squared_reach_of_spheres;
   candidates_.clear();

@@ -35,6 +35,13 @@ template <class S>
                      disjunction(less(squared_tolerance, power), less(squared_tolerance, squared_radius)));
 }
 
+/// Another point that the chart of a label shows.
+template <int m>
+struct PointAround {
+  Vector<double, m> at;    ///< in the coordinates of `CandidateTest::frame`, without error bounds
+  bool is_placed = false;  ///< otherwise it is where it was originally
+};
+
 /// Finds the candidates of one label and tests positions against them.
 template <int m>
 class CandidateTest {
@@ -42,6 +49,9 @@ class CandidateTest {
   /// References are kept.
   CandidateTest(const Atlas<m>& atlas, const PointSet<m>& points, const PlacedLabels& placed,
                 const PerturbationParameters& parameters);
+
+  /// From now on `prepare` also finds the points around, within so many sampling radii.
+  void look_around(const Rational& reach) { reach_around_ = reach; }
 
   /// All on intervals, for comparison; otherwise doubles with bounds come first (docs/rounded-spheres.md).
   void use_intervals_only() { uses_doubles_ = false; }
@@ -63,6 +73,8 @@ class CandidateTest {
   [[nodiscard]] const PatchView<m>& view() const { return view_; }
   /// About the original point, in a unit of about the edge bound.
   [[nodiscard]] const RoundedFrame<m>& frame() const { return frame_; }
+  /// The other points whose originals are within `reach`, if that was asked for.
+  [[nodiscard]] const std::vector<PointAround<m>>& around() const { return around_; }
   /// Where positions of the view are there.
   [[nodiscard]] const std::vector<Vector<double, m>>& places() const { return places_.at; }
 
@@ -92,6 +104,8 @@ class CandidateTest {
     double largest_offset = 0;  // of a perturbation from the original point, in the unit of the frame
   };
   void measure_in(const Rational& unit);
+  /// Fills view_ and around_.
+  void look(Label i);
   [[nodiscard]] bool is_pruned() const { return parameters_.candidates == CandidateRule::pruned; }
   /// Fills places_, and bounds_ where doubles are of use: in low dimension, where edges are bounded.
   void look_in_doubles();
@@ -112,6 +126,8 @@ class CandidateTest {
   PatchView<m> view_;
   std::vector<Sighting<m>> seen_;
   std::vector<Candidate<m>> candidates_;
+  std::optional<Rational> reach_around_;
+  std::vector<PointAround<m>> around_;
   RoundedFrame<m> frame_;
   RoundedPlaces<m> places_;
   std::optional<RoundedBounds<m>> bounds_;  // of the places; none if all is done on intervals

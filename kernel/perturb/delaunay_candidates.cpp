@@ -8,31 +8,10 @@
 namespace delcert {
 
 template <int m>
-DelaunayCandidates<m>::DelaunayCandidates(const Atlas<m>& atlas, const PointSet<m>& points, const PlacedLabels& placed,
-                                          const PerturbationParameters& parameters)
-    : atlas_(atlas), points_(points), placed_(placed), parameters_(parameters) {}
-
-template <int m>
-void DelaunayCandidates<m>::prepare(Label i, const CandidateTest<m>& test) {
+void DelaunayCandidates<m>::prepare(const Rational& sampling_radius, const CandidateTest<m>& test) {
   frame_ = &test.frame();
-  const double unit = approximate_double(atlas_.sampling_radius(i));
-  const double scaled_unit = unit * frame_->scale();
-  atlas_.sightings(i, approximate_double(reach_of_delaunay_candidates(parameters_)) * unit, seen_);
-  others_.clear();
-  std::uint32_t in_view = 0;
-  for (const Sighting<m>& seen : seen_) {
-    const Label label = label_of<m>(seen);
-    if (label == i) continue;
-    const bool is_placed = placed_[label.value] != 0;
-    // The view of the test has the same order.
-    while (in_view < test.view().size() && test.view().sighting(in_view) < seen) ++in_view;
-    if (is_placed && in_view < test.view().size() && test.view().sighting(in_view) == seen) {
-      others_.push_back({test.places()[in_view], is_placed});
-      continue;
-    }
-    const auto position = atlas_.carry(i, seen, (is_placed ? points_ : atlas_.net()).enclosure(label));
-    others_.push_back({frame_->place(position).at, is_placed});
-  }
+  const double scaled_unit = approximate_double(sampling_radius) * frame_->scale();
+  others_ = test.around();
   const double clearance = approximate_double(parameters_.clearance) * scaled_unit;
   const double drift = approximate_double(parameters_.perturbation) * scaled_unit;
   const double largest = 2 * approximate_double(parameters_.circumradius_bound) * scaled_unit;
@@ -54,7 +33,7 @@ void DelaunayCandidates<m>::prepare(Label i, const CandidateTest<m>& test) {
     };
     const double squared_placed = squared_inside(clearance);
     const double squared_unplaced = squared_inside(clearance + drift);
-    const auto is_inside = [&](const Other& other) {
+    const auto is_inside = [&](const PointAround<m>& other) {
       const auto offset = difference(other.at, sphere.centre);
       return pairing(offset, offset) < (other.is_placed ? squared_placed : squared_unplaced);
     };

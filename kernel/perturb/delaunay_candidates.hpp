@@ -19,14 +19,12 @@ namespace delcert {
 template <int m>
 class DelaunayCandidates {
  public:
-  /// References are kept.
-  DelaunayCandidates(const Atlas<m>& atlas, const PointSet<m>& points, const PlacedLabels& placed,
-                     const PerturbationParameters& parameters);
+  explicit DelaunayCandidates(const PerturbationParameters& parameters) : parameters_(parameters) {}
 
-  /// Chooses among the candidates of a test that has been prepared for this label, and is kept. Precondition: a
-  /// `FilterGuard` is alive.
+  /// Chooses among the candidates of a test that has been prepared for a label with this sampling radius, having been
+  /// told to look around as far as `reach_of_delaunay_candidates`; it is kept. Precondition: a `FilterGuard` is alive.
   // Not inlined, here and below: see `CandidateTest::prepare`.
-  [[gnu::noinline]] void prepare(Label i, const CandidateTest<m>& test);
+  [[gnu::noinline]] void prepare(const Rational& sampling_radius, const CandidateTest<m>& test);
 
   /// The least distance of x, in the chart of the label, from these spheres; infinite if there are none. x is in this
   /// enclosure. Precondition: a `FilterGuard` is alive.
@@ -40,18 +38,9 @@ class DelaunayCandidates {
     Vector<double, m> centre;
     double radius;
   };
-  struct Other {
-    Vector<double, m> at;
-    bool is_placed;
-  };
-
-  const Atlas<m>& atlas_;
-  const PointSet<m>& points_;
-  const PlacedLabels& placed_;
   PerturbationParameters parameters_;
   const RoundedFrame<m>* frame_ = nullptr;
-  std::vector<Sighting<m>> seen_;
-  std::vector<Other> others_;
+  std::vector<PointAround<m>> others_;
   std::vector<Sphere> spheres_;
 };
 

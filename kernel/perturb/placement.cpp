@@ -64,7 +64,9 @@ Placement<m>::Placement(const Atlas<m>& atlas, const PerturbationParameters& par
         return atlas.metric().template on<Filter>();
       }()),
       test_(atlas, state.points, state.placed, parameters),
-      delaunay_(atlas, state.points, state.placed, parameters) {}
+      delaunay_(parameters) {
+  if (chooses(parameters)) test_.look_around(reach_of_delaunay_candidates(parameters));
+}
 
 template <int m>
 Rational Placement<m>::reach(const PerturbationParameters& parameters) {
@@ -117,7 +119,7 @@ std::optional<Vector<Rational, m>> Placement<m>::first_good(Label i, GridBall<m>
 
 template <int m>
 std::optional<Vector<Rational, m>> Placement<m>::best_good(Label i, GridBall<m>& ball, std::uint32_t& tries) {
-  delaunay_.prepare(i, test_);
+  delaunay_.prepare(atlas_.sampling_radius(i), test_);
   const double enough = approximate_double(parameters_.clearance * atlas_.sampling_radius(i));
   // A test takes much longer than a draw: the farthest of the first positions are tested first, and of those that
   // follow only what would be better.

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "kernel/chart/length_units.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "kernel/number/ladder.hpp"
+#include "kernel/parallel/parts.hpp"
 #include "kernel/simplex/dimensions.hpp"
 #include "kernel/simplex/sphere_stack.hpp"
 #include "kernel/stars/approximate_sphere.hpp"
@@ -55,39 +57,79 @@ struct Extremes {
   }
 };
 
+/// What measuring goes by, the same for all simplices.
+template <int m>
+struct Ground {
+  Ground(const FlatAtlas<m>& of_points, const PointSet<m>& placed, const StarComplex<m>& of_simplices)
+      : atlas(of_points),
+        points(placed),
+        complex(of_simplices),
+        filter([&] {
+          const FilterGuard guard;
+          return of_points.metric().template on<Filter>();
+        }()),
+        plain(of_points.metric().template on<PlainDouble>()),
+        units(of_points),
+        half_radius(approximate_double(of_points.sampling_radius()) / 2),
+        grid(of_points.metric(), of_points.space().box_radius(),
+             approximate_double(of_points.sampling_radius()) * middle_unit(of_points.radii().units()), placed.size()) {
+    for (const auto& point : placed.approximate_all()) grid.insert(point);
+  }
+
+  const FlatAtlas<m>& atlas;
+  const PointSet<m>& points;
+  const StarComplex<m>& complex;
+  MetricOn<Filter, m> filter;
+  MetricOn<PlainDouble, m> plain;
+  LengthUnits units;
+  double half_radius;
+  PointGrid<m> grid;
+};
+
+/// Of simplices that follow each other.
+struct MeasuredPart {
+  std::vector<double> lower;  // bounds of their protections
+  Extremes protection;
+  Extremes thickness;
+  Extremes negated_radius;
+  std::vector<StarFailure> failures;
+};
+
 template <int m>
 class Measurement {
  public:
-  Measurement(const FlatAtlas<m>& atlas, const PointSet<m>& points, const StarComplex<m>& complex)
-      : atlas_(atlas),
-        points_(points),
-        complex_(complex),
-        filter_([&] {
-          const FilterGuard guard;
-          return atlas.metric().template on<Filter>();
-        }()),
-        plain_(atlas.metric().template on<PlainDouble>()),
-        units_(atlas),
-        half_radius_(approximate_double(atlas.sampling_radius()) / 2),
-        grid_(atlas.metric(), atlas.space().box_radius(),
-              approximate_double(atlas.sampling_radius()) * middle_unit(atlas.radii().units()), points.size()) {
-    for (const auto& point : points.approximate_all()) grid_.insert(point);
+  /// A reference is kept.
+  explicit Measurement(const Ground<m>& ground)
+      : atlas_(ground.atlas),
+        points_(ground.points),
+        complex_(ground.complex),
+        filter_(ground.filter),
+        plain_(ground.plain),
+        units_(ground.units),
+        half_radius_(ground.half_radius),
+        grid_(ground.grid) {}
+
+  [[nodiscard]] MeasuredPart part(std::size_t first, std::size_t last, const std::optional<Rational>& required) {
+    std::vector<double> lower;
+    for (std::size_t at = first; at < last; ++at) {
+      take_unit(complex_.simplices()[at]);
+      measure(at, required);
+      lower.push_back(least_margin_);
+    }
+    return {std::move(lower), protection_, thickness_, negated_radius_, std::move(report_.failures)};
   }
 
-  ProtectionReport run(const std::optional<Rational>& required, const Progress& progress) {
-    if (required && Rational(2) * *required > atlas_.sampling_radius()) {
-      throw InputError("a protection of " + exact_text(*required) +
-                       " cannot be required: it is looked for up to half the sampling radius only");
-    }
-    const auto& simplices = complex_.simplices();
-    lower_.resize(simplices.size());
-    for (std::size_t at = 0; at < simplices.size(); ++at) {
-      if (at % 4096 == 0) progress("certify stars", at, simplices.size());
-      take_unit(simplices[at]);
-      measure(at, required);
-    }
-    progress("certify stars", simplices.size(), simplices.size());
-    if (report_.failures.empty() && !simplices.empty()) report_.margins = margins();
+  void include(MeasuredPart part) {
+    lower_.insert(lower_.end(), part.lower.begin(), part.lower.end());
+    protection_.include(part.protection.least, part.protection.least_upper);
+    thickness_.include(part.thickness.least, part.thickness.least_upper);
+    negated_radius_.include(part.negated_radius.least, part.negated_radius.least_upper);
+    std::move(part.failures.begin(), part.failures.end(), std::back_inserter(report_.failures));
+  }
+
+  /// When all parts have been included, in order.
+  [[nodiscard]] ProtectionReport report() {
+    if (report_.failures.empty() && !complex_.simplices().empty()) report_.margins = margins();
     return std::move(report_);
   }
 
@@ -178,6 +220,7 @@ class Measurement {
 
   void measure(std::size_t at, const std::optional<Rational>& required) {
     const auto& simplex = complex_.simplices()[at];
+    least_margin_ = 0;
     const auto sphere = look_around(simplex);
     if (!std::isfinite(sphere.squared_radius) || !measure_shape(at) || !has_seen_enough(sphere)) {
       fail(simplex, nullptr, FailureCause::undecided, "cannot be told from a degenerate simplex");
@@ -220,20 +263,29 @@ class Measurement {
     const auto& simplex = complex_.simplices()[at];
     const FilterGuard guard;
     const Filter radius = square_root(stack_squared_radius_);
-    double lower = look_beyond_;
-    double upper = look_beyond_;
+    // Of the roots, which increase, only the least counts at either end.
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double squared_lower = infinity;
+    double squared_upper = infinity;
     for (const Lift<m>& lift : near_) {
       if (std::find(simplex.begin(), simplex.end(), lift) != simplex.end()) continue;
-      const Filter margin = square_root(filter_.squared_norm(difference(position<Filter>(lift), centre_))) - radius;
-      if (margin.lower() < lower) {
-        lower = margin.lower();
+      const Filter squared = filter_.squared_norm(difference(position<Filter>(lift), centre_));
+      if (squared.lower() < squared_lower) {
+        squared_lower = squared.lower();
         nearest_ = lift;
       }
+      squared_upper = std::min(squared_upper, squared.upper());
+    }
+    double lower = look_beyond_;
+    double upper = look_beyond_;
+    if (squared_upper < infinity) {
+      const Filter margin = square_root(Filter::between(squared_lower, squared_upper)) - radius;
+      lower = std::min(lower, margin.lower());
       upper = std::min(upper, margin.upper());
     }
     ladder_statistics().count(Rung::interval, near_.size());
     is_certain_ = lower > 0;
-    lower_[at] = lower;
+    least_margin_ = lower;
     if (is_certain_) protection_.include(units_.lower(least_, lower), units_.upper(least_, upper));
   }
 
@@ -256,7 +308,7 @@ class Measurement {
   }
 
   void require(std::size_t at, const Rational& required) {
-    if (Rational::exactly(lower_[at]) > scaled(required)) return;
+    if (Rational::exactly(least_margin_) > scaled(required)) return;
     if (const auto lift = less_protected(at, scaled(required))) {
       fail(complex_.simplices()[at], &*lift, FailureCause::less_protected, "is less protected than required");
     }
@@ -327,9 +379,9 @@ class Measurement {
   const StarComplex<m>& complex_;
   MetricOn<Filter, m> filter_;
   MetricOn<PlainDouble, m> plain_;
-  LengthUnits units_;
+  const LengthUnits& units_;
   double half_radius_;
-  PointGrid<m> grid_;
+  const PointGrid<m>& grid_;
 
   Label least_{0};  // the vertex with the least unit, of the simplex at hand
   double look_beyond_ = 0;
@@ -337,6 +389,7 @@ class Measurement {
   std::vector<Lift<m>> near_;
   Lift<m> nearest_;
   bool is_certain_ = false;
+  double least_margin_ = 0;
   Filter stack_squared_radius_;
   Vector<Filter, m> centre_;
 
@@ -352,7 +405,19 @@ class Measurement {
 template <int m>
 ProtectionReport certify_protection(const FlatAtlas<m>& atlas, const PointSet<m>& points, const StarComplex<m>& complex,
                                     const std::optional<Rational>& required_protection, const Progress& progress) {
-  return Measurement<m>(atlas, points, complex).run(required_protection, progress);
+  if (required_protection && Rational(2) * *required_protection > atlas.sampling_radius()) {
+    throw InputError("a protection of " + exact_text(*required_protection) +
+                     " cannot be required: it is looked for up to half the sampling radius only");
+  }
+  const Ground<m> ground(atlas, points, complex);
+  Measurement<m> all(ground);
+  in_parts<64>(
+      "certify stars", complex.simplices().size(), progress,
+      [&](std::size_t first, std::size_t last) {
+        return Measurement<m>(ground).part(first, last, required_protection);
+      },
+      [&all](MeasuredPart part) { all.include(std::move(part)); });
+  return all.report();
 }
 
 #define DELCERT_INSTANTIATE(m)                                                                                    \

@@ -48,12 +48,13 @@ TEST(DelaunayCandidates, are_those_with_nearly_empty_balls) {
     const auto atlas = scene.atlas();
     const PointSet<2> points(scene.points);
     CandidateTest<2> test(atlas, points, scene.placed, scene.parameters);
-    DelaunayCandidates<2> delaunay(atlas, points, scene.placed, scene.parameters);
+    test.look_around(reach_of_delaunay_candidates(scene.parameters));
+    DelaunayCandidates<2> delaunay(scene.parameters);
     for (std::uint32_t i = 2; i < scene.net.size(); i += 3) {
       {
         const FilterGuard guard;
         test.prepare(Label(i));
-        delaunay.prepare(Label(i), test);
+        delaunay.prepare(scene.sampling_radius, test);
       }
       const auto expected = slow_spheres(scene, i);
       EXPECT_EQ(delaunay.size(), expected.size());
