@@ -1,7 +1,7 @@
 (** lem:protected.stars: without forbidden configurations, simplices with empty balls are good and protected. *)
 
 Require Import Reals Lra Lia Psatz Classical FunctionalExtensionality.
-From Delcert Require Import vectors simplices circumradius weights projections circumcentres nets forbidden_configurations.
+From Delcert Require Import vectors simplices circumradius weights projections circumcentres forbidden_configurations stars.
 Open Scope R_scope.
 
 (** * Points of ℝᵐ are dependent if they are more than m + 1 *)
@@ -222,25 +222,11 @@ Proof.
   intros Hm Hg Hd Hs He Hrho eps' Sep Dense Region Near No T (i & Hi & Ti) On Empty.
   assert (E1 : 0 < eps' <= 5 / 4 * eps) by (unfold eps'; split; nra).
   assert (R : r < eps').
-  { apply Rnot_le_lt; intros L.
-    pose proof (On i Hi) as Oi; cbv beta in Oi; rewrite Ti in Oi.
-    (* the point y at ε′ from p′_i on the way to x *)
-    pose (y := fun a => q i0 a + eps' / r * (x a - q i0 a)).
-    assert (Y1 : distance m (q i0) y = eps').
-    { apply eq_trans with (norm m (fun a => eps' / r * minus (q i0) x a)).
-      - unfold distance, norm, dot; f_equal; apply sum_ext; intros; unfold minus, y; ring.
-      - rewrite norm_scal by (apply quotient_nonneg; lra); fold (distance m (q i0) x); rewrite Oi; field; lra. }
-    assert (Y2 : distance m y x = r - eps').
-    { apply eq_trans with (norm m (fun a => (1 - eps' / r) * minus (q i0) x a)).
-      - apply norm_ext; intros; unfold minus, y; ring.
-      - assert (eps' / r <= 1) by (apply quotient_at_most; lra).
-        rewrite norm_scal by lra; fold (distance m (q i0) x); rewrite Oi; field; lra. }
-    pose proof (distance_triangle m y (q i0) pi) as T1; rewrite (distance_sym m y (q i0)), Y1 in T1.
-    destruct (Dense y) as (l & Hl); [nra |].
-    pose proof (distance_triangle m (q l) y pi) as T2; pose proof (distance_triangle m (q l) y x) as T3.
-    rewrite (distance_sym m (q l) y) in T2, T3; rewrite Y2 in T3.
-    assert (Rl : region l) by (apply Region; nra).
-    specialize (Empty l Rl); lra. }
+  { apply (radius_of_a_star label q (fun _ => True) m i0 eps' x r); try lra.
+    - pose proof (On i Hi) as Oi; cbv beta in Oi; now rewrite Ti in Oi.
+    - intros y Hy; destruct (Dense y) as (l & Hl); [|now exists l].
+      pose proof (distance_triangle m y (q i0) pi); nra.
+    - intros l _ Hl; apply Empty, Region; pose proof (distance_triangle m (q l) (q i0) pi); nra. }
   split; [exact R |].
   apply (simplices_of_empty_balls_are_protected label q region m g delta eps' s); trivial.
 Qed.

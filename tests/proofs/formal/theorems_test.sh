@@ -56,6 +56,10 @@ refused "$1" "a smaller hoop bound of forbidden configurations" forbidden_config
   "FAILED: forbidden_configurations.v"
 refused "$1" "more protection than forbidden configurations give" protected_stars.v 's/r + delta < distance m (q l) x/r + 2 * delta < distance m (q l) x/g' \
   "FAILED: protected_stars.v"
+refused "$1" "a smaller exponent of the constraints" sharper_constraints.v 's/g ^ (2 \* m + 2) \/ 2 ^ 4/g ^ (2 * m + 1) \/ 2 ^ 4/g' \
+  "FAILED: sharper_constraints.v"
+refused "$1" "a star that looks only half as far" stars.v 's/distance m (q l) (q i) < 2 \* e -> B l/distance m (q l) (q i) < 1 * e -> B l/' \
+  "FAILED: stars.v"
 
 echo "$failures failures"
 exit $((failures > 0))
