@@ -55,6 +55,14 @@ std::vector<Matrix<Interval>> times(const Matrix<Interval>& a, std::vector<Matri
   return of;
 }
 
+/// (a + a^T) / 2. If that of 1 - a has a norm of at most t < 1, then <v, a v> >= (1 - t) |v|^2: a is invertible, and
+/// |a^-1| <= 1 / (1 - t).
+Matrix<Interval> symmetric_part(const Matrix<Interval>& a) { return point_at(0.5) * (a + a.transposed()); }
+std::vector<Matrix<Interval>> symmetric_parts(std::vector<Matrix<Interval>> of) {
+  for (Matrix<Interval>& a : of) a = symmetric_part(a);
+  return of;
+}
+
 }  // namespace
 
 /// How Df N and Df E change along each axis of a chart, in a cell of its cylinder.
@@ -137,14 +145,14 @@ bool TangentCharts::holds_in_cells(Label i, Matrix<Interval> box, const std::fun
   return true;
 }
 
-/// |1 - Y Df N| from what it is in the middle of the cylinder and from the second derivatives in all of it; at most
-/// most_theta_at_once, or nothing is known.
+/// The symmetric part of 1 - Y Df N from what it is in the middle of the cylinder and from the second derivatives in
+/// all of it; at most most_theta_at_once, or nothing is known.
 bool TangentCharts::has_fibres_at_once(Label i, double& theta) {
   const Matrix<Interval>& Y = charts_[i].Y;
-  const std::vector<Matrix<Interval>> changes = times(Y, drift_in(i, cylinder(i))->normal);
+  const std::vector<Matrix<Interval>> changes = symmetric_parts(times(Y, drift_in(i, cylinder(i))->normal));
   values_.evaluate(charts_[i].centre, 1);
   const Interval highest = square_root(Interval(static_cast<int>(M_.q))) * patches_[i].height.filter;
-  const double most = norm_above(one_less(Y * values_.jacobian() * charts_[i].normal)) +
+  const double most = norm_above(symmetric_part(one_less(Y * values_.jacobian() * charts_[i].normal))) +
                       patches_[i].radius.filter.upper() * span_above(changes, 0, M_.m) +
                       highest.upper() * span_above(changes, M_.m, M_.N);
   if (!(most <= most_theta_at_once)) return false;
@@ -154,9 +162,9 @@ bool TangentCharts::has_fibres_at_once(Label i, double& theta) {
 }
 
 /// The rule of the slopes from Df at (0, z), |z - z_0| <= blur, and from the second derivatives in a box around the
-/// region of the rule. With A and B, Df N and Df E at (0, z), |1 - A^-1 Df N| <= e and |A^-1 Df E| <= b, where e and b
-/// are affine in |y| = s radius and in |z - z_0|. What slope p(s) (1 - e) is above b is concave in s: it is positive if
-/// it is at the origin and at the rim.
+/// region of the rule. With A and B, Df N and Df E at (0, z), the symmetric part of 1 - A^-1 Df N is at most e, and
+/// |A^-1 Df E| <= b, where e and b are affine in |y| = s radius and in |z - z_0|. What slope p(s) (1 - e) is above b is
+/// concave in s: it is positive if it is at the origin and at the rim.
 bool TangentCharts::is_flat_at_once(Label i, const Matrix<Interval>& z, const Interval& blur) {
   const Interval slope = M_.slope.filter, radius = patches_[i].radius.filter;
   const Interval off = square_root(Interval(static_cast<int>(M_.q))) * blur;
@@ -171,8 +179,9 @@ bool TangentCharts::is_flat_at_once(Label i, const Matrix<Interval>& z, const In
   values_.evaluate(position_of(i, foot), 1);
   const Matrix<Interval> slopes = values_.jacobian(), normal = slopes * charts_[i].normal,
                          inverse = solution(charts_[i].Y * normal, charts_[i].Y);
-  const std::vector<Matrix<Interval>> turns = times(inverse, drift->normal), rises = times(inverse, drift->tangent);
-  const double defect = norm_above(one_less(inverse * normal)),
+  const std::vector<Matrix<Interval>> turns = symmetric_parts(times(inverse, drift->normal)),
+                                      rises = times(inverse, drift->tangent);
+  const double defect = norm_above(symmetric_part(one_less(inverse * normal))),
                rise = norm_above(inverse * (slopes * charts_[i].tangent)), turn_across = span_above(turns, 0, M_.m),
                turn_above = span_above(turns, M_.m, M_.N), rise_across = span_above(rises, 0, M_.m),
                rise_above = span_above(rises, M_.m, M_.N);
@@ -187,17 +196,17 @@ bool TangentCharts::is_flat_at_once(Label i, const Matrix<Interval>& z, const In
   return true;
 }
 
-/// |1 - Y Df N| < 1 in the cylinder. Gives a bound of it.
+/// The symmetric part of 1 - Y Df N is below 1 in the cylinder. Gives a bound of it.
 bool TangentCharts::check_fibres(Label i, double& theta) {
   if (has_fibres_at_once(i, theta)) return true;
   const Matrix<Interval>& Y = charts_[i].Y;
   return holds_in_cells(
       i, cylinder(i), [&](Matrix<Interval>& place) { return clip_to_disc(i, place); },
       [&](const Cell& cell, const Matrix<Interval>& normal, const Matrix<Interval>&, std::vector<double>& weight) {
-        const Matrix<Interval> error = one_less(Y * normal);
+        const Matrix<Interval> error = symmetric_part(one_less(Y * normal));
         double most = norm_above(error);
         for (std::size_t k = 0; k < M_.N; ++k) {
-          weight[k] = half_width(cell.place[k]) * norm_above(Y * cell.drift->normal[k]);
+          weight[k] = half_width(cell.place[k]) * norm_above(symmetric_part(Y * cell.drift->normal[k]));
           most += weight[k];
         }
         if (most <= most_theta) {

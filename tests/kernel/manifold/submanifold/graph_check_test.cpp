@@ -92,6 +92,22 @@ TEST(GraphCheck, decides_a_wide_patch_in_codimension_3_at_once) {
   EXPECT_FALSE(GraphCheck(m).may_be_as_high(chart_of_three_circles(radius, Rational(1))));
 }
 
+TEST(GraphCheck, does_not_count_that_normals_turn_among_themselves) {
+  // Pairs of orthogonal unit vectors.
+  const ZeroSet m = zero_set("stiefel", {"a", "b", "c", "d", "e", "f"},
+                             {"a^2 + b^2 + c^2 - 1", "d^2 + e^2 + f^2 - 1", "2*(a*d + b*e + c*f)"},
+                             std::vector<Rational>(6, Rational(3)));
+  FormulaEvaluation<double> f(m.map());
+  TangentChart chart =
+      tangent_chart(m, f, {Rational(1), Rational(0), Rational(0), Rational(0), Rational(1), Rational(0)});
+  // ‖D²z‖ is √(3/2), and ‖sym(D²f[N, N])‖ √5/2: ϱ·√(3/2) < L(1 − (√5/2)·9Lϱ/16) up to ϱ = 0.52.
+  chart.set_size(ratio(1, 2), ratio(17, 64));
+  EXPECT_EQ(failure_of(m, chart, ratio(7, 8)), "");
+  const auto failure = GraphCheck(m).failure(chart, ratio(9, 16));
+  ASSERT_TRUE(failure);
+  EXPECT_TRUE(failure->is_slope);
+}
+
 TEST(FitCharts, takes_the_greatest_patches_that_are_graphs) {
   const std::vector<std::vector<Rational>> centres{{Rational(0), Rational(0), Rational(1)},
                                                    {ratio(3, 5), ratio(-4, 5), Rational(0)}};
