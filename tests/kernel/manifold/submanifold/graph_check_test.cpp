@@ -100,9 +100,10 @@ TEST(GraphCheck, does_not_count_that_normals_turn_among_themselves) {
   FormulaEvaluation<double> f(m.map());
   TangentChart chart =
       tangent_chart(m, f, {Rational(1), Rational(0), Rational(0), Rational(0), Rational(1), Rational(0)});
-  // ‖D²z‖ is √(3/2), and ‖sym(D²f[N, N])‖ √5/2: ϱ·√(3/2) < L(1 − (√5/2)·9Lϱ/16) up to ϱ = 0.52.
-  chart.set_size(ratio(1, 2), ratio(17, 64));
-  EXPECT_EQ(failure_of(m, chart, ratio(7, 8)), "");
+  // D²z and the symmetric part of D²f[N, N] have the norm √(3/2), D²f[N, E] has 1/√2 and is orthogonal to D²z: at the
+  // rim (3ϱ²/2 + h²/2)^½ < L(1 − √(3/2)·h), h = 9Lϱ/16, here 0.56 < 0.67.
+  chart.set_size(ratio(7, 16), ratio(1, 4));
+  EXPECT_EQ(failure_of(m, chart, ratio(15, 16)), "");
   const auto failure = GraphCheck(m).failure(chart, ratio(9, 16));
   ASSERT_TRUE(failure);
   EXPECT_TRUE(failure->is_slope);
