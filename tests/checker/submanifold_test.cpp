@@ -141,17 +141,6 @@ TEST(Submanifold, of_a_mesh_the_complex_is_Delaunay_by_distances_in_it_where_slo
   for (const char* metric : {"intrinsic", "both"}) expect_verified(certificate(by(metric, remeshed()), all));
 }
 
-/// Where facets are as large as the simplices slopes jump, and distances in the mesh are not known well enough.
-TEST(Submanifold, of_a_rough_mesh_the_complex_is_Delaunay_by_distances_in_space_only) {
-  SubmanifoldModel facets = sphere_model(3);
-  for (auto& x : facets.points) x = {0.8 * x[0] - 0.6 * x[1], 0.6 * x[0] + 0.8 * x[1], x[2]};
-  SubmanifoldModel rough = remeshed(facets);
-  rough.displacement *= 2;
-  expect_verified(certificate(by("extrinsic", rough), {"1", "2", "4", "5"}));
-  const CheckerRun run = run_checker(sealed(certificate(by("intrinsic", rough), {"1", "2", "4", "5"})));
-  EXPECT_EQ(run.status, 2) << run.output;
-}
-
 TEST(Submanifold, a_mesh_that_is_not_one_is_malformed) {
   const auto rules = [](const std::function<void(Json&)>& change) {
     Json document = remeshed_document();
