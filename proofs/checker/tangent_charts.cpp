@@ -83,7 +83,8 @@ Matrix<N> TangentCharts::height_over(const TangentChart<N>& chart, const Matrix<
   return z;
 }
 
-/// z is no farther from the height of M than |Y f| / (1 - theta), as in the cylinder |1 - Y Df N| <= theta.
+/// z is no farther from the height of M than |Y f| / (1 - theta), as in the cylinder the symmetric part of 1 - Y Df N
+/// is at most theta.
 template <class N>
 Matrix<N> TangentCharts::point_as(Label j) const {
   const TangentChart<N> chart = chart_as<N>(j);

@@ -34,24 +34,54 @@ Interval rise_to(const Interval& s) { return s * (Interval(2) + Interval(7) * s)
 
 double norm_below(const Matrix<Interval>& a) { return square_root(squared_norm(a)).lower(); }
 
-/// An upper bound of |sum of u_k a_k| for |u| <= 1, of the matrices a_k from `first` to before `end`: of their middles
-/// by the norm of the matrix that has these as its columns, of the rest by Cauchy and Schwarz.
-double span_above(const std::vector<Matrix<Interval>>& a, std::size_t first, std::size_t end) {
-  Matrix<Interval> columns(a[first].size(), end - first);
-  Interval rest(0);
-  for (std::size_t k = first; k < end; ++k) {
-    for (std::size_t at = 0; at < a[k].size(); ++at) {
-      if (!(half_width(a[k][at]) < std::numeric_limits<double>::infinity()))
-        return std::numeric_limits<double>::infinity();
-      columns(at, k - first) = point_at(NearPoints::middle(a[k][at]));
-      rest = rest + square(a[k][at] - columns(at, k - first));
+/// What sums of u_k a_k may be, of which the first m numbers u have a length of at most `across`, the others of at most
+/// `above`.
+class Spread {
+ public:
+  Spread(const std::vector<Matrix<Interval>>& a, std::size_t m) {
+    Matrix<Interval> middles[2] = {Matrix<Interval>(a[0].size(), m), Matrix<Interval>(a[0].size(), a.size() - m)};
+    Interval rests[2] = {Interval(0), Interval(0)};
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      const std::size_t part = k < m ? 0 : 1, column = k < m ? k : k - m;
+      for (std::size_t at = 0; at < a[k].size(); ++at) {
+        known_ = known_ && half_width(a[k][at]) < std::numeric_limits<double>::infinity();
+        if (!known_) return;
+        middles[part](at, column) = point_at(NearPoints::middle(a[k][at]));
+        rests[part] = rests[part] + square(a[k][at] - middles[part](at, column));
+      }
     }
+    for (std::size_t part = 0; part < 2; ++part) {
+      size_[part] = spectral_norm_above(middles[part]);
+      rest_[part] = upper_root(rests[part]);
+    }
+    // No product is greater than that of the norms.
+    mixed_ = std::min(spectral_norm_above(transposed_times(middles[0], middles[1])), size_[0] * size_[1]);
   }
-  return spectral_norm_above(columns) + upper_root(rest);
-}
+
+  /// Of the middles M and M' of the two parts |M u + M' u'|^2 is at most |M|^2 |u|^2 + |M'|^2 |u'|^2 + 2 |M^T M'| |u|
+  /// |u'|, in the norm of Frobenius; of the rest the bound is that of Cauchy and Schwarz.
+  double norm_within(double across, double above) const {
+    if (!known_) return std::numeric_limits<double>::infinity();
+    const double first = size_[0] * across, second = size_[1] * above;
+    return std::sqrt(first * first + second * second + 2 * mixed_ * across * above) + rest_[0] * across +
+           rest_[1] * above;
+  }
+
+ private:
+  bool known_ = true;
+  double size_[2] = {0, 0}, rest_[2] = {0, 0}, mixed_ = 0;
+};
 
 std::vector<Matrix<Interval>> times(const Matrix<Interval>& a, std::vector<Matrix<Interval>> of) {
   for (Matrix<Interval>& b : of) b = a * b;
+  return of;
+}
+
+/// (a + a^T) / 2. If that of 1 - a has a norm of at most t < 1, then <v, a v> >= (1 - t) |v|^2: a is invertible, and
+/// |a^-1| <= 1 / (1 - t).
+Matrix<Interval> symmetric_part(const Matrix<Interval>& a) { return point_at(0.5) * (a + a.transposed()); }
+std::vector<Matrix<Interval>> symmetric_parts(std::vector<Matrix<Interval>> of) {
+  for (Matrix<Interval>& a : of) a = symmetric_part(a);
   return of;
 }
 
@@ -137,16 +167,15 @@ bool TangentCharts::holds_in_cells(Label i, Matrix<Interval> box, const std::fun
   return true;
 }
 
-/// |1 - Y Df N| from what it is in the middle of the cylinder and from the second derivatives in all of it; at most
-/// most_theta_at_once, or nothing is known.
+/// The symmetric part of 1 - Y Df N from what it is in the middle of the cylinder and from the second derivatives in
+/// all of it; at most most_theta_at_once, or nothing is known.
 bool TangentCharts::has_fibres_at_once(Label i, double& theta) {
   const Matrix<Interval>& Y = charts_[i].Y;
-  const std::vector<Matrix<Interval>> changes = times(Y, drift_in(i, cylinder(i))->normal);
+  const std::vector<Matrix<Interval>> changes = symmetric_parts(times(Y, drift_in(i, cylinder(i))->normal));
   values_.evaluate(charts_[i].centre, 1);
   const Interval highest = square_root(Interval(static_cast<int>(M_.q))) * patches_[i].height.filter;
-  const double most = norm_above(one_less(Y * values_.jacobian() * charts_[i].normal)) +
-                      patches_[i].radius.filter.upper() * span_above(changes, 0, M_.m) +
-                      highest.upper() * span_above(changes, M_.m, M_.N);
+  const double most = norm_above(symmetric_part(one_less(Y * values_.jacobian() * charts_[i].normal))) +
+                      Spread(changes, M_.m).norm_within(patches_[i].radius.filter.upper(), highest.upper());
   if (!(most <= most_theta_at_once)) return false;
   theta = most;
   ++cells_;
@@ -154,9 +183,9 @@ bool TangentCharts::has_fibres_at_once(Label i, double& theta) {
 }
 
 /// The rule of the slopes from Df at (0, z), |z - z_0| <= blur, and from the second derivatives in a box around the
-/// region of the rule. With A and B, Df N and Df E at (0, z), |1 - A^-1 Df N| <= e and |A^-1 Df E| <= b, where e and b
-/// are affine in |y| = s radius and in |z - z_0|. What slope p(s) (1 - e) is above b is concave in s: it is positive if
-/// it is at the origin and at the rim.
+/// region of the rule. With A and B, Df N and Df E at (0, z), the symmetric part of 1 - A^-1 Df N is at most e, and
+/// |A^-1 Df E| <= b, where e and b are numbers and norms of (|y|, |z - z_0|) that grow with either, |y| = s radius.
+/// What slope p(s) (1 - e) is above b is concave in s: it is positive if it is at the origin and at the rim.
 bool TangentCharts::is_flat_at_once(Label i, const Matrix<Interval>& z, const Interval& blur) {
   const Interval slope = M_.slope.filter, radius = patches_[i].radius.filter;
   const Interval off = square_root(Interval(static_cast<int>(M_.q))) * blur;
@@ -171,15 +200,12 @@ bool TangentCharts::is_flat_at_once(Label i, const Matrix<Interval>& z, const In
   values_.evaluate(position_of(i, foot), 1);
   const Matrix<Interval> slopes = values_.jacobian(), normal = slopes * charts_[i].normal,
                          inverse = solution(charts_[i].Y * normal, charts_[i].Y);
-  const std::vector<Matrix<Interval>> turns = times(inverse, drift->normal), rises = times(inverse, drift->tangent);
-  const double defect = norm_above(one_less(inverse * normal)),
-               rise = norm_above(inverse * (slopes * charts_[i].tangent)), turn_across = span_above(turns, 0, M_.m),
-               turn_above = span_above(turns, M_.m, M_.N), rise_across = span_above(rises, 0, M_.m),
-               rise_above = span_above(rises, M_.m, M_.N);
+  const Spread turns(symmetric_parts(times(inverse, drift->normal)), M_.m), rises(times(inverse, drift->tangent), M_.m);
+  const double defect = norm_above(symmetric_part(one_less(inverse * normal))),
+               rise = norm_above(inverse * (slopes * charts_[i].tangent));
   const auto is_below = [&](const Interval& s) {
     const double across = (s * radius).upper(), above = height_at(s).upper();
-    const double e = defect + across * turn_across + above * turn_above;
-    const double b = rise + across * rise_across + above * rise_above;
+    const double e = defect + turns.norm_within(across, above), b = rise + rises.norm_within(across, above);
     return e < 1 && less(point_at(b), slope * steepness_at(s) * (Interval(1) - point_at(e))) == Verdict::proved;
   };
   if (!is_below(Interval(0)) || !is_below(Interval(1))) return false;
@@ -187,17 +213,17 @@ bool TangentCharts::is_flat_at_once(Label i, const Matrix<Interval>& z, const In
   return true;
 }
 
-/// |1 - Y Df N| < 1 in the cylinder. Gives a bound of it.
+/// The symmetric part of 1 - Y Df N is below 1 in the cylinder. Gives a bound of it.
 bool TangentCharts::check_fibres(Label i, double& theta) {
   if (has_fibres_at_once(i, theta)) return true;
   const Matrix<Interval>& Y = charts_[i].Y;
   return holds_in_cells(
       i, cylinder(i), [&](Matrix<Interval>& place) { return clip_to_disc(i, place); },
       [&](const Cell& cell, const Matrix<Interval>& normal, const Matrix<Interval>&, std::vector<double>& weight) {
-        const Matrix<Interval> error = one_less(Y * normal);
+        const Matrix<Interval> error = symmetric_part(one_less(Y * normal));
         double most = norm_above(error);
         for (std::size_t k = 0; k < M_.N; ++k) {
-          weight[k] = half_width(cell.place[k]) * norm_above(Y * cell.drift->normal[k]);
+          weight[k] = half_width(cell.place[k]) * norm_above(symmetric_part(Y * cell.drift->normal[k]));
           most += weight[k];
         }
         if (most <= most_theta) {

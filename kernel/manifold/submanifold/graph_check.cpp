@@ -16,7 +16,7 @@ namespace delcert {
 
 namespace {
 
-/// ‖1 − Y·Df·N‖ is asked to be below this and not only below 1: there is room for readers.
+/// The symmetric part of 1 − Y·Df·N is asked to be below this and not only below 1: there is room for readers.
 constexpr double greatest_defect = 0.98;
 
 using Coordinates = std::array<double, most_ambient_dimensions>;
@@ -112,22 +112,39 @@ class Cylinder {
     second_order(weights);
     return true;
   }
-  /// The greatest norm of Σ_k t_k·bend(·, k, l), |t| ≤ 1, a matrix with the columns l from `left` to before `right`, t
-  /// along the axes from `first` to before `end`: of the middles by a spectral norm, of the rest by that of Frobenius.
-  [[nodiscard]] Interval change(std::size_t first, std::size_t end, std::size_t left, std::size_t right) const {
-    std::vector<Interval> middles;
-    Interval rest(0);
+  enum class Block : unsigned char { tangent, normal };
+  /// The greatest norm of Σ_k t_k·B_k over all axes k, |(t_1 … t_m)| ≤ across, |(t_{m+1} … t_N)| ≤ above, for the
+  /// matrices B_k = bend(·, k, ·) in the columns of the plane, or the symmetric parts of these in the others: of the
+  /// middles, as they are in ℝ^(q·columns), by the spectral norms of both parts and of the products of one with the
+  /// other, of the rest by the norm of Frobenius.
+  [[nodiscard]] Interval change(Block block, const Interval& across, const Interval& above) const {
+    const std::size_t columns = block == Block::tangent ? m_ : q_;
+    std::vector<Interval> parts[2];
+    Interval rests[2] = {Interval(0), Interval(0)};
     for (std::size_t row = 0; row < q_; ++row) {
-      for (std::size_t l = left; l < right; ++l) {
-        for (std::size_t k = first; k < end; ++k) {
-          const double middle = middle_of(bend(row, k, l));
+      for (std::size_t l = 0; l < columns; ++l) {
+        for (std::size_t k = 0; k < n_; ++k) {
+          const Interval entry =
+              block == Block::tangent ? bend(row, k, l) : (bend(row, k, m_ + l) + bend(l, k, m_ + row)) / Interval(2);
+          const double middle = middle_of(entry);
           if (!std::isfinite(middle)) return Interval::between(0, std::numeric_limits<double>::infinity());
-          middles.push_back(Interval::exactly(middle));
-          rest += square(bend(row, k, l) - middles.back());
+          parts[k < m_ ? 0 : 1].push_back(Interval::exactly(middle));
+          rests[k < m_ ? 0 : 1] += square(entry - Interval::exactly(middle));
         }
       }
     }
-    return spectral_norm(middles, end - first) + square_root(rest);
+    std::vector<Interval> mixed(m_ * q_, Interval(0));
+    for (std::size_t entry = 0; entry < q_ * columns; ++entry) {
+      for (std::size_t k = 0; k < m_; ++k) {
+        for (std::size_t l = 0; l < q_; ++l) mixed[k * q_ + l] += parts[0][entry * m_ + k] * parts[1][entry * q_ + l];
+      }
+    }
+    const Interval flat = spectral_norm(parts[0], m_) * across;
+    const Interval high = spectral_norm(parts[1], q_) * above;
+    // No product is greater than that of the norms.
+    const Interval both = minimum(spectral_norm(mixed, q_) * across * above, flat * high);
+    return square_root(square(flat) + square(high) + Interval(2) * both) + square_root(rests[0]) * across +
+           square_root(rests[1]) * above;
   }
   [[nodiscard]] std::vector<Interval> half_sides(const Interval& height) const {
     std::vector<Interval> result(n_, radius_);
@@ -135,21 +152,21 @@ class Cylinder {
     return result;
   }
 
-  /// ‖1 − Y·Df·N‖ on all of the cylinder, by Df at its centre and D²f on all of it.
+  /// The symmetric part of 1 − Y·Df·N on all of the cylinder, by Df at its centre and D²f on all of it.
   bool is_transversal_at_once() {
     for (Interval& coordinate : at_) coordinate = Interval(0);
     const auto entries = entries_at_place();
     if (!entries || !bends_about_place(chart_.preconditioner, half_sides(height_))) return false;
     const Interval high = square_root(Interval(static_cast<int>(q_))) * height_;
-    const Interval most =
-        distance_from_identity(*entries) + change(0, m_, m_, n_) * radius_ + change(m_, n_, m_, n_) * high;
+    const Interval most = distance_from_identity(*entries) + change(Block::normal, radius_, high);
     return is_proved(less(most, Interval::exactly(greatest_defect)));
   }
 
   /// The slopes where the rule asks for them, by Df at the point over the centre and D²f on a box around: at |y| = sϱ
-  /// and |z − z₀| ≤ LϱP(s) the N-block of (Df·N)⁻¹ at that point times Df·T is within e(s) of the identity, and the
-  /// E-block is at most b(s), both affine in sϱ and LϱP(s). L·p(s)·(1 − e(s)) − b(s) is concave in s, so it is positive
-  /// if it is at the centre and at the rim.
+  /// and |z − z₀| ≤ LϱP(s) the N-block of (Df·N)⁻¹ at that point times Df·T is the identity and what has a
+  /// symmetric part of at most e(s), and the E-block is at most b(s), both norms of (sϱ, LϱP(s)) that grow with either
+  /// and numbers. L·p(s)·(1 − e(s)) −
+  /// b(s) is concave in s, so it is positive if it is at the centre and at the rim.
   bool is_flat_at_once() {
     at_ = foot_;
     const auto at_foot = entries_at_place();
@@ -160,8 +177,8 @@ class Cylinder {
     if (!bends_about_place(product(*adapted, chart_.preconditioner, q_, q_), half_sides(highest))) return false;
     const Interval defect = distance_from_identity(entries);
     const Interval rise = tangential_norm(entries);
-    const Interval rim_defect = defect + change(0, m_, m_, n_) * radius_ + change(m_, n_, m_, n_) * highest;
-    const Interval rim_rise = rise + change(0, m_, 0, m_) * radius_ + change(m_, n_, 0, m_) * highest;
+    const Interval rim_defect = defect + change(Block::normal, radius_, highest);
+    const Interval rim_rise = rise + change(Block::tangent, radius_, highest);
     return over(rise, defect) < (slope_ * profile(Interval(0))).lower() && over(rim_rise, rim_defect) < slope_.lower();
   }
 
@@ -213,14 +230,15 @@ class Cylinder {
     return std::nullopt;
   }
 
-  /// ‖1 − (block of N)‖ of entries of Y·Df·T.
+  /// ‖S‖, S the symmetric part of 1 − (block of N) of entries of Y·Df·T. Where it is below 1, ⟨v, Bv⟩ ≥ (1 − ‖S‖)|v|²
+  /// for that block B, so it is invertible and ‖B⁻¹‖ ≤ 1/(1 − ‖S‖).
   Interval distance_from_identity(const Dense<Interval>& entries) const {
+    const auto entry = [&](std::size_t row, std::size_t column) { return entries[row * n_ + m_ + column]; };
     Interval sum(0);
     for (std::size_t row = 0; row < q_; ++row) {
-      for (std::size_t column = 0; column < q_; ++column) {
-        const Interval& entry = entries[row * n_ + m_ + column];
-        sum += square(column == row ? Interval(1) - entry : entry);
-      }
+      sum += square(Interval(1) - entry(row, row));
+      for (std::size_t column = 0; column < row; ++column)
+        sum += square(entry(row, column) + entry(column, row)) / Interval(2);
     }
     return square_root(sum);
   }

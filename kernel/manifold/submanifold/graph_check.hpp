@@ -18,9 +18,10 @@ struct GraphFailure {
 };
 
 /// Rules sub.box and sub.graph of docs/submanifolds.md for one chart: the closed cylinder lies inside of the box; on
-/// all of it ‖1 − Y·Df·N‖ < 1; M has a point over the centre, at the heights z₀; |z₀| + 9Lϱ/16 < ζ; and where s = |y|/ϱ
-/// and |z − z₀| ≤ LϱP(s), P(s) = (2s + 7s²)/16, the slope ‖(Df·N)⁻¹Df·E‖ is at most L(1 + 7s)/8. Then M in the cylinder
-/// is the graph of a C¹ map over the whole disc, with slopes of at most L, and no point of M has a height between |z₀|
+/// all of it the symmetric part of 1 − Y·Df·N has a norm below 1; M has a point over the centre, at the heights z₀;
+/// |z₀| + 9Lϱ/16 < ζ; and where s = |y|/ϱ and |z − z₀| ≤ LϱP(s), P(s) = (2s + 7s²)/16, the slope ‖(Df·N)⁻¹Df·E‖ is at
+/// most L(1 + 7s)/8. Then M in the cylinder is the graph of a C¹ map over the whole disc, with slopes of at most L, and
+/// no point of M has a height between |z₀|
 /// + 9Lϱ/16 and ζ. None if all this is proved; by enclosures on cells into which the cylinder is divided, `undecided`
 /// in the reason where more than `most_cells` are needed.
 class GraphCheck {

@@ -34,7 +34,7 @@ Interval trace_of(const Gram& g, std::size_t order) {
 }  // namespace
 
 Interval spectral_norm(std::span<const Interval> entries, std::size_t columns) {
-  constexpr int squarings = 4;
+  constexpr int squarings = 6;
   const std::size_t rows = entries.size() / columns;
   const std::size_t order = std::min(rows, columns);
   if (order > greatest_order) throw std::invalid_argument("spectral_norm: the matrix has too many rows and columns");

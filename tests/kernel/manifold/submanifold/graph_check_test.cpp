@@ -92,6 +92,23 @@ TEST(GraphCheck, decides_a_wide_patch_in_codimension_3_at_once) {
   EXPECT_FALSE(GraphCheck(m).may_be_as_high(chart_of_three_circles(radius, Rational(1))));
 }
 
+TEST(GraphCheck, does_not_count_that_normals_turn_among_themselves) {
+  // Pairs of orthogonal unit vectors.
+  const ZeroSet m = zero_set("stiefel", {"a", "b", "c", "d", "e", "f"},
+                             {"a^2 + b^2 + c^2 - 1", "d^2 + e^2 + f^2 - 1", "2*(a*d + b*e + c*f)"},
+                             std::vector<Rational>(6, Rational(3)));
+  FormulaEvaluation<double> f(m.map());
+  TangentChart chart =
+      tangent_chart(m, f, {Rational(1), Rational(0), Rational(0), Rational(0), Rational(1), Rational(0)});
+  // D²z and the symmetric part of D²f[N, N] have the norm √(3/2), D²f[N, E] has 1/√2 and is orthogonal to D²z: at the
+  // rim (3ϱ²/2 + h²/2)^½ < L(1 − √(3/2)·h), h = 9Lϱ/16, here 0.56 < 0.67.
+  chart.set_size(ratio(7, 16), ratio(1, 4));
+  EXPECT_EQ(failure_of(m, chart, ratio(15, 16)), "");
+  const auto failure = GraphCheck(m).failure(chart, ratio(9, 16));
+  ASSERT_TRUE(failure);
+  EXPECT_TRUE(failure->is_slope);
+}
+
 TEST(FitCharts, takes_the_greatest_patches_that_are_graphs) {
   const std::vector<std::vector<Rational>> centres{{Rational(0), Rational(0), Rational(1)},
                                                    {ratio(3, 5), ratio(-4, 5), Rational(0)}};
