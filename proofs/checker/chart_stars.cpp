@@ -99,13 +99,6 @@ void check_protection(const ShownPoints<E>& chart, const StarSimplex<E>& simplex
   }
 }
 
-/// |C| + R <= a.
-template <class N>
-Verdict is_ball_within(const N& centre_squared, const N& radius_squared, const N& a) {
-  const N rest = square(a) - centre_squared - radius_squared;
-  return conjunction(less_equal(N(0), rest), less_equal(N(4) * centre_squared * radius_squared, square(rest)));
-}
-
 /// The checks of one level, chart after chart.
 template <class E>
 class StarsInCharts {
@@ -123,11 +116,10 @@ class StarsInCharts {
       report_.reject("1.perturbation",
                      [&] { return "label " + std::to_string(i) + " is moved by more than perturbation epsilon"; });
     }
-    if (!has_core(c_.kind())) check_facets(c_, i, report_);
+    check_facets(c_, i, report_);
     const ShownPoints<E> chart = charts_.shown(i, c_.at(i, reach_));
     for (std::size_t s = 0; s < c_.star_size(i); ++s) {
       const Label* others = c_.star_simplex(i, s);
-      if (charts_.are_isometric() && std::any_of(others, others + c_.m, [&](Label k) { return k < i; })) continue;
       ++simplices;
       check_simplex(chart, i, others);
     }
@@ -226,10 +218,6 @@ std::string check_stable_stars(const StarCharts<E>& charts, Report& report) {
     return "";
   }
   const Certificate& c = charts.certificate();
-  // By level 1, where the charts are isometric and see all of it (docs/levels/space-forms.md).
-  const Rational enough = Rational(4) * c.circumradius.exact + c.rho.exact * c.epsilon.exact;
-  if (charts.are_isometric() && less_equal(enough, c.reach_2s.exact) == Verdict::proved)
-    return "every chart of a star sees the same star, as it is isometric and shows 4 circumradii";
   StarsInCharts<E> checker(charts, report);
   for (Label j = 0; j < c.n; ++j) checker.check_stable(j);
   return "every chart of a star sees the same star";

@@ -81,8 +81,6 @@ class StarCharts {
   virtual Vector<E> home(Label i, In<E>) const = 0;
   /// Why charts do not show all that the level looks at, or nothing.
   virtual std::string fault_of_patches(Level level) const = 0;
-  /// Whether one chart speaks for all.
-  virtual bool are_isometric() const { return false; }
 
  protected:
   const Certificate& c_;

@@ -32,11 +32,12 @@ Interval logarithm_factor(int K, const Interval& q) {
       return joined(logarithm_factor(K, exactly(q.lower())), logarithm_factor(K, exactly(q.upper()))).enclosure();
     });
   }
-  // The sum of (-K q)^k / (2k + 1). What is left out is at most q^13 / (27 (1 - q)) < 2^-56; or q^4 / (9 (1 - q)).
+  // The sum of (-K q)^k / (2k + 1) for k < number. What is left out is at most q^number / ((2 number + 1) (1 - q)).
+  const double most = q.upper();
+  const std::size_t number = most <= 0x1p-14 ? 4 : most <= 0x1p-8 ? 7 : most <= 0x1p-6 ? 9 : std::size_t{terms};
   const Interval argument = K > 0 ? -q : q;
   Interval sum(0);
-  for (std::size_t k = q.upper() <= 0x1p-14 ? std::size_t{4} : std::size_t{terms}; k-- > 0;)
-    sum = sum * argument + odd_reciprocals()[k];
+  for (std::size_t k = number; k-- > 0;) sum = sum * argument + odd_reciprocals()[k];
   return sum + Interval::between(-0x1p-56, 0x1p-56);
 }
 

@@ -54,11 +54,10 @@ Vector<N> conformal(std::size_t m, const Vector<N>& x) {
   return a;
 }
 
-/// F^-1 x, F the isometry that takes o to the point with conformal coordinates a and moves the geodesic through both
-/// along itself.
+/// F^-1 x, F the isometry that takes o to the point with conformal coordinates a, which is p in the linear model, and
+/// moves the geodesic through both along itself.
 template <class N>
-Vector<N> seen_from(int K, std::size_t m, const Vector<N>& a, const Vector<N>& x) {
-  const Vector<N> p = linear(K, m, a);
+Vector<N> seen_from(int K, std::size_t m, const Vector<N>& a, const Vector<N>& p, const Vector<N>& x) {
   Vector<N> result{};
   N along = p[1] * x[1];  // y.x_y
   for (std::size_t k = 1; k < m; ++k) along = along + p[k + 1] * x[k + 1];
@@ -67,6 +66,10 @@ Vector<N> seen_from(int K, std::size_t m, const Vector<N>& a, const Vector<N>& x
   const N step = K == 0 ? N(0) : N(K) * along / N(2);
   for (std::size_t k = 0; k < m; ++k) result[k + 1] = x[k + 1] - p[k + 1] * x[0] - a[k] * step;
   return result;
+}
+template <class N>
+Vector<N> seen_from(int K, std::size_t m, const Vector<N>& a, const Vector<N>& x) {
+  return seen_from(K, m, a, linear(K, m, a), x);
 }
 
 /// The squared geodesic length, from the squared length 4 sin^2(d/2), d^2, 4 sinh^2(d/2) of the chord, d < pi.

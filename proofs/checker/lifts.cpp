@@ -1,80 +1,89 @@
 #include "proofs/checker/lifts.hpp"
 
 #include <algorithm>
-#include <unordered_set>
-
-#include "proofs/checker/core/circumball.hpp"
 
 namespace delcert::checker {
-namespace {
-
-/// 1 - cos d, d^2 / 2, cosh d - 1 for the distance d from o of a point of the linear model.
-Interval fall(int K, std::size_t m, const Vector<Interval>& x) {
-  if (K != 0) return Interval(K) * (Interval(1) - x[0]);
-  return squared(Vector<Interval>{x[1], x[2], x[3]}, m) / Interval(2);
-}
-
-}  // namespace
 
 Lifts::Lifts(const Certificate& c, core::Complex& complex, bool is_delaunay)
-    : c_(c), complex_(complex), frame_(c.m_size()) {
-  in_balls(160, [&] {
-    const SquareMatrix<Ball> T = c.space_form->basis();
-    for (std::size_t i = 0; i < m(); ++i) {
-      for (std::size_t k = 0; k < m(); ++k) frame_(i, k) = T(i + 1, k + 1).enclosure();
-    }
-  });
-  const core::Form<Interval> form(complex.data);
+    : c_(c), complex_(complex), form_(complex.data), is_delaunay_(is_delaunay), met_(complex.size()) {
+  const int K = c.space_form->K;
   Interval perturbation(0), chord(0);
   for (Label i = 0; i < c.n; ++i) {
-    perturbation = maximum(perturbation, squared(vector_of<Interval>(i), m()));
+    const Vector<Interval> v = c.points.position<Interval>({i, {}});
+    perturbation = maximum(perturbation, K == 0 ? form_.squared(v) : squared(v, c.m_size()));
     for (std::size_t at = 0; !is_delaunay && at < complex.neighbours.size(i); ++at) {
       const auto& [j, phi] = complex.neighbours.of(i)[at];
-      const Vector<Interval> end = complex.elements.moved(phi, complex.point<Interval>(j));
-      chord = maximum(chord, form.squared(end - complex.point<Interval>(i)));
+      chord = maximum(chord, form_.squared(point<Interval>({j, phi}) - complex.point<Interval>(i)));
     }
   }
-  if (K() > 0 && !(chord.upper() < 2)) throw Undecided("an edge is as long as a quarter of a great circle");
-  room_ = (Interval(2) * square_root(perturbation) + square_root(unrolled(K(), chord))).upper();
+  if (K > 0 && !(chord.upper() < 2)) throw Undecided("an edge is as long as a quarter of a great circle");
+  room_ = (Interval(2) * square_root(perturbation) + square_root(unrolled(K, chord))).upper();
 }
 
-/// The walk starts at p'_i, and goes on from all points within radius + room of p_i.
-std::vector<Seen> Lifts::around(Label i, const Rational& radius) const {
-  const double reach = (enclosure(radius) + Interval::between(0, room_)).upper();
-  if (K() > 0 && !(reach < 1.57)) throw Undecided("a walk would leave a half-sphere");
-  double near = 0, far = 0;
-  in_balls(64, [&] {
-    Ball length;
-    arb_set_d(length.raw(), reach);
-    near = versed_sine(K(), Ball(radius)).enclosure().upper();
-    far = versed_sine(K(), length).enclosure().upper();
-  });
-  struct Place {
-    Label label;
-    core::Elements::Id element;
-  };
-  std::vector<Seen> result;
-  std::vector<Place> front;
-  std::unordered_set<std::uint64_t> met;
-  const auto meet = [&](const Place& place) {
-    if (!met.insert(std::uint64_t{place.label} << 32 | place.element).second) return;
-    const Vector<Interval> x = about(i, place.element, complex_.point<Interval>(place.label));
-    const double distance = fall(K(), m(), x).lower();
-    if (distance <= near) result.push_back({place.label, place.element, conformal(m(), x)});
-    if (distance <= far) front.push_back(place);
-  };
-  meet({i, 0});
+bool Lifts::is_new(const Seen& seen) {
+  Met& met = met_[seen.label];
+  if (met.walk != walks_) {
+    met = {walks_, seen.element};
+    return true;
+  }
+  if (met.element == seen.element) return false;
+  const auto same = [&](const Seen& s) { return s.label == seen.label && s.element == seen.element; };
+  if (std::any_of(met_again_.begin(), met_again_.end(), same)) return false;
+  met_again_.push_back(seen);
+  return true;
+}
+
+template <class F>
+void Lifts::walk(std::vector<Seen> front, const F& go_on) {
+  ++walks_;
+  met_again_.clear();
+  for (const Seen& start : front) is_new(start);
   while (!front.empty()) {
-    const Place from = front.back();
+    const Seen from = front.back();
     front.pop_back();
     for (std::size_t at = 0; at < complex_.neighbours.size(from.label); ++at) {
       Budget::spend(20);
       const auto& [label, phi] = complex_.neighbours.of(from.label)[at];
-      meet({label, complex_.elements.product(from.element, phi)});
+      const Seen next{label, complex_.elements.product(from.element, phi)};
+      if (is_new(next) && go_on(next)) front.push_back(next);
     }
   }
+}
+
+/// The walk starts at p'_i, and goes on from all points within radius + room of p_i.
+std::vector<Seen> Lifts::around(Label i, const Rational& radius) {
+  const int K = c_.space_form->K;
+  const double reach = (enclosure(radius) + Interval::between(0, room_)).upper();
+  if (K > 0 && !(reach < 1.57)) throw Undecided("a walk would leave a half-sphere");
+  double near = 0, far = 0;  // squared chords
+  in_balls(64, [&] {
+    Ball length;
+    arb_set_d(length.raw(), reach);
+    near = (Ball(2) * versed_sine(K, Ball(radius))).enclosure().upper();
+    far = (Ball(2) * versed_sine(K, length)).enclosure().upper();
+  });
+  const Vector<Interval> centre = net_point<Interval>({i, 0});
+  std::vector<Seen> result;
+  const auto go_on = [&](const Seen& seen) {
+    const double distance = form_.squared(point<Interval>(seen) - centre).lower();
+    if (distance <= near) result.push_back(seen);
+    return distance <= far;
+  };
+  go_on({i, 0});
+  walk({{i, 0}}, go_on);
   std::sort(result.begin(), result.end(),
             [](const Seen& a, const Seen& b) { return std::tie(a.label, a.element) < std::tie(b.label, b.element); });
+  return result;
+}
+
+std::vector<Seen> Lifts::around_circumcentre(const Vector<Interval>& centre, const std::vector<Seen>& vertices,
+                                             double squared) {
+  std::vector<Seen> result;
+  walk(vertices, [&](const Seen& seen) {
+    if (!(form_.squared(point<Interval>(seen) - centre).lower() <= squared)) return false;
+    result.push_back(seen);
+    return true;
+  });
   return result;
 }
 

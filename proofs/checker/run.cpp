@@ -10,8 +10,8 @@
 #include "proofs/checker/glued_charts.hpp"
 #include "proofs/checker/group.hpp"
 #include "proofs/checker/metric_field_levels.hpp"
-#include "proofs/checker/space_form_charts.hpp"
 #include "proofs/checker/space_form_levels.hpp"
+#include "proofs/checker/space_form_stars.hpp"
 #include "proofs/checker/tangent_charts.hpp"
 
 namespace delcert::checker {
@@ -175,8 +175,8 @@ class Run {
         lifts_.emplace(c_, core_->complex(), core_->is_delaunay());
       }
       if (level == level_0) return check_input_on_space_form(c_, *lifts_, report);
-      const SpaceFormCharts charts(c_, *lifts_);
-      return level == level_1 ? check_stars(charts, report) : check_stable_stars(charts, report);
+      if (!stars_) stars_.emplace(c_, core_->complex(), *lifts_);
+      return level == level_1 ? stars_->check_stars(report) : stars_->check_stable_stars(report);
     }
     if (tangent_charts_) {
       if (level == level_5) return triangulation_.emplace(*tangent_charts_).check(report);
@@ -215,6 +215,7 @@ class Run {
   bool group_holds_ = false;
   std::optional<core::Core> core_;
   std::optional<Lifts> lifts_;
+  std::optional<SpaceFormStars> stars_;
   std::optional<FieldCharts> charts_;
   std::optional<GluedCharts> glued_charts_;
   std::optional<TangentCharts> tangent_charts_;

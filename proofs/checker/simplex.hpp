@@ -82,6 +82,13 @@ Verdict is_clear(const Simplex<N>& simplex, const Vector<N>& x, const N& delta) 
   return negation(at_most_root(simplex.power(x) - square(delta), N(4) * simplex.radius_squared * square(delta)));
 }
 
+/// |C| + R <= a.
+template <class N>
+Verdict is_ball_within(const N& centre_squared, const N& radius_squared, const N& a) {
+  const N rest = square(a) - centre_squared - radius_squared;
+  return conjunction(less_equal(N(0), rest), less_equal(N(4) * centre_squared * radius_squared, square(rest)));
+}
+
 /// thickness >= sqrt(threshold_squared): the least altitude / (dimension · longest edge), which is 1 for an edge.
 /// Precondition: at least two vertices, which are not degenerate.
 template <class N>

@@ -4,7 +4,7 @@
 namespace delcert::checker {
 
 /// Separation of the original points; density by that of the perturbed ones.
-std::string check_input_on_space_form(const Certificate& c, const Lifts& lifts, Report& report) {
+std::string check_input_on_space_form(const Certificate& c, Lifts& lifts, Report& report) {
   const int K = c.space_form->K;
   const Rational twelve = Rational(12) * c.epsilon.exact;
   const bool fits = K <= 0 || decide_with_balls([&] {
@@ -20,12 +20,20 @@ std::string check_input_on_space_form(const Certificate& c, const Lifts& lifts, 
   if (less(c.density.exact, c.ball_radius.exact + c.rho.exact * c.epsilon.exact) == Verdict::proved)
     report.reject("0.density", [] { return "density is less than circumradius + perturbation epsilon"; });
   check_distortion(c, report);
+  // Of the distance mu epsilon, the square of the chord.
+  const auto chord_squared = [&] { return Ball(2) * versed_sine(K, Ball(c.mu.exact * c.epsilon.exact)); };
+  const Interval filter = in_balls(128, [&] { return chord_squared().enclosure(); });
   for (Label i = 0; i < c.n; ++i) {
     for (const Seen& seen : lifts.around(i, (c.mu.exact + c.rho.exact) * c.epsilon.exact)) {
-      if (seen.label == i && seen.element == 0) continue;
+      // A pair is looked at from its lesser label.
+      if (seen.label < i || (seen.label == i && seen.element == 0)) continue;
       const bool apart = decide_enclosed([&]<class N>(In<N>) {
-        return less_equal(square(c.mu.as<N>() * c.epsilon.as<N>()),
-                          squared_distance(K, c.m_size(), Vector<N>{}, lifts.net_about<N>(i, seen)));
+        const N found = lifts.form<N>().squared(lifts.net_point<N>(seen) - lifts.net_point<N>({i, 0}));
+        if constexpr (std::is_same_v<N, Interval>) {
+          return less_equal(filter, found);
+        } else {
+          return less_equal(chord_squared(), found);
+        }
       });
       if (apart) continue;
       report.reject("0.separation", [&] {

@@ -7,9 +7,8 @@
 
 namespace delcert::checker {
 
-/// Level 0 of space forms, as those of run.hpp; the group has been verified. Levels 1 and 2s are those of
-/// chart_stars.hpp.
-std::string check_input_on_space_form(const Certificate& c, const Lifts& lifts, Report& report);
+/// Level 0 of space forms, as those of run.hpp; the group has been verified.
+std::string check_input_on_space_form(const Certificate& c, Lifts& lifts, Report& report);
 
 /// The rules 0.distortion and 0.metric-distortion.
 void check_distortion(const Certificate& c, Report& report);

@@ -16,7 +16,9 @@ class Form {
   N squared(const Vector<N>& x) const {
     return K_ == 0 ? squared_by(gram_, x) : N(K_) * square(x[0]) + squared_tail(x);
   }
-  /// |u|^2 of the vector u with form(x) = <u, x>. K = 0.
+  /// The vector u with form(x) = <u, x>. K = 0.
+  Vector<N> vector(const Vector<N>& form) const { return inverse_ * form; }
+  /// |u|^2 of this vector. K = 0.
   N squared_covector(const Vector<N>& form) const { return squared_by(inverse_, form); }
 
  private:
@@ -78,6 +80,16 @@ class Circumball {
     tangent_squared_ = form.squared(u);
   }
 
+  /// The centre, a point of the space. Precondition: the ball exists.
+  Vector<N> centre() const {
+    if (K_ == 0) return add(base_, N(1), form_->vector(linear_));
+    // n = (l_0, K l_1, ...), of which the form is K (1 + K tan^2): 1 / cos^2, -1 / cosh^2.
+    const N unit = N(1) / square_root(N(1) + N(K_) * tangent_squared_);
+    Vector<N> result{};
+    result[0] = unit * linear_[0];
+    for (std::size_t k = 1; k < 4; ++k) result[k] = N(K_) * unit * linear_[k];
+    return result;
+  }
   /// tan^2, square, tanh^2 of the radius; for K < 0 a ball exists if this is less than 1.
   const N& tangent_squared() const { return tangent_squared_; }
   /// pow(q), half of it for K = 0.

@@ -1,0 +1,239 @@
+#include "proofs/checker/space_form_stars.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "proofs/checker/simplex.hpp"
+
+namespace delcert::checker {
+
+void OpenChart::open(Label i) {
+  label_ = i;
+  base_ = charts_.base(i);
+  filter_.clear();
+  ++opened_;
+}
+
+const Vector<Interval>& OpenChart::filter(const Seen& seen) {
+  Slot& slot = slots_[seen.label];
+  if (slot.chart != opened_ || slot.element != seen.element) {
+    slot = {opened_, seen.element, static_cast<std::uint32_t>(filter_.size())};
+    filter_.push_back(place(lifts_.point<Interval>(seen)));
+  }
+  return filter_[slot.at];
+}
+
+SpaceFormStars::View SpaceFormStars::view(const Quantity& reach, const Quantity& margin) const {
+  View result{reach, margin};
+  const int K = c_.space_form->K;
+  if (K < 0) {
+    const Interval ratio = in_balls(128, [&] { return (sine(K, Ball(reach.exact)) / Ball(reach.exact)).enclosure(); });
+    result.stretch = square(ratio).upper();
+  }
+  result.most = (Interval::between(0, result.stretch) * square(reach.filter)).upper();
+  if (K > 0) result.most = std::min(result.most, 1.99);  // less than a quarter of a great circle
+  return result;
+}
+
+/// A chart shows one lift of a label at most within 9 epsilon and the injectivity radius.
+std::string SpaceFormStars::fault_of_reach(const char* name, const Rational& reach) const {
+  if (less(reach, Rational(9) * c_.epsilon.exact) == Verdict::proved &&
+      less(reach, c_.space_form->injectivity_radius.exact) == Verdict::proved)
+    return "";
+  return std::string(name) + " is not below 9 epsilon and the injectivity radius";
+}
+
+SpaceFormStars::Shown SpaceFormStars::shown(std::size_t s, core::Elements::Id g) {
+  Shown result;
+  result.number = s;
+  result.element = g;
+  for (std::size_t k = 0; k < complex_.vertices(); ++k)
+    result.vertices.push_back({complex_.label(s, k), complex_.elements.product(g, complex_.element(s, k))});
+  result.filter.emplace(c_.m_size(), chart_.places<Interval>(result.vertices));
+  return result;
+}
+
+std::optional<Label> SpaceFormStars::missing(const Shown& simplex, const View& view) {
+  for (const Seen& vertex : simplex.vertices) {
+    if (squared(chart_.place<Interval>(vertex), c_.m_size()).lower() > square(view.reach.filter).upper())
+      return vertex.label;
+  }
+  return {};
+}
+
+template <class Predicate>
+bool SpaceFormStars::holds(const Shown& simplex, const Predicate& predicate) {
+  return decide_enclosed([&]<class N>(In<N>) {
+    if constexpr (std::is_same_v<N, Interval>) {
+      return predicate(*simplex.filter);
+    } else {
+      return predicate(StraightSimplex<N>(c_.m_size(), chart_.places<N>(simplex.vertices)));
+    }
+  });
+}
+
+double SpaceFormStars::reach_of(const Shown& simplex, const View& view) {
+  Known& known = known_[simplex.number];
+  if (known.covered < 0) {
+    known.covered = 0;
+    known.centre =
+        core::Circumball<Interval>(complex_.data, lifts_.form<Interval>(), complex_.lifts<Interval>(simplex.number))
+            .centre();
+  }
+  const Vector<Interval> centre = chart_.place(complex_.elements.moved(simplex.element, known.centre));
+  if (!(squared(centre, c_.m_size()).upper() <= square(view.reach.filter).lower()))
+    return std::numeric_limits<double>::infinity();
+  const double length = upper_root(squared(centre - simplex.filter->centre(), c_.m_size())) +
+                        upper_root(simplex.filter->radius_squared()) + view.margin.filter.upper();
+  return length * length * view.stretch;
+}
+
+const std::vector<Seen>& SpaceFormStars::near(const Shown& simplex, const View& view) {
+  const double reach = lifts_.are_delaunay() ? reach_of(simplex, view) : std::numeric_limits<double>::infinity();
+  if (!(reach <= view.most)) {
+    if (!all_) all_ = lifts_.around(chart_.label(), view.reach.exact);
+    return *all_;
+  }
+  Known& known = known_[simplex.number];
+  if (!(reach <= known.covered)) {
+    constexpr double more = 1 + 0x1p-6;  // other charts ask for about as much
+    std::vector<Seen> vertices;
+    for (std::size_t k = 0; k < complex_.vertices(); ++k)
+      vertices.push_back({complex_.label(simplex.number, k), complex_.element(simplex.number, k)});
+    known.covered = std::min(more * reach, view.most);
+    known.near = lifts_.around_circumcentre(known.centre, vertices, known.covered);
+  }
+  near_ = known.near;
+  for (Seen& seen : near_) seen.element = complex_.elements.product(simplex.element, seen.element);
+  return near_;
+}
+
+template <class Which>
+void SpaceFormStars::check_protection(const Shown& simplex, const View& view, const char* rule, const Which& which,
+                                      Report& report) {
+  for (const Seen& q : near(simplex, view)) {
+    const auto same = [&](const Seen& v) { return v.label == q.label && v.element == q.element; };
+    if (std::any_of(simplex.vertices.begin(), simplex.vertices.end(), same)) continue;
+    const bool clear = holds(simplex, [&]<class N>(const StraightSimplex<N>& t) {
+      return t.is_clear(chart_.place<N>(q), view.margin.as<N>());
+    });
+    if (clear) continue;
+    report.reject(rule, [&] {
+      return which() + " has label " + std::to_string(q.label) + " within circumradius + " +
+             rounded_up(view.margin.exact) + " of its circumcentre";
+    });
+  }
+}
+
+std::string SpaceFormStars::name(std::size_t s, Label i) const {
+  std::vector<Label> others;
+  for (std::size_t k = 0; k < complex_.vertices(); ++k) {
+    if (complex_.label(s, k) != i) others.push_back(complex_.label(s, k));
+  }
+  return "simplex " + label_set(others.data(), others.data() + others.size()) + " in the star of " + std::to_string(i);
+}
+
+/// In the chart of its k-th vertex.
+void SpaceFormStars::check_simplex(std::size_t s, std::size_t k, const View& view, Report& report) {
+  const Shown simplex = shown(s, complex_.elements.inverse(complex_.element(s, k)));
+  const auto which = [&] { return name(s, complex_.label(s, k)); };
+  if (const auto label = missing(simplex, view)) {
+    return report.reject("1.vertices", [&] { return which() + ": its chart does not show " + std::to_string(*label); });
+  }
+  const auto small = [&]<class N>(const StraightSimplex<N>& t) {
+    return less_equal(t.radius_squared(), square(c_.circumradius.as<N>()));
+  };
+  if (!holds(simplex, small)) {
+    report.reject("1.radius", [&] {
+      return which() + " has a squared circumradius of about " + about(simplex.filter->radius_squared());
+    });
+  }
+  const auto thick = [&]<class N>(const StraightSimplex<N>& t) { return t.is_thick(c_.thickness.as<N>()); };
+  if (!holds(simplex, thick))
+    report.reject("1.thickness", [&] { return which() + " is thinner than " + rounded_up(c_.thickness.exact); });
+  check_protection(simplex, view, "1.protection", which, report);
+}
+
+/// `centre`: one of its labels, to whose star it belongs.
+void SpaceFormStars::check_stable_simplex(std::size_t s, core::Elements::Id g, Label centre, const View& view,
+                                          Report& report) {
+  const Shown simplex = shown(s, g);
+  const auto which = [&] { return name(s, centre) + ", in the chart of " + std::to_string(chart_.label()) + ","; };
+  if (const auto label = missing(simplex, view))
+    return report.reject("2s.reach", [&] { return which() + " has no label " + std::to_string(*label); });
+  const auto within = [&]<class N>(const StraightSimplex<N>& t) {
+    return is_ball_within(squared(t.centre(), c_.m_size()), t.radius_squared(), view.reach.as<N>());
+  };
+  if (!holds(simplex, within)) report.reject("2s.reach", [&] { return which() + " has a ball beyond reach"; });
+  check_protection(simplex, view, "2s.protection", which, report);
+}
+
+std::string SpaceFormStars::check_stars(Report& report) {
+  const Quantity reach(c_.reach_1()), shift(c_.rho.exact * c_.epsilon.exact);
+  const std::string fault = fault_of_reach("perturbation + 2 circumradius + protection", reach.exact);
+  if (!fault.empty()) {
+    report.reject("1.patch", [&] { return fault; });
+    return "";
+  }
+  const View view = this->view(reach, c_.protection);
+  std::size_t simplices = 0;
+  for (Label i = 0; i < c_.n; ++i) {
+    const bool near = decide_enclosed([&]<class N>(In<N>) {
+      const Vector<N> home = [&] {
+        if constexpr (std::is_same_v<N, Interval>) {
+          return chart_.charts().home(i);
+        } else {
+          return SpaceFormCharts<N>(c_).home(i);
+        }
+      }();
+      return less_equal(squared(home, c_.m_size()), square(shift.as<N>()));
+    });
+    if (!near) {
+      report.reject("1.perturbation",
+                    [&] { return "label " + std::to_string(i) + " is moved by more than perturbation epsilon"; });
+    }
+    chart_.open(i);
+    all_.reset();
+    for (std::size_t at = 0; at < complex_.star.size(i); ++at) {
+      const auto [s, k] = complex_.star.of(i)[at];
+      if (c_.space_form->K == 0 && k != 0) continue;  // one chart speaks for all
+      ++simplices;
+      check_simplex(s, k, view, report);
+    }
+  }
+  return std::to_string(simplices) +
+         " simplices in the charts of their vertices, protection >= " + rounded_down(c_.protection.exact) +
+         ", thickness >= " + rounded_down(c_.thickness.exact) +
+         ", circumradius <= " + rounded_up(c_.circumradius.exact);
+}
+
+std::string SpaceFormStars::check_stable_stars(Report& report) {
+  const std::string fault = fault_of_reach("reach", c_.reach_2s.exact);
+  if (!fault.empty()) {
+    report.reject("2s.patch", [&] { return fault; });
+    return "";
+  }
+  // By level 1, where the charts are isometric and see all of it (docs/levels/space-forms.md).
+  const Rational enough = Rational(4) * c_.circumradius.exact + c_.rho.exact * c_.epsilon.exact;
+  if (c_.space_form->K == 0 && less_equal(enough, c_.reach_2s.exact) == Verdict::proved)
+    return "every chart of a star sees the same star, as it is isometric and shows 4 circumradii";
+  const View view = this->view(c_.reach_2s, Quantity(Rational(0)));
+  std::vector<Label> seen(complex_.data.simplices(), c_.n);  // of each simplex, in the chart of which label last
+  for (Label j = 0; j < c_.n; ++j) {
+    chart_.open(j);
+    all_.reset();
+    for (std::size_t at = 0; at < complex_.neighbours.size(j); ++at) {
+      const auto [i, phi] = complex_.neighbours.of(j)[at];
+      for (std::size_t in = 0; in < complex_.star.size(i); ++in) {
+        const auto [s, k] = complex_.star.of(i)[in];
+        if (seen[s] == j) continue;
+        seen[s] = j;
+        const core::Elements::Id g = complex_.elements.product(phi, complex_.elements.inverse(complex_.element(s, k)));
+        check_stable_simplex(s, g, i, view, report);
+      }
+    }
+  }
+  return "every chart of a star sees the same star";
+}
+
+}  // namespace delcert::checker
