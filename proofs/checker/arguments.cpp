@@ -2,6 +2,7 @@
 
 #include <getopt.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -26,6 +27,7 @@ Usage: delcert-check [OPTIONS] FILE…
   --expect-manifold FILE  reject a certificate unless its manifold is that of this one
   --time-limit SECONDS    end undecided after so many seconds, for each FILE
   --memory-limit MIB      end undecided where more than so many MiB would be in use, for each FILE
+  --threads N             divide the work among so many processes; says the same (default 1)
   --json                  print one JSON object for each FILE, each in one line
   --quiet                 print nothing; the exit status tells
   --report FILE           write the outcome of all, the checker's version, the host and the time to this file, as JSON
@@ -44,14 +46,26 @@ Of several files the worst counts: an internal error, then a check that failed, 
 then one that is undecided.
 )";
 
-enum Option : int { levels, expect_manifold, time_limit, memory_limit, json, quiet, report, version, without_rule };
+enum Option : int {
+  levels,
+  expect_manifold,
+  time_limit,
+  memory_limit,
+  threads,
+  json,
+  quiet,
+  report,
+  version,
+  without_rule
+};
 
-constexpr std::array<option, 11> known = {{{"help", no_argument, nullptr, 'h'},
+constexpr std::array<option, 12> known = {{{"help", no_argument, nullptr, 'h'},
                                            {"version", no_argument, nullptr, version},
                                            {"levels", required_argument, nullptr, levels},
                                            {"expect-manifold", required_argument, nullptr, expect_manifold},
                                            {"time-limit", required_argument, nullptr, time_limit},
                                            {"memory-limit", required_argument, nullptr, memory_limit},
+                                           {"threads", required_argument, nullptr, threads},
                                            {"json", no_argument, nullptr, json},
                                            {"quiet", no_argument, nullptr, quiet},
                                            {"report", required_argument, nullptr, report},
@@ -105,6 +119,9 @@ Arguments parse_arguments(int argc, char** argv) {
         break;
       case memory_limit:
         arguments.mebibytes = number("--memory-limit", ::optarg, 16);
+        break;
+      case threads:
+        arguments.threads = static_cast<unsigned>(std::min(number("--threads", ::optarg, 1), 1024.0));
         break;
       case json:
         arguments.json = true;

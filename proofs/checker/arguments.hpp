@@ -13,6 +13,7 @@ struct Arguments {
   std::string report;               // the file to which a report is written; empty: none
   double seconds = 0;               // limit of time for each file; 0: none
   double mebibytes = 0;             // limit of memory for each file; 0: none
+  unsigned threads = 1;             // how many processes share the work on each file
   bool json = false, quiet = false;
   std::string answer;  // the help or the version, where that is what was asked for: nothing is checked then
 };

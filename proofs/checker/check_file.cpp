@@ -7,6 +7,7 @@
 #include "proofs/checker/input.hpp"
 #include "proofs/checker/library_self_test.hpp"
 #include "proofs/checker/limits.hpp"
+#include "proofs/checker/parts.hpp"
 #include "proofs/checker/run.hpp"
 #include "proofs/checker/self_test.hpp"
 #include "proofs/checker/separate_process.hpp"
@@ -52,6 +53,7 @@ void set_limits(const std::string& file, const Arguments& arguments) {
 int check_here(const std::string& file, const Arguments& arguments) {
   try {
     set_limits(file, arguments);
+    most_parts = arguments.threads;
     std::string fault = self_test();
     if (fault.empty()) fault = library_self_test();
     if (!fault.empty()) return fail(internal_error, "refusing to check anything: " + fault);
@@ -81,7 +83,7 @@ int check_here(const std::string& file, const Arguments& arguments) {
 }  // namespace
 
 FileOutcome check_file(const std::string& file, const Arguments& arguments) {
-  const Ended ended = run_separately([&] { return check_here(file, arguments); });
+  const Ended ended = SeparateProcess([&] { return check_here(file, arguments); }).end();
   FileOutcome outcome;
   outcome.status = ended.status;
   if (ended.signal != 0) {

@@ -2,6 +2,7 @@
 #include <map>
 
 #include "proofs/checker/grid.hpp"
+#include "proofs/checker/parts.hpp"
 #include "proofs/checker/run.hpp"
 #include "proofs/checker/simplex.hpp"
 
@@ -11,7 +12,8 @@ namespace {
 /// One simplex of a star after the other; what they share is kept.
 class StarChecker {
  public:
-  StarChecker(const Certificate& certificate, Report& report) : c_(certificate), report_(report), grid_(c_.points) {}
+  StarChecker(const Certificate& certificate, const Grid& grid, Report& report)
+      : c_(certificate), report_(report), grid_(grid) {}
 
   void check(Label i) {
     ++stars;
@@ -96,7 +98,7 @@ class StarChecker {
 
   const Certificate& c_;
   Report& report_;
-  const Grid grid_;
+  const Grid& grid_;
   Quantity reach_;
   std::map<Label, std::vector<Lift>> lifts_;  // within 2 circumradius of the centre of the star at hand
 };
@@ -141,11 +143,16 @@ void check_facets(const Certificate& c, Label i, Report& report, const char* rul
 std::string check_level_1(const Certificate& c, Report& report) {
   check_patch(c, report);
   if (!report.findings.empty()) return "";  // of lifts there may be any number
-  StarChecker checker(c, report);
-  for (Label i = 0; i < c.n; ++i) {
-    if (c.interior[i]) checker.check(i);
-  }
-  return std::to_string(checker.simplices) + " simplices of " + std::to_string(checker.stars) +
+  const Grid grid(c.points);
+  const auto check = [&](std::size_t begin, std::size_t end, Report& found) {
+    StarChecker checker(c, grid, found);
+    for (auto i = static_cast<Label>(begin); i < end; ++i) {
+      if (c.interior[i]) checker.check(i);
+    }
+    return Counts{checker.simplices, checker.stars};
+  };
+  const auto [simplices, stars] = in_parts(c.n, report, check);
+  return std::to_string(simplices) + " simplices of " + std::to_string(stars) +
          " stars, protection >= " + rounded_down(c.protection.exact) +
          ", thickness >= " + rounded_down(c.thickness.exact) + ", circumradius <= " + rounded_up(c.circumradius.exact) +
          c.of_lengths();

@@ -2,7 +2,10 @@
 #include <bit>
 
 #include "proofs/checker/configuration.hpp"
+#include "proofs/checker/core/frame.hpp"
+#include "proofs/checker/far_from_sphere.hpp"
 #include "proofs/checker/grid.hpp"
+#include "proofs/checker/parts.hpp"
 #include "proofs/checker/run.hpp"
 
 namespace delcert::checker {
@@ -10,10 +13,12 @@ namespace {
 
 using Bits = std::vector<std::uint64_t>;
 
-Bits intersection(const Bits& a, const Bits& b) {
-  Bits result(a.size());
-  for (std::size_t k = 0; k < a.size(); ++k) result[k] = a[k] & b[k];
-  return result;
+/// Whether there is any.
+bool intersect(const Bits& a, const Bits& b, Bits& result) {
+  std::uint64_t any = 0;
+  result.resize(a.size());
+  for (std::size_t k = 0; k < a.size(); ++k) any |= result[k] = a[k] & b[k];
+  return any != 0;
 }
 
 /// A lift near the first vertex v_0, relative to it.
@@ -27,8 +32,8 @@ struct Candidate {
 /// Each set mod the lattice is met once: its least label v_0 at lift 0, the others in increasing order.
 class Search {
  public:
-  Search(const Certificate& certificate, Report& report)
-      : c_(certificate), report_(report), grid_(c_.points), bounds_(c_), m_(static_cast<std::size_t>(c_.m)) {
+  Search(const Certificate& certificate, const Grid& grid, Report& report)
+      : c_(certificate), report_(report), grid_(grid), bounds_(c_), m_(static_cast<std::size_t>(c_.m)), powers_(m_) {
     const Interval alpha = Interval::between(0, upper_root(bounds_.alpha_squared.filter));
     power_factor_ = alpha * (Interval(2) + alpha);
   }
@@ -41,9 +46,10 @@ class Search {
     four_epsilon_squared_ = (bounds_.four_epsilon_squared.filter * squared_unit).upper();
     chosen_.assign(1, {first, {}});
     collect(first);
-    Bits all((candidates_.size() + 63) / 64, ~std::uint64_t{0});
+    Bits& all = allowed_[0];
+    all.assign((candidates_.size() + 63) / 64, ~std::uint64_t{0});
     if (candidates_.size() % 64 != 0) all.back() >>= 64 - candidates_.size() % 64;
-    extend(Simplex<Interval>(c_.metric), all);
+    extend(Simplex<Interval>(c_.metric));
   }
 
   std::uint64_t sets = 0;   // of three or more
@@ -65,50 +71,96 @@ class Search {
     });
     std::sort(candidates_.begin(), candidates_.end(),
               [](const Candidate& a, const Candidate& b) { return a.vertex < b.vertex; });
+    powers_.clear();
+    for (const Candidate& candidate : candidates_) powers_.add(candidate.twice_covector, candidate.squared_length);
     later_.assign(candidates_.size(), Bits((candidates_.size() + 63) / 64, 0));
-    for (std::size_t a = 0; a < candidates_.size(); ++a) {
-      for (std::size_t b = a + 1; b < candidates_.size(); ++b) {
-        if (candidates_[a].vertex.label == candidates_[b].vertex.label) continue;
-        const Interval length = c_.metric.squared_length(candidates_[a].x - candidates_[b].x);
-        if (length.lower() < longest_squared_) later_[a][b / 64] |= std::uint64_t{1} << b % 64;
+    for (std::size_t b = 0; b < candidates_.size(); ++b) {
+      // The squared distance from a is the power of a for this sphere, and |q_b - v_0|^2.
+      const FarFromSphere::Sphere point = powers_.sphere(candidates_[b].x, 0);
+      const double farthest = longest_squared_ - candidates_[b].squared_length.lower();
+      for (std::size_t a = 0; a < b; ++a) {
+        if (candidates_[a].vertex.label == candidates_[b].vertex.label || powers_.is_above(point, a, farthest))
+          continue;
+        later_[a][b / 64] |= std::uint64_t{1} << b % 64;
       }
     }
   }
 
-  /// Looks at all sets that contain the chosen vertices, which span the simplex, and candidates out of `allowed`.
-  void extend(const Simplex<Interval>& simplex, const Bits& allowed) {
-    // P1 fails at the last vertex q if q is certainly farther than alpha R from the circumscribed sphere of the others,
-    // which contains their circumsphere: for | |q - c| - R | <= alpha R implies |P| = | |q - c| - R | (|q - c| + R)
-    // <= alpha R (2R + alpha R), where P = |q - c|^2 - R^2 = |q|^2 - 2 <q, c>.
-    const double narrow = (power_factor_ * simplex.radius_squared).upper();
-    for (std::size_t word = 0; word < allowed.size(); ++word) {
-      for (std::uint64_t bits = allowed[word]; bits != 0; bits &= bits - 1) {
-        const std::size_t index = 64 * word + static_cast<std::size_t>(std::countr_zero(bits));
-        const Candidate& q = candidates_[index];
-        const Interval power = q.squared_length - dot(q.twice_covector, simplex.centre, m_);
-        chosen_.push_back(q.vertex);
-        if (simplex.dimension() > 0) {
-          ++sets;
-          Budget::spend(10);
-          if (power.lower() <= narrow && -power.upper() <= narrow) decide_configuration();
-        }
-        if (simplex.dimension() < m_) extend_by(simplex, q, power, intersection(allowed, later_[index]));
+  /// Looks at all sets that contain the chosen vertices, which span the simplex, and candidates that are allowed with
+  /// them.
+  void extend(const Simplex<Interval>& simplex) {
+    const double narrow = narrow_for(simplex.radius_squared);
+    const FarFromSphere::Sphere sphere = powers_.sphere(simplex.centre, narrow);
+    const std::size_t dimension = simplex.dimension();
+    const Bits &allowed = allowed_[dimension], &both = allowed_[dimension + 1];
+    if (dimension + 1 == m_) open_pencil(simplex, allowed);
+    if (dimension > 0) count(allowed);
+    for_each(allowed, [&](std::size_t index) {
+      if (dimension > 0 && !powers_.is_far(sphere, index)) {
+        const Interval power = power_of(index, simplex);
+        chosen_.push_back(candidates_[index].vertex);
+        if (power.lower() <= narrow && -power.upper() <= narrow) decide_configuration();
         chosen_.pop_back();
       }
+      if (dimension == m_ || !intersect(allowed, later_[index], allowed_[dimension + 1])) return;
+      if (dimension + 1 < m_ || !are_far_from_all(index, both)) extend_by(simplex, index);
+    });
+  }
+  /// P1 fails at the last vertex q if q is certainly farther than alpha R from the circumscribed sphere of the others,
+  /// which contains their circumsphere, and so if |P| is more than this: for | |q - c| - R | <= alpha R implies |P| = |
+  /// |q - c| - R | (|q - c| + R) <= alpha R (2R + alpha R), where P = |q - c|^2 - R^2 = |q|^2 - 2 <q, c>.
+  double narrow_for(const Interval& radius_squared) const { return (power_factor_ * radius_squared).upper(); }
+  void count(const Bits& bits) {
+    std::uint64_t number = 0;
+    for (const std::uint64_t word : bits) number += static_cast<std::uint64_t>(std::popcount(word));
+    sets += number;
+    Budget::spend(10 * number);
+  }
+
+  /// The spheres through the vertices of an (m-1)-simplex.
+  void open_pencil(const Simplex<Interval>& simplex, const Bits& allowed) {
+    core::Columns<Interval> edges{};
+    for (std::size_t k = 0; k + 1 < m_; ++k) edges[k] = candidates_[picked_[k]].twice_covector;
+    const Vector<Interval> normal = core::cofactors(edges, m_, m_ - 1);
+    pencil_.open(powers_, simplex.centre, simplex.radius_squared, normal, c_.metric.squared_length(normal));
+    for_each(allowed, [this](std::size_t index) { pencil_.add(index); });
+  }
+  /// Whether, without more being known of the m-simplex of that simplex and a candidate, P1 fails at all of the last
+  /// vertices, or the m-simplex is too large.
+  bool are_far_from_all(std::size_t index, const Bits& last) {
+    const SpherePencil::Sphere sphere = pencil_.through(index, power_factor_.upper());
+    if (sphere.least_radius_squared >= four_epsilon_squared_) return true;
+    bool far = true;
+    for_each(last, [&](std::size_t other) { far = far && pencil_.is_far(sphere, other); });
+    if (far) count(last);
+    return far;
+  }
+
+  template <class F>
+  static void for_each(const Bits& set, const F& f) {
+    for (std::size_t word = 0; word < set.size(); ++word) {
+      for (std::uint64_t bits = set[word]; bits != 0; bits &= bits - 1)
+        f(64 * word + static_cast<std::size_t>(std::countr_zero(bits)));
     }
+  }
+  Interval power_of(std::size_t index, const Simplex<Interval>& simplex) const {
+    return candidates_[index].squared_length - dot(candidates_[index].twice_covector, simplex.centre, m_);
   }
 
   /// Looks at the larger sets. Each has a facet that contains all chosen vertices: it is not good if they are
   /// degenerate (P4), and its circumradius is at least theirs (P2).
-  void extend_by(Simplex<Interval> simplex, const Candidate& q, const Interval& power, const Bits& allowed) {
-    if (std::all_of(allowed.begin(), allowed.end(), [](std::uint64_t word) { return word == 0; })) return;
-    Verdict added = simplex.add_vertex(q.x, power);
+  void extend_by(Simplex<Interval> simplex, std::size_t index) {
+    const Interval power = power_of(index, simplex);
+    picked_[simplex.dimension()] = index;
+    chosen_.push_back(candidates_[index].vertex);
+    Verdict added = simplex.add_vertex(candidates_[index].x, power);
     if (added == Verdict::undecided) {
       const Simplex<Rational> exact(c_.metric, c_.points.positions<Rational>(chosen_));
       added = exact.complete;
       if (added == Verdict::proved) simplex = Simplex<Interval>(exact);
     }
-    if (added == Verdict::proved && simplex.radius_squared.lower() < four_epsilon_squared_) extend(simplex, allowed);
+    if (added == Verdict::proved && simplex.radius_squared.lower() < four_epsilon_squared_) extend(simplex);
+    chosen_.pop_back();
   }
 
   void decide_configuration() {
@@ -123,14 +175,18 @@ class Search {
 
   const Certificate& c_;
   Report& report_;
-  const Grid grid_;
+  const Grid& grid_;
   const ConfigurationBounds bounds_;
   const std::size_t m_;
+  FarFromSphere powers_;  // of the candidates
+  SpherePencil pencil_;
   double longest_squared_ = 0, four_epsilon_squared_ = 0;  // of the first label
   Interval power_factor_{0};
   std::vector<Candidate> candidates_;
-  std::vector<Bits> later_;  // later_[a]: the candidates after a with another label that are not too far from it
+  std::vector<Bits> later_;      // later_[a]: the candidates after a with another label that are not too far from it
+  std::array<Bits, 6> allowed_;  // with simplices of each dimension, while they are looked at
   Vertices chosen_;
+  std::array<std::size_t, 4> picked_{};  // the numbers of the chosen candidates
 };
 
 }  // namespace
@@ -140,10 +196,15 @@ std::string check_level_3(const Certificate& c, Report& report) {
   if (less(Rational(4) * square(mu_squared), Rational(5625) * c.flake_squared.exact) == Verdict::proved) {
     report.reject("3.flake-parameter", [] { return "Gamma_0 exceeds 2 separation^2 / 75"; });
   }
-  Search search(c, report);
-  for (Label first = 0; first < c.n; ++first) search.from(first);
-  return std::to_string(search.sets) + " sets of 3 to " + std::to_string(c.m + 2) + " points, " +
-         std::to_string(search.close) + " of them looked at closely, no forbidden configuration";
+  const Grid grid(c.points);
+  const auto look = [&](std::size_t begin, std::size_t end, Report& found) {
+    Search search(c, grid, found);
+    for (auto first = static_cast<Label>(begin); first < end; ++first) search.from(first);
+    return Counts{search.sets, search.close};
+  };
+  const auto [sets, close] = in_parts(c.n, report, look);
+  return std::to_string(sets) + " sets of 3 to " + std::to_string(c.m + 2) + " points, " + std::to_string(close) +
+         " of them looked at closely, no forbidden configuration";
 }
 
 }  // namespace delcert::checker

@@ -76,12 +76,13 @@ std::vector<Seen> Lifts::around(Label i, const Rational& radius) {
   return result;
 }
 
-std::vector<Seen> Lifts::around_circumcentre(const Vector<Interval>& centre, const std::vector<Seen>& vertices,
-                                             double squared) {
-  std::vector<Seen> result;
+std::vector<Lifts::Near> Lifts::around_circumcentre(const Vector<Interval>& centre, const std::vector<Seen>& vertices,
+                                                    double squared) {
+  std::vector<Near> result;
   walk(vertices, [&](const Seen& seen) {
-    if (!(form_.squared(point<Interval>(seen) - centre).lower() <= squared)) return false;
-    result.push_back(seen);
+    const double chord_squared = form_.squared(point<Interval>(seen) - centre).lower();
+    if (!(chord_squared <= squared)) return false;
+    result.push_back({seen, chord_squared});
     return true;
   });
   return result;

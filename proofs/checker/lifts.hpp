@@ -29,7 +29,11 @@ class Lifts {
   /// All lifts whose chords from a point have squares <= `squared`, perhaps some that are a little longer; none of
   /// those to start from, which the walk goes from. Precondition: it is Delaunay, the point is the circumcentre of a
   /// simplex with those vertices, and squared < 2 on a sphere.
-  std::vector<Seen> around_circumcentre(const Vector<Interval>& centre, const std::vector<Seen>& vertices,
+  struct Near {
+    Seen seen;
+    double chord_squared = 0;  // at least
+  };
+  std::vector<Near> around_circumcentre(const Vector<Interval>& centre, const std::vector<Seen>& vertices,
                                         double squared);
 
   template <class N>

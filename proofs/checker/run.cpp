@@ -10,6 +10,7 @@
 #include "proofs/checker/glued_charts.hpp"
 #include "proofs/checker/group.hpp"
 #include "proofs/checker/metric_field_levels.hpp"
+#include "proofs/checker/parts.hpp"
 #include "proofs/checker/space_form_levels.hpp"
 #include "proofs/checker/space_form_stars.hpp"
 #include "proofs/checker/tangent_charts.hpp"
@@ -160,11 +161,8 @@ class Run {
   }
 
   std::string check(std::size_t level, Report& report) {
-    if (level == level_2) {
-      if (has_core(c_.kind())) core_.emplace(c_).check_manifold(report);
-      return check_level_2(c_, has_core(c_.kind()) ? report.findings.empty() : holds_[level_of_stars(c_.kind())],
-                           report);
-    }
+    if (level == level_2 && has_core(c_.kind())) return check_manifold(report);
+    if (level == level_2) return check_level_2(c_, holds_[level_of_stars(c_.kind())], report);
     if (core_ && level == level_4) return core_->check_delaunay(report);
     if (core_ && level == level_5) return core_->check_triangulation(report);
     if (core_ && level == level_6) return core_->check_metric(report);
@@ -203,6 +201,15 @@ class Run {
            : level == level_2s ? check_level_2s(c_, report)
            : level == level_3  ? check_level_3(c_, report)
                                : "follows from levels 1 and 2";
+  }
+
+  /// Level 2 where there is a core. The homology is that of a manifold, which mostly it is.
+  std::string check_manifold(Report& report) {
+    std::optional<Elsewhere> homology;
+    if (most_parts > 1) homology.emplace([this](Report& found) { return check_level_2(c_, true, found); });
+    core_.emplace(c_).check_manifold(report);
+    if (homology && report.findings.empty()) return homology->result(report);
+    return check_level_2(c_, report.findings.empty(), report);
   }
 
   const Certificate& c_;

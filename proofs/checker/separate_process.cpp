@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <iostream>
 #include <system_error>
+#include <utility>
 
 namespace delcert::checker {
 namespace {
@@ -40,18 +41,34 @@ std::string read_all(int descriptor) {
 
 }  // namespace
 
-Ended run_separately(const std::function<int()>& function) {
+SeparateProcess::SeparateProcess(const std::function<int()>& function) {
   std::array<int, 2> ends{};
   if (::pipe(ends.data()) != 0) fail("no pipe");
   std::cout.flush();
-  const pid_t parent = ::getpid(), child = ::fork();
-  if (child < 0) fail("no process");
-  if (child == 0) be_child(function, ends, parent);
+  const pid_t parent = ::getpid();
+  child_ = ::fork();
+  if (child_ == 0) be_child(function, ends, parent);
   ::close(ends[1]);
+  output_ = ends[0];
+  if (child_ < 0) {
+    ::close(output_);
+    fail("no process");
+  }
+}
+
+SeparateProcess::~SeparateProcess() {
+  if (child_ < 0) return;
+  ::kill(child_, SIGKILL);
+  ::close(output_);
+  ::waitpid(child_, nullptr, 0);
+}
+
+Ended SeparateProcess::end() {
   Ended ended;
-  ended.output = read_all(ends[0]);
-  ::close(ends[0]);
+  ended.output = read_all(output_);
+  ::close(output_);
   int state = 0;
+  const pid_t child = std::exchange(child_, -1);
   while (::waitpid(child, &state, 0) < 0) {
     if (errno != EINTR) fail("the process is lost");
   }

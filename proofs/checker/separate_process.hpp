@@ -15,9 +15,22 @@ struct Ended {
   std::string output;  // what it wrote to its standard output
 };
 
-/// Runs the function in a process of its own, whose exit status is the function's value, and waits for its end. What
-/// one certificate does to memory, or to a limit of time, does nothing to the next. The process ends with its parent.
-/// Throws std::system_error if the system has no process or pipe to give.
-Ended run_separately(const std::function<int()>& function);
+/// Runs a function in a process of its own, whose exit status is the function's value. What one certificate does to
+/// memory, or to a limit of time, does nothing to the next. The process ends with its parent.
+class SeparateProcess {
+ public:
+  /// Throws std::system_error if the system has no process or pipe to give.
+  explicit SeparateProcess(const std::function<int()>& function);
+  SeparateProcess(const SeparateProcess&) = delete;
+  SeparateProcess& operator=(const SeparateProcess&) = delete;
+  /// Kills it if its end has not been waited for.
+  ~SeparateProcess();
+
+  /// Waits for its end. Precondition: once.
+  Ended end();
+
+ private:
+  int child_ = -1, output_ = -1;
+};
 
 }  // namespace delcert::checker

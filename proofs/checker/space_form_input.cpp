@@ -1,3 +1,4 @@
+#include "proofs/checker/parts.hpp"
 #include "proofs/checker/run.hpp"
 #include "proofs/checker/space_form_levels.hpp"
 
@@ -23,25 +24,29 @@ std::string check_input_on_space_form(const Certificate& c, Lifts& lifts, Report
   // Of the distance mu epsilon, the square of the chord.
   const auto chord_squared = [&] { return Ball(2) * versed_sine(K, Ball(c.mu.exact * c.epsilon.exact)); };
   const Interval filter = in_balls(128, [&] { return chord_squared().enclosure(); });
-  for (Label i = 0; i < c.n; ++i) {
-    for (const Seen& seen : lifts.around(i, (c.mu.exact + c.rho.exact) * c.epsilon.exact)) {
-      // A pair is looked at from its lesser label.
-      if (seen.label < i || (seen.label == i && seen.element == 0)) continue;
-      const bool apart = decide_enclosed([&]<class N>(In<N>) {
-        const N found = lifts.form<N>().squared(lifts.net_point<N>(seen) - lifts.net_point<N>({i, 0}));
-        if constexpr (std::is_same_v<N, Interval>) {
-          return less_equal(filter, found);
-        } else {
-          return less_equal(chord_squared(), found);
-        }
-      });
-      if (apart) continue;
-      report.reject("0.separation", [&] {
-        return "labels " + std::to_string(i) + " and " + std::to_string(seen.label) +
-               " are closer than separation epsilon";
-      });
+  const auto check = [&](std::size_t begin, std::size_t end, Report& found) {
+    for (auto i = static_cast<Label>(begin); i < end; ++i) {
+      for (const Seen& seen : lifts.around(i, (c.mu.exact + c.rho.exact) * c.epsilon.exact)) {
+        // A pair is looked at from its lesser label.
+        if (seen.label < i || (seen.label == i && seen.element == 0)) continue;
+        const bool apart = decide_enclosed([&]<class N>(In<N>) {
+          const N chord = lifts.form<N>().squared(lifts.net_point<N>(seen) - lifts.net_point<N>({i, 0}));
+          if constexpr (std::is_same_v<N, Interval>) {
+            return less_equal(filter, chord);
+          } else {
+            return less_equal(chord_squared(), chord);
+          }
+        });
+        if (apart) continue;
+        found.reject("0.separation", [&] {
+          return "labels " + std::to_string(i) + " and " + std::to_string(seen.label) +
+                 " are closer than separation epsilon";
+        });
+      }
     }
-  }
+    return Counts{};
+  };
+  in_parts(c.n, report, check);
   return std::to_string(c.n) + " points, separation >= " + rounded_down(c.mu.exact * c.epsilon.exact) +
          ", density <= " + rounded_up(c.density.exact) +
          (less(c.density.exact, c.epsilon.exact) == Verdict::proved ? ", below" : ", not below") +

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "proofs/checker/parts.hpp"
 #include "proofs/checker/simplex.hpp"
 
 namespace delcert::checker {
@@ -21,6 +22,11 @@ const Vector<Interval>& OpenChart::filter(const Seen& seen) {
     filter_.push_back(place(lifts_.point<Interval>(seen)));
   }
   return filter_[slot.at];
+}
+
+void SpaceFormStars::open_chart(Label i) {
+  chart_.open(i);
+  all_.reset();
 }
 
 SpaceFormStars::View SpaceFormStars::view(const Quantity& reach, const Quantity& margin) const {
@@ -103,8 +109,10 @@ const std::vector<Seen>& SpaceFormStars::near(const Shown& simplex, const View& 
     known.covered = std::min(more * reach, view.most);
     known.near = lifts_.around_circumcentre(known.centre, vertices, known.covered);
   }
-  near_ = known.near;
-  for (Seen& seen : near_) seen.element = complex_.elements.product(simplex.element, seen.element);
+  near_.clear();
+  for (const auto& [seen, chord_squared] : known.near) {
+    if (chord_squared <= reach) near_.push_back({seen.label, complex_.elements.product(simplex.element, seen.element)});
+  }
   return near_;
 }
 
@@ -168,6 +176,49 @@ void SpaceFormStars::check_stable_simplex(std::size_t s, core::Elements::Id g, L
   check_protection(simplex, view, "2s.protection", which, report);
 }
 
+/// How many simplices it looks at.
+std::uint64_t SpaceFormStars::check_star(Label i, const View& view, const Quantity& shift, Report& report) {
+  const bool near = decide_enclosed([&]<class N>(In<N>) {
+    const Vector<N> home = [&] {
+      if constexpr (std::is_same_v<N, Interval>) {
+        return chart_.charts().home(i);
+      } else {
+        return SpaceFormCharts<N>(c_).home(i);
+      }
+    }();
+    return less_equal(squared(home, c_.m_size()), square(shift.as<N>()));
+  });
+  if (!near) {
+    report.reject("1.perturbation",
+                  [&] { return "label " + std::to_string(i) + " is moved by more than perturbation epsilon"; });
+  }
+  open_chart(i);
+  std::uint64_t simplices = 0;
+  for (std::size_t at = 0; at < complex_.star.size(i); ++at) {
+    const auto [s, k] = complex_.star.of(i)[at];
+    if (c_.space_form->K == 0 && k != 0) continue;  // one chart speaks for all
+    ++simplices;
+    check_simplex(s, k, view, report);
+  }
+  return simplices;
+}
+
+/// In the chart of j, the stars of all its neighbours, and so its own. `seen` says of each simplex in the chart of
+/// which label it was looked at last.
+void SpaceFormStars::check_stable_star(Label j, const View& view, std::vector<Label>& seen, Report& report) {
+  open_chart(j);
+  for (std::size_t at = 0; at < complex_.neighbours.size(j); ++at) {
+    const auto [i, phi] = complex_.neighbours.of(j)[at];
+    for (std::size_t in = 0; in < complex_.star.size(i); ++in) {
+      const auto [s, k] = complex_.star.of(i)[in];
+      if (seen[s] == j) continue;
+      seen[s] = j;
+      const core::Elements::Id g = complex_.elements.product(phi, complex_.elements.inverse(complex_.element(s, k)));
+      check_stable_simplex(s, g, i, view, report);
+    }
+  }
+}
+
 std::string SpaceFormStars::check_stars(Report& report) {
   const Quantity reach(c_.reach_1()), shift(c_.rho.exact * c_.epsilon.exact);
   const std::string fault = fault_of_reach("perturbation + 2 circumradius + protection", reach.exact);
@@ -176,31 +227,12 @@ std::string SpaceFormStars::check_stars(Report& report) {
     return "";
   }
   const View view = this->view(reach, c_.protection);
-  std::size_t simplices = 0;
-  for (Label i = 0; i < c_.n; ++i) {
-    const bool near = decide_enclosed([&]<class N>(In<N>) {
-      const Vector<N> home = [&] {
-        if constexpr (std::is_same_v<N, Interval>) {
-          return chart_.charts().home(i);
-        } else {
-          return SpaceFormCharts<N>(c_).home(i);
-        }
-      }();
-      return less_equal(squared(home, c_.m_size()), square(shift.as<N>()));
-    });
-    if (!near) {
-      report.reject("1.perturbation",
-                    [&] { return "label " + std::to_string(i) + " is moved by more than perturbation epsilon"; });
-    }
-    chart_.open(i);
-    all_.reset();
-    for (std::size_t at = 0; at < complex_.star.size(i); ++at) {
-      const auto [s, k] = complex_.star.of(i)[at];
-      if (c_.space_form->K == 0 && k != 0) continue;  // one chart speaks for all
-      ++simplices;
-      check_simplex(s, k, view, report);
-    }
-  }
+  const auto check = [&](std::size_t begin, std::size_t end, Report& found) {
+    std::uint64_t simplices = 0;
+    for (auto i = static_cast<Label>(begin); i < end; ++i) simplices += check_star(i, view, shift, found);
+    return Counts{simplices};
+  };
+  const std::uint64_t simplices = in_parts(c_.n, report, check)[0];
   return std::to_string(simplices) +
          " simplices in the charts of their vertices, protection >= " + rounded_down(c_.protection.exact) +
          ", thickness >= " + rounded_down(c_.thickness.exact) +
@@ -218,21 +250,12 @@ std::string SpaceFormStars::check_stable_stars(Report& report) {
   if (c_.space_form->K == 0 && less_equal(enough, c_.reach_2s.exact) == Verdict::proved)
     return "every chart of a star sees the same star, as it is isometric and shows 4 circumradii";
   const View view = this->view(c_.reach_2s, Quantity(Rational(0)));
-  std::vector<Label> seen(complex_.data.simplices(), c_.n);  // of each simplex, in the chart of which label last
-  for (Label j = 0; j < c_.n; ++j) {
-    chart_.open(j);
-    all_.reset();
-    for (std::size_t at = 0; at < complex_.neighbours.size(j); ++at) {
-      const auto [i, phi] = complex_.neighbours.of(j)[at];
-      for (std::size_t in = 0; in < complex_.star.size(i); ++in) {
-        const auto [s, k] = complex_.star.of(i)[in];
-        if (seen[s] == j) continue;
-        seen[s] = j;
-        const core::Elements::Id g = complex_.elements.product(phi, complex_.elements.inverse(complex_.element(s, k)));
-        check_stable_simplex(s, g, i, view, report);
-      }
-    }
-  }
+  const auto check = [&](std::size_t begin, std::size_t end, Report& found) {
+    std::vector<Label> seen(complex_.data.simplices(), c_.n);
+    for (auto j = static_cast<Label>(begin); j < end; ++j) check_stable_star(j, view, seen, found);
+    return Counts{};
+  };
+  in_parts(c_.n, report, check);
   return "every chart of a star sees the same star";
 }
 

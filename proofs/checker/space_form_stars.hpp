@@ -85,8 +85,8 @@ class SpaceFormStars {
   /// What is known of a simplex in the space, with its first vertex at the lift of the identity.
   struct Known {
     Vector<Interval> centre{};
-    double covered = -1;     // all lifts whose chords from the centre have squares up to this are known,
-    std::vector<Seen> near;  // besides the vertices
+    double covered = -1;            // all lifts whose chords from the centre have squares up to this are known,
+    std::vector<Lifts::Near> near;  // besides the vertices
   };
 
   View view(const Quantity& reach, const Quantity& margin) const;
@@ -103,6 +103,9 @@ class SpaceFormStars {
   /// known.
   double reach_of(const Shown& simplex, const View& view);
 
+  void open_chart(Label i);
+  std::uint64_t check_star(Label i, const View& view, const Quantity& shift, Report& report);
+  void check_stable_star(Label j, const View& view, std::vector<Label>& seen, Report& report);
   void check_simplex(std::size_t s, std::size_t k, const View& view, Report& report);
   void check_stable_simplex(std::size_t s, core::Elements::Id g, Label centre, const View& view, Report& report);
   template <class Which>

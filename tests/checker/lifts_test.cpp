@@ -27,22 +27,29 @@ struct Read {
     checker::core::check_manifold(complex, report);
     EXPECT_TRUE(report.findings.empty());
   }
-  /// cosh of the distance of p_i from the image of p'_j, or half its square.
-  double measure(std::size_t i, std::size_t j, const Isometry& g) const {
+  /// A point in the coordinates of the core, in the linear model.
+  Point linear_point(const checker::Vector<checker::Interval>& at) const {
     const SpaceFormModel& model = sample.model;
-    const checker::Vector<checker::Interval> at = complex.point<checker::Interval>(static_cast<checker::Label>(j));
     Point x{};
-    const Point p = linear_of(model.K, model.m, model.net[i]);
     for (std::size_t k = 0; k <= model.m; ++k) x[k] = middle(at[k]);
     if (model.K == 0) {
       for (std::size_t k = model.m; k > 0; --k) x[k] = middle(at[k - 1]) * model.frame[k - 1];
       x[0] = 1;
     }
-    const Point y = image(model.m, g, x);
+    return x;
+  }
+  /// cosh of the distance of a point from the image of p'_j, or half its square.
+  double measure_from(const Point& p, std::size_t j, const Isometry& g) const {
+    const SpaceFormModel& model = sample.model;
+    const Point y = image(model.m, g, linear_point(complex.point<checker::Interval>(static_cast<checker::Label>(j))));
     double result = model.K == 0 ? 0 : p[0] * y[0];
     for (std::size_t k = 1; k <= model.m; ++k)
       result += model.K == 0 ? (p[k] - y[k]) * (p[k] - y[k]) / 2 : -p[k] * y[k];
     return result;
+  }
+  /// Of p_i.
+  double measure(std::size_t i, std::size_t j, const Isometry& g) const {
+    return measure_from(linear_of(sample.model.K, sample.model.m, sample.model.net[i]), j, g);
   }
 
   const SpaceFormSample& sample;
@@ -57,7 +64,7 @@ TEST(Lifts, are_those_that_are_found_by_trying_all_elements) {
   for (const auto& [sample, radius] : {std::pair(&klein_bottle(), 0.2), {&bolza_surface(), 0.45}}) {
     Read read(*sample);
     const SpaceFormModel& model = sample->model;
-    const checker::Lifts lifts(read.certificate, read.complex, true), far(read.certificate, read.complex, false);
+    checker::Lifts lifts(read.certificate, read.complex, true), far(read.certificate, read.complex, false);
     const checker::Rational reach = checker::Rational(static_cast<int>(radius * 1000)) / checker::Rational(1000);
     const double bound = model.K == 0 ? radius * radius / 2 : std::cosh(radius);
     std::size_t shown = 0;
@@ -78,11 +85,49 @@ TEST(Lifts, are_those_that_are_found_by_trying_all_elements) {
   }
 }
 
+TEST(Lifts, near_a_circumcentre_are_those_that_are_found_by_trying_all_elements) {
+  const test::Upwards upwards;
+  for (const SpaceFormSample* sample : {&klein_bottle(), &bolza_surface()}) {
+    Read read(*sample);
+    const SpaceFormModel& model = sample->model;
+    checker::Lifts lifts(read.certificate, read.complex, true);
+    std::size_t shown = 0, none = 0;
+    for (std::size_t s = 0; s < read.data.simplices(); s += 7) {
+      const checker::core::Circumball<checker::Interval> ball(read.data, lifts.form<checker::Interval>(),
+                                                              read.complex.lifts<checker::Interval>(s));
+      std::vector<checker::Seen> vertices;
+      std::multiset<std::size_t> corners;
+      for (std::size_t k = 0; k < read.complex.vertices(); ++k) {
+        vertices.push_back({read.complex.label(s, k), read.complex.element(s, k)});
+        corners.insert(vertices.back().label);
+      }
+      const checker::Vector<checker::Interval> centre = ball.centre();
+      const double chord =
+          middle(lifts.form<checker::Interval>().squared(lifts.point<checker::Interval>(vertices[0]) - centre));
+      for (const double factor : {1.001, 1.5, 4.0}) {
+        const double squared = factor * chord, bound = model.K == 0 ? squared / 2 : 1 + squared / 2;
+        std::multiset<std::size_t> expected, found = corners;
+        for (std::size_t j = 0; j < model.size(); ++j) {
+          for (const Isometry& g : model.elements) {
+            if (read.measure_from(read.linear_point(centre), j, g) <= bound) expected.insert(j);
+          }
+        }
+        for (const auto& near : lifts.around_circumcentre(centre, vertices, squared)) found.insert(near.seen.label);
+        EXPECT_EQ(found, expected) << "simplex " << s << ", " << factor;
+        shown += found.size() - corners.size();
+        none += found == corners ? 1U : 0U;
+      }
+    }
+    EXPECT_GT(shown, 100U);
+    EXPECT_GT(none, 10U);
+  }
+}
+
 /// The walk goes along edges only: without those of the first point it finds nothing but that.
 TEST(Lifts, are_not_found_without_edges) {
   const test::Upwards upwards;
   Read read(klein_bottle());
-  const checker::Lifts lifts(read.certificate, read.complex, true);
+  checker::Lifts lifts(read.certificate, read.complex, true);
   const checker::Rational reach = checker::Rational(1) / checker::Rational(5);
   EXPECT_GT(lifts.around(0, reach).size(), 20U);
   auto& [begin, items] = read.complex.neighbours;

@@ -2,6 +2,7 @@
 
 #include "proofs/checker/core/circumball.hpp"
 #include "proofs/checker/core/rules.hpp"
+#include "proofs/checker/parts.hpp"
 
 namespace delcert::checker::core {
 namespace {
@@ -109,17 +110,21 @@ void check_hinges(Complex& complex, Report& report) {
                       []<class N>(const Circumball<N>& ball) { return less(ball.tangent_squared(), N(1)); }))
       report.reject("core.hinges", [&] { return complex.name(s) + " has no circumball"; });
   }
-  for (const Hinge& hinge : complex.hinges) {
+  const auto check = [&](const Hinge& hinge, Report& found) {
     const auto [s, t] = hinge.simplex;
-    if (complex.sign[s] == 0 || complex.sign[t] == 0) continue;
+    if (complex.sign[s] == 0 || complex.sign[t] == 0) return;
     const bool convex = balls.decide(s, balls.filter(s), [&]<class N>(const Circumball<N>& ball) {
       return less(N(0), ball.power(complex.beyond<N>(hinge)));
     });
-    if (convex) continue;
-    report.reject("core.hinges", [&, first = s, second = t] {
+    if (convex) return;
+    found.reject("core.hinges", [&, first = s, second = t] {
       return complex.name(first) + " and " + complex.name(second) + " are not locally Delaunay";
     });
-  }
+  };
+  in_parts(complex.hinges.size(), report, [&](std::size_t begin, std::size_t end, Report& found) {
+    for (std::size_t at = begin; at < end; ++at) check(complex.hinges[at], found);
+    return Counts{};
+  });
 }
 
 void check_margins(Complex& complex, const Quantity& circumradius, const Quantity& protection, Report& report) {
@@ -127,10 +132,13 @@ void check_margins(Complex& complex, const Quantity& circumradius, const Quantit
     report.reject("4.ball", [] { return "circumradius + protection is not below a quarter of a great circle"; });
     return;
   }
-  Margins margins(complex, circumradius, protection, report);
-  for (std::uint32_t s = 0; s < complex.data.simplices(); ++s) {
-    if (complex.sign[s] != 0) margins.check(s);
-  }
+  in_parts(complex.data.simplices(), report, [&](std::size_t begin, std::size_t end, Report& found) {
+    Margins margins(complex, circumradius, protection, found);
+    for (auto s = static_cast<std::uint32_t>(begin); s < end; ++s) {
+      if (complex.sign[s] != 0) margins.check(s);
+    }
+    return Counts{};
+  });
 }
 
 }  // namespace delcert::checker::core

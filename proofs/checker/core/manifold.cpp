@@ -2,6 +2,7 @@
 #include <tuple>
 
 #include "proofs/checker/core/rules.hpp"
+#include "proofs/checker/parts.hpp"
 
 namespace delcert::checker::core {
 namespace {
@@ -162,7 +163,10 @@ void check_manifold(Complex& complex, Report& report) {
   check_signs(complex, report);
   check_edges(complex, report);
   check_facets(complex, report);
-  for (Label i = 0; i < complex.size(); ++i) check_star(complex, i, report);
+  in_parts(complex.size(), report, [&](std::size_t begin, std::size_t end, Report& found) {
+    for (auto i = static_cast<Label>(begin); i < end; ++i) check_star(complex, i, found);
+    return Counts{};
+  });
 }
 
 }  // namespace delcert::checker::core

@@ -1,5 +1,6 @@
 #include "proofs/checker/core/circumball.hpp"
 #include "proofs/checker/core/rules.hpp"
+#include "proofs/checker/parts.hpp"
 
 namespace delcert::checker::core {
 namespace {
@@ -67,15 +68,19 @@ Verdict is_stretched_within(Complex& complex, std::size_t s, const N& least, con
 
 void check_cotangents(Complex& complex, const Quantity& weight, Report& report) {
   const Circumballs balls(complex);
-  for (const Hinge& hinge : complex.hinges) {
+  const auto check = [&](const Hinge& hinge, Report& found) {
     const bool fine = decide_enclosed(
         [&]<class N>(In<N>) { return has_cotangents_above<N>(complex, balls.form<N>(), hinge, weight.as<N>()); });
-    if (fine) continue;
-    report.reject("6.self-delaunay", [&] {
+    if (fine) return;
+    found.reject("6.self-delaunay", [&] {
       return "the cotangents of the angles opposite to the edge of " + complex.name(hinge.simplex[0]) + " and " +
              complex.name(hinge.simplex[1]) + " have a sum of at most weight";
     });
-  }
+  };
+  in_parts(complex.hinges.size(), report, [&](std::size_t begin, std::size_t end, Report& found) {
+    for (std::size_t at = begin; at < end; ++at) check(complex.hinges[at], found);
+    return Counts{};
+  });
 }
 
 void check_stretching(Complex& complex, const Quantity& least, const Quantity& greatest, Report& report) {
@@ -86,10 +91,14 @@ void check_stretching(Complex& complex, const Quantity& least, const Quantity& g
       return is_stretched_within<N>(complex, s, least.as<N>(), greatest.as<N>());
     });
   };
-  for (std::size_t s = 0; s < (complex.data.K == 0 ? 1 : complex.data.simplices()); ++s) {
-    if (complex.sign[s] == 0 || fits(s)) continue;
-    report.reject("6.bilipschitz", [&] { return complex.name(s) + " is stretched beyond the bounds of bilipschitz"; });
-  }
+  const std::size_t number = complex.data.K == 0 ? 1 : complex.data.simplices();
+  in_parts(number, report, [&](std::size_t begin, std::size_t end, Report& found) {
+    for (std::size_t s = begin; s < end; ++s) {
+      if (complex.sign[s] == 0 || fits(s)) continue;
+      found.reject("6.bilipschitz", [&] { return complex.name(s) + " is stretched beyond the bounds of bilipschitz"; });
+    }
+    return Counts{};
+  });
 }
 
 }  // namespace delcert::checker::core

@@ -1,0 +1,123 @@
+// Work that is divided among processes has the outcome of work in one.
+
+#include "proofs/checker/parts.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <nlohmann/json.hpp>
+
+#include "proofs/checker/decide.hpp"
+#include "tests/checker/support/forgeries.hpp"
+#include "tests/checker/support/run_checker.hpp"
+#include "tests/checker/support/samples.hpp"
+#include "tests/checker/support/space_form_samples.hpp"
+#include "tests/checker/upwards.hpp"
+
+namespace delcert::checker_tests {
+namespace {
+
+struct Outcome {
+  checker::Counts counts{};
+  std::vector<std::string> findings;
+  std::uint64_t filtered = 0, left = 0;
+  std::string exception;
+  bool operator==(const Outcome&) const = default;
+};
+
+/// 1000 numbers, of which some break rules, and one of which may throw.
+Outcome outcome_of(unsigned parts, std::uint64_t budget, std::size_t thrower, bool dies_elsewhere) {
+  checker::most_parts = parts;
+  checker::Budget::open(0);
+  checker::Budget::spend(checker::Budget::left() - budget);
+  checker::decisions = {};
+  const pid_t here = ::getpid();
+  checker::Report report;
+  report.reject("rule.early", [] { return "before"; });
+  Outcome outcome;
+  try {
+    outcome.counts = checker::in_parts(1000, report, [&](std::size_t begin, std::size_t end, checker::Report& found) {
+      checker::Counts counts{};
+      for (std::size_t k = begin; k < end; ++k) {
+        if (k == thrower) throw checker::Undecided("at " + std::to_string(k));
+        if (k == 700 && dies_elsewhere && ::getpid() != here) std::raise(SIGKILL);
+        checker::decide([]<class N>(checker::In<N>) { return checker::Verdict::proved; });
+        ++counts[0];
+        counts[1] += k;
+        const auto say = [&] { return "number " + std::to_string(k); };
+        if (k % 300 == 299) found.reject("rule.300", say);
+        if (k % 500 == 499) found.reject("rule.500", say);
+        if (k % 400 == 399) found.reject("rule.early", say);
+      }
+      return counts;
+    });
+  } catch (const checker::Undecided& reason) {
+    outcome.exception = reason.what();
+  }
+  checker::most_parts = 1;
+  for (const checker::Finding& finding : report.findings) outcome.findings.push_back(finding.rule + finding.what);
+  outcome.filtered = checker::decisions.filtered;
+  outcome.left = checker::Budget::left();
+  checker::Budget::open(0);
+  return outcome;
+}
+
+TEST(Parts, have_the_outcome_of_the_whole) {
+  const test::Upwards upwards;
+  constexpr std::size_t none = 5000;
+  for (const auto& [budget, thrower] : {std::pair<std::uint64_t, std::size_t>(100000, none),
+                                        {100000, 350},
+                                        {100000, 900},
+                                        {1000, none},
+                                        {999, none},
+                                        {600, none},
+                                        {600, 350}}) {
+    const Outcome whole = outcome_of(1, budget, thrower, false);
+    EXPECT_EQ(whole.exception.empty(), thrower == none && budget >= 1000);
+    EXPECT_EQ(whole.findings.size(), 3U - (thrower == 350 ? 1U : 0U));
+    for (const unsigned parts : {2U, 3U, 7U, 1000U}) {
+      for (const bool dies : {false, true})
+        EXPECT_EQ(outcome_of(parts, budget, thrower, dies), whole) << parts << " " << budget << " " << thrower;
+    }
+  }
+}
+
+/// What the checker says, but for how long it took.
+std::string said(const std::string& file, int parts) {
+  const CheckerRun run = run_checker_with(file + " --json --threads " + std::to_string(parts));
+  auto json = nlohmann::json::parse(run.output);
+  for (auto& level : json["levels"]) level.erase("seconds");
+  return std::to_string(run.status) + json.dump();
+}
+
+TEST(Parts, of_a_check_say_what_the_whole_says) {
+  std::vector<std::string> documents = {sealed(cubic_torus().document()), sealed(bolza_surface().document()),
+                                        sealed(projective_space().document()),
+                                        sealed(unstable_bolza_surface().document())};
+  std::size_t number = 0;
+  for (const auto& part :
+       {level_0_forgeries(), star_forgeries(), core_forgeries(), configuration_forgeries(), space_form_forgeries()}) {
+    for (const Forgery& forgery : part) {
+      if (number++ % 4 == 0) documents.push_back(forgery.bytes);
+    }
+  }
+  std::size_t rejected = 0;
+  for (const std::string& bytes : documents) {
+    const std::string file = temporary_file(bytes);
+    const std::string whole = said(file, 1);
+    rejected += whole.front() == '1' ? 1U : 0U;
+    EXPECT_EQ(said(file, 2), whole);
+    EXPECT_EQ(said(file, 3), whole);
+  }
+  EXPECT_GT(rejected, 10U);
+}
+
+TEST(Parts, are_at_least_one) {
+  const std::string file = temporary_file(sealed(circle().document()));
+  for (const char* wrong : {"0", "-1", "x"})
+    EXPECT_EQ(run_checker_with(file + " --threads " + wrong).status, 64) << wrong;
+}
+
+}  // namespace
+}  // namespace delcert::checker_tests
