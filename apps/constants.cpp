@@ -7,7 +7,9 @@
 #include "apps/exact_option.hpp"
 #include "apps/list_option.hpp"
 #include "kernel/formula/formula_error.hpp"
+#include "proofs/constants/ledger_entries.hpp"
 #include "proofs/publication/ledger_text.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 
@@ -19,6 +21,7 @@ struct ConstantsOptions {
   std::vector<Rational> perturbations;
   Rational radius_variation;
   Rational distortion;
+  ParameterConstraints constraints = ParameterConstraints::printed;
   ConstantNames only;
   bool json = false;
   bool latex = false;
@@ -28,10 +31,27 @@ struct ConstantsOptions {
   }
 };
 
+/// The sharper hypotheses have no constants of Theorem 3.
+void require_all_there(const ConstantsOptions& options, const Ledger& ledger) {
+  if (ledger.constraints == ParameterConstraints::printed) return;
+  const std::vector<LedgerEntry> entries = ledger_entries(ledger);
+  for (const std::string& name : options.only) {
+    if (std::none_of(entries.begin(), entries.end(), [&](const auto& entry) { return entry.name == name; }))
+      throw InputError("--only: " + name +
+                       " is a constant of Theorem 3, which is not worked out with the sharper hypotheses");
+  }
+}
+
 ExitStatus print_constants(const ConstantsOptions& options) {
-  Sweep sweep{{}, options.separations, options.perturbations, options.radius_variation, options.distortion};
+  Sweep sweep{{},
+              options.separations,
+              options.perturbations,
+              options.radius_variation,
+              options.distortion,
+              options.constraints};
   for (const int dimension : options.dimensions) sweep.dimensions.emplace_back(dimension);
   const SweptLedgers swept = ledgers_of(sweep);
+  require_all_there(options, swept.ledgers.front());
   if (options.is_sweep()) {
     const auto print = options.json ? sweep_json : options.latex ? sweep_latex : sweep_table;
     std::cout << print(swept, options.only);
@@ -64,6 +84,16 @@ void add_constants(CLI::App& program, Action& chosen) {
                    "Variation ε₀ of the sampling radii (default 0)");
   add_exact_option(*command, "--distortion", options->distortion,
                    "Distortion ξ₀ of the transition functions (default 0)");
+  const auto choose = [options](const std::string& name) {
+    if (name != "printed" && name != "sharper")
+      throw CLI::ValidationError("--hypotheses", "no hypotheses are called " + shortened(name) +
+                                                     suggestion(name, std::vector<std::string>{"printed", "sharper"}));
+    options->constraints = name == "sharper" ? ParameterConstraints::sharper : ParameterConstraints::printed;
+  };
+  command
+      ->add_option_function<std::string>("--hypotheses", choose,
+                                         "Hypotheses 2: the paper's (the default), or those of the sharper lemmas")
+      ->type_name("printed|sharper");
   command->add_option("--only", options->only, "Names of the constants to print (default: all)")
       ->delimiter(',')
       ->check(complaint_about_name, "", "");

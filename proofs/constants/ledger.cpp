@@ -44,9 +44,11 @@ Rational upper_bound_of(const PowerProduct& protection_parameter) {
 }  // namespace
 
 Ledger constants_for(Dimension dimension, const Rational& separation, const Rational& perturbation,
-                     const Rational& radius_variation, const Rational& distortion) {
+                     const Rational& radius_variation, const Rational& distortion, ParameterConstraints constraints) {
   const Rational one(1);
+  const bool is_sharper = constraints == ParameterConstraints::sharper;
   Ledger ledger;
+  ledger.constraints = constraints;
   ledger.dimension = dimension;
   ledger.separation = separation;
   ledger.perturbation = perturbation;
@@ -68,22 +70,25 @@ Ledger constants_for(Dimension dimension, const Rational& separation, const Rati
   const PowerProduct root_of_m_cubed = PowerProduct::square_root_of(power(Rational(m), 3));
   const auto divisor = [&](long leading) { return root_of_m_cubed * power(two / mu, leading * m * m + 5 * m + 21); };
 
-  ledger.flake_divisor = divisor(4);
+  ledger.flake_divisor = is_sharper ? divisor(4) / root_of_m_cubed : divisor(4);
   ledger.flake_parameter = PowerProduct(perturbation) / ledger.flake_divisor;
   const PowerProduct& flake = ledger.flake_parameter;
   ledger.protection_parameter = power(flake, m + 1);
   ledger.protection = ledger.protection_parameter * PowerProduct(separation - Rational(2) * tilde);
   ledger.hoop_bound = power(two, 13) * flake / power(mu, 3);
-  ledger.hoop_bound_tilde = power(two, 16) * root_of_m_cubed * flake / power(mu, 3);
+  const PowerProduct hoop_factor = is_sharper ? PowerProduct(Rational(17410)) : power(two, 16) * root_of_m_cubed;
+  ledger.hoop_bound_tilde = hoop_factor * flake / power(mu, 3);
   ledger.tolerance = two * ledger.hoop_bound_tilde;
   ledger.longest_edge_excess = PowerProduct(Rational(5) / Rational(4)) * ledger.protection_parameter * mu;
   ledger.longest_edge_upper =
       Rational(5) / Rational(2) * (one + upper_bound_of(ledger.protection_parameter) * separation / Rational(2));
   ledger.candidates_bound = power(PowerProduct(Rational(14)) / mu, m * m + m);
 
-  ledger.distortion_bound = power(flake, 4 * m + 2) / power(two, 4);
+  // That of hoops is the one that decides.
+  const long hoop_exponent = is_sharper ? m + 1 : 2 * m + 1;
+  ledger.distortion_bound = power(flake, 2 * hoop_exponent) / power(two, 4);
   ledger.stable_stars_distortion_bound = power(flake, 2 * m + 1) * power(mu, 2) / power(two, 12);
-  ledger.hoop_distortion_bound = power(power(flake, 2 * m + 1) / PowerProduct(Rational(4)), 2);
+  ledger.hoop_distortion_bound = power(power(flake, hoop_exponent) / PowerProduct(Rational(4)), 2);
   ledger.metric_distortion_bound = power(mu, 2) / power(two, 12) * power(flake, 2 * m + 1);
 
   ledger.chart_sampling_radius = power(flake, 2 * m + 1) / power(two, 6);

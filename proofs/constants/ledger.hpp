@@ -10,9 +10,14 @@ namespace delcert {
 /// there.
 inline constexpr Dimension largest_ledger_dimension{16};
 
+/// Which form of Hypotheses 2 the constants belong to: the paper's, or the weaker one that the sharper lemmas admit
+/// (docs/sharper-lemmas.md): ξ₀ ≤ 2⁻⁴(ρ₀/C)^{2m+2}, C without m^{3/2}, α̃₀ = 17410Γ₀/μ₀³.
+enum class ParameterConstraints : unsigned char { printed, sharper };
+
 /// What the paper derives from the dimension m, the separation μ₀, the perturbation ρ₀, the radius variation ε₀ and the
 /// distortion ξ₀ of an input. Every value is exact; lengths are relative to the sampling radius ε unless said.
 struct Ledger {
+  ParameterConstraints constraints = ParameterConstraints::printed;
   Dimension dimension;
   Rational separation;
   Rational perturbation;
@@ -25,7 +30,7 @@ struct Ledger {
   Rational perturbed_separation;
   Rational perturbed_radius_ratio;
 
-  /// C = m^{3/2}(2/μ₀)^{4m²+5m+21} (hyps:param.bnds).
+  /// C = m^{3/2}(2/μ₀)^{4m²+5m+21} (hyps:param.bnds); sharper: without m^{3/2}.
   PowerProduct flake_divisor;
   /// Γ₀ = ρ₀/C (lem:loc.eucl.protect).
   PowerProduct flake_parameter;
@@ -35,7 +40,7 @@ struct Ledger {
   PowerProduct protection;
   /// α₀ = 2¹³Γ₀/μ₀³ (lem:prop.forbid.cfg, P1).
   PowerProduct hoop_bound;
-  /// α̃₀ = 2¹⁶m^{3/2}Γ₀/μ₀³ (lem:hoop.distort). Rational, since m^{3/2} cancels.
+  /// α̃₀ = 2¹⁶m^{3/2}Γ₀/μ₀³ (lem:hoop.distort), sharper: 17410Γ₀/μ₀³. Rational, since m^{3/2} cancels.
   PowerProduct hoop_bound_tilde;
   /// 2α̃₀: a perturbation is good when farther than this from every candidate sphere (def:extended.good.pert). Rational.
   PowerProduct tolerance;
@@ -52,11 +57,11 @@ struct Ledger {
   Rational perturbation_tilde_bound;
   /// Γ₀ ≤ 2μ₀²/75 (eq:dnobnd).
   Rational flake_parameter_bound;
-  /// ξ₀ ≤ 2⁻⁴(ρ₀/C)^{4m+2} (hyps:param.bnds). Rational.
+  /// ξ₀ ≤ 2⁻⁴(ρ₀/C)^{4m+2} (hyps:param.bnds); sharper: 2m + 2. Rational.
   PowerProduct distortion_bound;
   /// ξ₀ ≤ Γ₀^{2m+1}μ₀²/2¹² (lem:stable.stars).
   PowerProduct stable_stars_distortion_bound;
-  /// ξ₀ ≤ (Γ₀^{2m+1}/4)² (lem:hoop.distort). Rational.
+  /// ξ₀ ≤ (Γ₀^{2m+1}/4)² (lem:hoop.distort); sharper: m + 1. Rational.
   PowerProduct hoop_distortion_bound;
   /// η ≤ (μ₀²/2¹²)(ρ₀/C)^{2m+1} (thm:output.del.cplx).
   PowerProduct metric_distortion_bound;
@@ -82,11 +87,12 @@ struct Ledger {
 [[nodiscard]] Rational largest_perturbation(const Rational& separation, const Rational& radius_variation,
                                             const Rational& distortion);
 
-/// The ledger of the paper. Throws InputError, naming the parameter, its value and its range, unless
-/// 1 ≤ m ≤ largest_ledger_dimension, 0 < μ₀ ≤ 1, 0 ≤ ξ₀ < 1, 0 ≤ ε₀ ≤ (1 − ξ₀)/(1 + ξ₀), 0 < ρ₀ and ρ̃₀ ≤ μ₀/4.
+/// The ledger of the paper, or of the sharper lemmas. Throws InputError, naming the parameter, its value and its range,
+/// unless 1 ≤ m ≤ largest_ledger_dimension, 0 < μ₀ ≤ 1, 0 ≤ ξ₀ < 1, 0 ≤ ε₀ ≤ (1 − ξ₀)/(1 + ξ₀), 0 < ρ₀ and ρ̃₀ ≤ μ₀/4.
 [[nodiscard]] Ledger constants_for(Dimension dimension, const Rational& separation, const Rational& perturbation,
                                    const Rational& radius_variation = Rational(0),
-                                   const Rational& distortion = Rational(0));
+                                   const Rational& distortion = Rational(0),
+                                   ParameterConstraints constraints = ParameterConstraints::printed);
 
 /// Whether Hypotheses 2 hold (hyps:param.bnds): beyond what constants_for requires, ξ₀ ≤ distortion_bound.
 [[nodiscard]] bool satisfies_parameter_constraints(const Ledger& ledger);

@@ -58,8 +58,8 @@ Bounds longest_edge_bounds(const Ledger& ledger) {
 }  // namespace
 
 std::vector<LedgerEntry> ledger_entries(const Ledger& ledger) {
-  const SphereSampleSize sphere = sphere_sample_size(ledger.dimension, ledger.riemannian_sampling_radius);
-
+  const bool is_sharper = ledger.constraints == ParameterConstraints::sharper;
+  const auto source = [is_sharper](const char* printed) { return is_sharper ? "sharper-lemmas" : printed; };
   std::vector<LedgerEntry> entries{
       entry({"dimension", "m", "m", "input"}, Rational(ledger.dimension.value)),
       entry({"separation", "μ₀", "\\mu_0", "input"}, ledger.separation),
@@ -70,7 +70,7 @@ std::vector<LedgerEntry> ledger_entries(const Ledger& ledger) {
       entry({"perturbed_separation", "μ₀′", "\\mu_0'", "lem:loc.eucl.protect"}, ledger.perturbed_separation),
       entry({"perturbed_radius_ratio", "ε′/ε", "\\epsilon'/\\epsilon", "lem:loc.eucl.protect"},
             ledger.perturbed_radius_ratio),
-      entry({"flake_divisor", "C", "C", "hyps:param.bnds"}, ledger.flake_divisor),
+      entry({"flake_divisor", "C", "C", source("hyps:param.bnds")}, ledger.flake_divisor),
       entry({"flake_parameter", "Γ₀", "\\Gamma_0", "lem:loc.eucl.protect"}, ledger.flake_parameter),
       entry({"flake_parameter_squared", "Γ₀²", "\\Gamma_0^2", "lem:loc.eucl.protect"},
             power(ledger.flake_parameter, 2)),
@@ -80,7 +80,7 @@ std::vector<LedgerEntry> ledger_entries(const Ledger& ledger) {
       entry({"protection", "δ/ε", "\\delta/\\epsilon", "lem:loc.eucl.protect"}, ledger.protection),
       entry({"hoop_bound", "α₀", "\\alpha_0", "lem:prop.forbid.cfg"}, ledger.hoop_bound),
       entry({"hoop_bound_squared", "α₀²", "\\alpha_0^2", "lem:prop.forbid.cfg"}, power(ledger.hoop_bound, 2)),
-      entry({"hoop_bound_tilde", "α̃₀", "\\tilde\\alpha_0", "lem:hoop.distort"}, ledger.hoop_bound_tilde),
+      entry({"hoop_bound_tilde", "α̃₀", "\\tilde\\alpha_0", source("lem:hoop.distort")}, ledger.hoop_bound_tilde),
       entry({"tolerance", "2α̃₀", "2\\tilde\\alpha_0", "def:extended.good.pert"}, ledger.tolerance),
       entry({"longest_edge", "(5/2)(1+δ₀μ₀/2)", "\\frac52(1+\\frac12\\delta_0\\mu_0)", "lem:prop.forbid.cfg"},
             "5/2 + " + ledger.longest_edge_excess.text(), "\\frac{5}{2} + " + ledger.longest_edge_excess.latex(),
@@ -90,11 +90,14 @@ std::vector<LedgerEntry> ledger_entries(const Ledger& ledger) {
       entry({"perturbation_tilde_bound", "ρ̃₀ ≤", "\\tilde\\rho_0 \\le", "hyps:param.bnds"},
             ledger.perturbation_tilde_bound),
       entry({"flake_parameter_bound", "Γ₀ ≤", "\\Gamma_0 \\le", "eq:dnobnd"}, ledger.flake_parameter_bound),
-      entry({"distortion_bound", "ξ₀ ≤", "\\xi_0 \\le", "hyps:param.bnds"}, ledger.distortion_bound),
+      entry({"distortion_bound", "ξ₀ ≤", "\\xi_0 \\le", source("hyps:param.bnds")}, ledger.distortion_bound),
       entry({"stable_stars_distortion_bound", "ξ₀ ≤", "\\xi_0 \\le", "lem:stable.stars"},
             ledger.stable_stars_distortion_bound),
-      entry({"hoop_distortion_bound", "ξ₀ ≤", "\\xi_0 \\le", "lem:hoop.distort"}, ledger.hoop_distortion_bound),
-      entry({"metric_distortion_bound", "η ≤", "\\eta \\le", "thm:output.del.cplx"}, ledger.metric_distortion_bound),
+      entry({"hoop_distortion_bound", "ξ₀ ≤", "\\xi_0 \\le", source("lem:hoop.distort")}, ledger.hoop_distortion_bound),
+      entry({"metric_distortion_bound", "η ≤", "\\eta \\le", "thm:output.del.cplx"}, ledger.metric_distortion_bound)};
+  if (is_sharper) return entries;
+  const SphereSampleSize sphere = sphere_sample_size(ledger.dimension, ledger.riemannian_sampling_radius);
+  const std::vector<LedgerEntry> theorem_3{
       entry({"chart_sampling_radius", "ε_i ≤ (Λ = 1)", "\\epsilon_i \\le", "eq:locsam.curv.bnd"},
             ledger.chart_sampling_radius),
       entry({"riemannian_perturbation", "min(ρ₀, μ₀/5)", "\\min(\\rho_0, \\mu_0/5)", "thm:riem.del.tri"},
@@ -110,6 +113,7 @@ std::vector<LedgerEntry> ledger_entries(const Ledger& ledger) {
             (sphere.has_factor_pi ? "π·" : "") + sphere.at_least_without_pi.text(),
             (sphere.has_factor_pi ? "\\pi \\cdot " : "") + sphere.at_least_without_pi.latex(), sphere.at_least,
             sphere.at_least_log2)};
+  entries.insert(entries.end(), theorem_3.begin(), theorem_3.end());
   if (sphere.measured_estimate) {
     entries.push_back(
         entry({"sphere_sample_size_estimate", "n ≈ on S^m", "n \\approx", "measured on Poisson-disk nets"},

@@ -29,7 +29,8 @@ struct LedgerEntry {
   bool is_estimate = false;
 };
 
-/// The lines of the ledger in the order of the paper's argument: input, parameters, hypotheses, Theorem 3.
+/// The lines of the ledger in the order of the paper's argument: input, parameters, hypotheses, Theorem 3. The last
+/// only of the printed hypotheses: what Theorem 3 would be with the sharper ones is not worked out.
 [[nodiscard]] std::vector<LedgerEntry> ledger_entries(const Ledger& ledger);
 
 }  // namespace delcert

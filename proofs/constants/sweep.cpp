@@ -22,8 +22,8 @@ SweptLedgers ledgers_of(const Sweep& sweep) {
   SweptLedgers result;
   const auto add = [&](Dimension dimension, const Rational& separation, const Rational& perturbation) {
     try {
-      result.ledgers.push_back(
-          constants_for(dimension, separation, perturbation, sweep.radius_variation, sweep.distortion));
+      result.ledgers.push_back(constants_for(dimension, separation, perturbation, sweep.radius_variation,
+                                             sweep.distortion, sweep.constraints));
     } catch (const InputError& reason) {
       result.left_out.push_back({dimension, separation, perturbation, reason.what()});
     }

@@ -15,6 +15,7 @@ struct Sweep {
   std::vector<Rational> perturbations;
   Rational radius_variation;
   Rational distortion;
+  ParameterConstraints constraints = ParameterConstraints::printed;
 };
 
 /// Parameters without a ledger.

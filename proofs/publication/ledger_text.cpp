@@ -26,10 +26,16 @@ std::vector<LedgerEntry> selected_entries(const Ledger& ledger, const ConstantNa
   return entries;
 }
 
+std::string hypotheses_text(const Ledger& ledger) {
+  return ledger.constraints == ParameterConstraints::sharper ? "The sharper Hypotheses 2 (docs/sharper-lemmas.md)"
+                                                             : "Hypotheses 2 (hyps:param.bnds)";
+}
+
 std::string parameters_sentence(const Ledger& ledger) {
-  return satisfies_parameter_constraints(ledger) ? "Hypotheses 2 (hyps:param.bnds) hold for these parameters."
-                                                 : "Hypotheses 2 (hyps:param.bnds) do not hold: the distortion " +
-                                                       exact_text(ledger.distortion) + " is above its bound.";
+  return hypotheses_text(ledger) +
+         (satisfies_parameter_constraints(ledger)
+              ? " hold for these parameters."
+              : " do not hold: the distortion " + exact_text(ledger.distortion) + " is above its bound.");
 }
 
 /// One number where both bounds print alike, an interval otherwise.
@@ -87,6 +93,7 @@ nlohmann::ordered_json ledger_object(const Ledger& ledger, const ConstantNames& 
                             {"perturbation", exact_text(ledger.perturbation)},
                             {"radius_variation", exact_text(ledger.radius_variation)},
                             {"distortion", exact_text(ledger.distortion)}};
+  if (ledger.constraints == ParameterConstraints::sharper) document["parameters"]["hypotheses"] = "sharper";
   document["constants"] = std::move(constants);
   document["hypotheses_2"] = satisfies_parameter_constraints(ledger);
   return document;
@@ -126,7 +133,7 @@ std::vector<std::string> remarks_on(const SweptLedgers& swept) {
     remarks.push_back(fmt::format("m = {}, μ₀ = {}, ρ₀ = {}: {}", ledger.dimension.value, exact_text(ledger.separation),
                                   exact_text(ledger.perturbation), parameters_sentence(ledger)));
   }
-  if (remarks.empty()) remarks.emplace_back("Hypotheses 2 (hyps:param.bnds) hold for all of these parameters.");
+  if (remarks.empty()) remarks.push_back(hypotheses_text(swept.ledgers.front()) + " hold for all of these parameters.");
   for (const LeftOut& left_out : swept.left_out) remarks.push_back(text_of(left_out));
   return remarks;
 }

@@ -15,6 +15,27 @@ delcert_cli_test(constants-with-distortion STATUS 0 ERROR "^$"
   COMMAND ${constants} --dim 2 --separation 1 --perturbation 1/5 --distortion 1/100 --radius-variation 0x1p-10
   OUTPUT "radius variation +1/1024.*do not hold: the distortion 1/100 is above its bound")
 
+delcert_cli_test(constants-sharper STATUS 0 ERROR "^$" COMMAND ${constants} ${surface} --hypotheses sharper
+  OUTPUT "flake parameter +2.[(]-49[)] .*distortion bound +2.[(]-298[)] [^\n]*sharper-lemmas.*sharper Hypotheses 2 .* hold for these")
+delcert_cli_test(constants-sharper-json STATUS 0 ERROR "^$" COMMAND ${constants} ${surface} --hypotheses sharper --json
+  OUTPUT "\"hypotheses\": \"sharper\".*\"hypotheses_2\": true")
+delcert_cli_test(constants-printed STATUS 0 ERROR "^$" COMMAND ${constants} ${surface} --hypotheses printed --only distortion_bound
+  OUTPUT "2.[(]-509[)] [^\n]*hyps:param.bnds\n\nHypotheses 2 .hyps:param.bnds. hold for")
+delcert_cli_test(constants-sharper-sweep STATUS 0 ERROR "^$" COMMAND ${constants} --dim 2,3 --separation 1 --hypotheses sharper
+  OUTPUT "The sharper Hypotheses 2 .* hold for all of these parameters")
+# What has one value only under the printed hypotheses: too much distortion, a constant of Theorem 3.
+delcert_cli_test(constants-sharper-distortion STATUS 0 ERROR "^$"
+  COMMAND ${constants} --dim 2 --separation 1 --perturbation 1/5 --distortion 0x1p-310 --only distortion_bound --hypotheses sharper
+  OUTPUT "The sharper Hypotheses 2 .* hold for these")
+delcert_cli_test(constants-printed-distortion STATUS 0 ERROR "^$"
+  COMMAND ${constants} --dim 2 --separation 1 --perturbation 1/5 --distortion 0x1p-310 --only distortion_bound
+  OUTPUT "Hypotheses 2 .* do not hold: the distortion")
+delcert_cli_test(constants-sharper-theorem-3 STATUS 3 OUTPUT "^$"
+  COMMAND ${constants} ${surface} --hypotheses sharper --only tolerance,riemannian_sampling_radius
+  ERROR "riemannian_sampling_radius is a constant of Theorem 3, which is not worked out")
+delcert_cli_test(constants-unknown-hypotheses STATUS 64 OUTPUT "^$" COMMAND ${constants} ${surface} --hypotheses sharp
+  ERROR "no hypotheses are called sharp, did you mean sharper")
+
 # Outside the range for which the constants are meant.
 delcert_cli_test(constants-separation-too-large STATUS 3 OUTPUT "^$"
   COMMAND ${constants} --dim 2 --separation 3/2 --perturbation 1/4

@@ -35,6 +35,20 @@ TEST(LedgerEntries, have_distinct_names_and_ordered_bounds) {
   }
 }
 
+TEST(LedgerEntries, of_the_sharper_lemmas_say_so_and_leave_theorem_3_out) {
+  const auto printed = ledger_entries(surface());
+  const auto sharper = ledger_entries(constants_for(Dimension{2}, Rational(1), Rational(1) / Rational(4), Rational(0),
+                                                    Rational(0), ParameterConstraints::sharper));
+  std::set<std::string> changed;
+  for (std::size_t k = 0; k < sharper.size(); ++k) {
+    EXPECT_EQ(sharper[k].name, printed[k].name);
+    if (sharper[k].source != printed[k].source) changed.insert(sharper[k].name);
+  }
+  EXPECT_EQ(changed,
+            (std::set<std::string>{"flake_divisor", "hoop_bound_tilde", "distortion_bound", "hoop_distortion_bound"}));
+  EXPECT_EQ(printed[sharper.size()].name, "chart_sampling_radius");
+}
+
 TEST(LedgerEntries, show_products_of_powers_and_fractions) {
   const auto entries = ledger_entries(surface());
   const LedgerEntry flake = entry_named(entries, "flake_parameter");

@@ -127,6 +127,42 @@ TEST(Ledger, says_when_the_distortion_is_too_large) {
       with_distortion(bound_at_a_fifth * (Rational(1) + Rational::power_of_two(-400)))));
 }
 
+TEST(Ledger, of_the_sharper_lemmas_admits_more_distortion) {
+  for (const int m : {1, 2, 3, 5}) {
+    const Ledger printed = constants_for(Dimension{m}, fraction(1, 2), fraction(1, 9));
+    const Ledger sharper = constants_for(Dimension{m}, fraction(1, 2), fraction(1, 9), Rational(0), Rational(0),
+                                         ParameterConstraints::sharper);
+    EXPECT_EQ(sharper.flake_divisor.rational(), power(Rational(4), 4 * m * m + 5 * m + 21)) << m;
+    EXPECT_EQ(sharper.distortion_bound.rational(), sharper.hoop_distortion_bound.rational()) << m;
+    EXPECT_EQ(sharper.distortion_bound.rational(),
+              (power(sharper.flake_parameter, 2 * m + 2) / power(PowerProduct(Rational(2)), 4)).rational())
+        << m;
+    EXPECT_LT(printed.distortion_bound, sharper.distortion_bound) << m;
+    // What the other lemmas ask for.
+    EXPECT_LT(sharper.distortion_bound, sharper.stable_stars_distortion_bound) << m;
+    EXPECT_LT(sharper.distortion_bound, sharper.metric_distortion_bound) << m;
+    EXPECT_LT(sharper.tolerance, printed.tolerance) << m;
+    EXPECT_LE(sharper.flake_parameter, PowerProduct(sharper.flake_parameter_bound)) << m;
+    // Even for the greatest variation of radii, ε₀ = 1, α̃₀ is above that of an isometry, (1 + ε₀)α₀.
+    EXPECT_LT(sharper.hoop_bound * PowerProduct(Rational(2)), sharper.hoop_bound_tilde) << m;
+  }
+}
+
+TEST(Ledger, of_the_sharper_lemmas_is_exact_for_a_surface) {
+  const auto with_distortion = [](const Rational& distortion) {
+    return constants_for(Dimension{2}, Rational(1), fraction(1, 5), Rational(0), distortion,
+                         ParameterConstraints::sharper);
+  };
+  const Ledger sharper =
+      constants_for(Dimension{2}, Rational(1), fraction(1, 4), Rational(0), Rational(0), ParameterConstraints::sharper);
+  EXPECT_EQ(sharper.flake_parameter.rational(), Rational::power_of_two(-49));
+  EXPECT_EQ(sharper.distortion_bound.rational(), Rational::power_of_two(-298));
+  EXPECT_EQ(sharper.tolerance.rational(), Rational(34820) * Rational::power_of_two(-49));
+  const Rational bound = with_distortion(Rational(0)).distortion_bound.rational();
+  EXPECT_TRUE(satisfies_parameter_constraints(with_distortion(bound)));
+  EXPECT_FALSE(satisfies_parameter_constraints(with_distortion(bound * (Rational(1) + Rational::power_of_two(-400)))));
+}
+
 TEST(Ledger, refuses_a_dimension_out_of_range) {
   EXPECT_TRUE(mentions(message_of(Dimension{0}, Rational(1), fraction(1, 4)), "dimension is 0; allowed: 1 to 16"));
   EXPECT_TRUE(mentions(message_of(Dimension{17}, Rational(1), fraction(1, 4)), "dimension is 17"));
