@@ -98,7 +98,7 @@ void add_certify(CLI::App& program, Action& chosen) {
       ->type_name("FILE");
   command
       ->add_option("--threads", options->threads,
-                   "Space forms: threads (default: all; the result does not depend on it)")
+                   "Threads (default: all; the result does not depend on it)")
       ->check(CLI::Range(1, 1024));
   command->add_flag("--json", options->json, "Print JSON");
   command->footer(
