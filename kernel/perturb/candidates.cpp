@@ -1,5 +1,6 @@
 #include "kernel/perturb/candidates.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -212,8 +213,11 @@ void CandidateTest<m>::measure_in(const Rational& unit) {
   // What is not tested against may be wanted to choose by.
   lengths.reach_of_spheres = (parameters_.perturbation + maximum(parameters_.tolerance, parameters_.clearance)) * unit;
   const Rational reach = reach_of_candidates(parameters_);
-  lengths.reach_of_sightings =
-      approximate_double((reach_around_ ? maximum(reach, *reach_around_) : reach) * unit) * (1 + 0x1p-40);
+  const auto slightly_more = [&unit](const Rational& factor) {
+    return approximate_double(factor * unit) * (1 + 0x1p-40);
+  };
+  lengths.reach_of_sightings = slightly_more(reach);
+  lengths.reach_around = slightly_more(reach_around_ ? maximum(reach, *reach_around_) : reach);
   lengths.squared_reach = scalar_from<Filter>(square(reach_in_place(parameters_) * unit));
   lengths.squared_edge_bound = scalar_from<Filter>(square(parameters_.edge_bound * unit));
   lengths.squared_reach_of_spheres = square(lengths.reach_of_spheres);
@@ -273,7 +277,13 @@ void CandidateTest<m>::connect() {
 
 template <int m>
 void CandidateTest<m>::look(Label i) {
-  atlas_.sightings(i, lengths_.reach_of_sightings, seen_);
+  atlas_.sightings(i, lengths_.reach_around, seen_);
+  // Where transitions are not isometries, the chart may show a point as near that is too far away to be tested against:
+  // another sheet of a submanifold, for example.
+  if (reach_around_) atlas_.sightings(i, lengths_.reach_of_sightings, seen_near_);
+  const auto is_near = [this](const Sighting<m>& sighting) {
+    return !reach_around_ || std::binary_search(seen_near_.begin(), seen_near_.end(), sighting);
+  };
   view_.clear(i);
   around_.clear();
   const auto& centre = atlas_.net().enclosure(i);
@@ -287,7 +297,7 @@ void CandidateTest<m>::look(Label i) {
     if (!is_wanted && !reach_around_) continue;
     const auto position = atlas_.carry(i, sighting, (is_placed ? points_ : atlas_.net()).enclosure(label));
     if (reach_around_) around_.push_back({frame_.place(position).at, is_placed});
-    if (!is_wanted) continue;
+    if (!is_wanted || !is_near(sighting)) continue;
     const auto& measured = is_pruned() ? position : atlas_.carry(i, sighting, atlas_.net().enclosure(label));
     if (is_refuted(less(filter_.squared_norm(difference(measured, centre)), lengths_.squared_reach))) continue;
     view_.add(sighting, position);

@@ -84,6 +84,7 @@ class CandidateTest {
   struct Lengths {
     Rational unit{0};
     double reach_of_sightings = 0;
+    double reach_around = 0;
     Filter squared_reach{};
     Filter squared_edge_bound{};
     Rational reach_of_spheres;
@@ -125,6 +126,7 @@ class CandidateTest {
   MetricOn<Rational, m> exact_;
   PatchView<m> view_;
   std::vector<Sighting<m>> seen_;
+  std::vector<Sighting<m>> seen_near_;
   std::vector<Candidate<m>> candidates_;
   std::optional<Rational> reach_around_;
   std::vector<PointAround<m>> around_;

@@ -120,7 +120,7 @@ delcert_run_test(circle-in-the-plane --manifold ${CMAKE_CURRENT_LIST_DIR}/subman
   "levels\n  1 .*\n  2 .*homology Z, Z; closed\n  2s .*\n  4 .*\n  5 .*\n  5i .*\n  6 ")
 # Defect: where curves could be much longer than their chords, labels were looked for without end.
 delcert_cli_test(certify-curve-hardly STATUS 1 OUTPUT "^$" ERROR "no level is reached: level 1"
-  COMMAND ${delcert} certify --manifold trefoil --radius 1/17 --seed 4 --output never.json)
+  COMMAND ${delcert} certify --manifold trefoil --radius 1/14 --seed 4 --output never.json)
 delcert_cli_test(certify-curve-in-theory STATUS 1 OUTPUT "^$" ERROR "use --mode measured"
   COMMAND ${delcert} certify --manifold trefoil --radius 1/26 --mode theory --output never.json)
 delcert_cli_test(certify-curve-too-coarse STATUS 1 OUTPUT "^$" ERROR "trefoil: label [0-9]+ at .*: its patch is"
