@@ -53,6 +53,10 @@ template <int N, int m>
 using Tangential = Gudhi::tangential_complex::Tangential_complex<CGAL::Epick_d<CGAL::Dimension_tag<N>>,
                                                                  CGAL::Dimension_tag<m>, CGAL::Sequential_tag>;
 
+/// Coordinates in ℝᴺ.
+template <int N>
+using Place = std::array<double, static_cast<std::size_t>(N)>;
+
 /// Of GUDHI.
 struct Theirs {
   double of_complex = 0;
@@ -65,7 +69,7 @@ struct Theirs {
 
 /// `most`: how far a point may be moved.
 template <int N, int m>
-Theirs tangential(const std::vector<std::array<double, N>>& places, double most) {
+Theirs tangential(const std::vector<Place<N>>& places, double most) {
   typename Tangential<N, m>::Points points;
   for (const auto& place : places) points.emplace_back(place.begin(), place.end());
   Theirs result;
@@ -94,7 +98,7 @@ std::size_t bad_stars(const ChartRun<m>& run) {
 
 template <int N, int m>
 void compare(const std::string& name, const Atlas<m>& atlas, const ModelGeometry& geometry, const Rational& radius,
-             const std::vector<std::array<double, N>>& places) {
+             const std::vector<Place<N>>& places) {
   const auto parameters = measured_parameters(Dimension(m), 1);
   const Theirs theirs = tangential<N, m>(places, approximate_double(parameters.perturbation * radius));
   const double both = theirs.of_complex + theirs.of_fix;
@@ -126,7 +130,7 @@ template <int m>
 void compare_sphere(const SpaceForm& form, const Rational& radius) {
   auto net = space_form_net<m>(form, radius, 1, no_progress());
   const SpaceFormAtlas<m> atlas(form, std::move(net.centres), radius, fitting_patch_factor(form, m, radius));
-  std::vector<std::array<double, m + 1>> places(atlas.size());
+  std::vector<Place<m + 1>> places(atlas.size());
   for (std::uint32_t label = 0; label < atlas.size(); ++label) {
     const auto x = model_point<Rational, m>(Curvature::positive, atlas.centre(Label(label)));
     for (std::size_t axis = 0; axis <= m; ++axis) places[label][axis] = approximate_double(x[axis]);
@@ -140,7 +144,7 @@ void compare_zero_set(const SubmanifoldDescription& description, const Rational&
   const auto manifold = embedded_manifold(description);
   auto net = submanifold_net<3>(*manifold, radius, 1, no_progress());
   const SubmanifoldAtlas<3> atlas(manifold, std::move(net.charts), std::move(net.radii), no_progress());
-  std::vector<std::array<double, N>> places(atlas.size());
+  std::vector<Place<N>> places(atlas.size());
   for (std::uint32_t label = 0; label < atlas.size(); ++label) {
     const auto& centre = atlas.chart(Label(label)).data().centre;
     for (std::size_t axis = 0; axis < N; ++axis) places[label][axis] = approximate_double(centre[axis]);
