@@ -98,12 +98,25 @@ BENCHES = {"ratios": ["ratios", "3"],
            "tangential-3": ["tangential_complex", "sphere-3", "1/10"]}
 
 
-def peak_memory_in_kib(process):
-    """What wait4 reports has the memory of this script in it, from which the process was forked."""
+def descendants(process):
+    """The process and what it has forked: the checker works in processes of its own."""
     try:
-        return int(re.search(r"VmHWM:\s*(\d+)", Path(f"/proc/{process}/status").read_text())[1])
-    except (OSError, TypeError):
-        return 0
+        children = Path(f"/proc/{process}/task/{process}/children").read_text().split()
+    except OSError:
+        children = []
+    return [process] + [one for child in children for one in descendants(child)]
+
+
+def peak_memory_in_kib(process):
+    """Of all processes that are alive now, the peak of each. What wait4 reports has the memory of this script in it, from which
+    the process was forked."""
+    result = 0
+    for one in descendants(process):
+        try:
+            result += int(re.search(r"VmHWM:\s*(\d+)", Path(f"/proc/{one}/status").read_text())[1])
+        except (OSError, TypeError):
+            pass
+    return result
 
 
 def timed(command):
