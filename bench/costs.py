@@ -50,7 +50,7 @@ class Run:
         """Whether this time it is measured."""
         if arguments.only:
             return re.search(arguments.only, self.name) is not None
-        asked = arguments.long if self.long else arguments.members if self.member else True
+        asked = arguments.long if self.long else arguments.members or self.cheap if self.member else True
         return asked or (self.cheap and self.name not in record["runs"])
 
 
