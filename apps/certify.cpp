@@ -96,9 +96,7 @@ void add_certify(CLI::App& program, Action& chosen) {
   command
       ->add_option("--output", options->output, "The certificate (default MANIFOLD.delcert.json.zst); .zst compresses")
       ->type_name("FILE");
-  command
-      ->add_option("--threads", options->threads,
-                   "Threads (default: all; the result does not depend on it)")
+  command->add_option("--threads", options->threads, "Threads (default: all; the result does not depend on it)")
       ->check(CLI::Range(1, 1024));
   command->add_flag("--json", options->json, "Print JSON");
   command->footer(

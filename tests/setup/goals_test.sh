@@ -22,7 +22,7 @@ changed() {
   "$project/bench/goals.py" check --root "$work/copy" >"$work/log" 2>&1 && fail "$1 passes"
   grep -q "performance.md" "$work/log" || fail "$1: it says $(cat "$work/log")"
 }
-changed "a figure changed by hand" docs/performance.md '/<!-- goals -->/,/<!-- goals: end -->/s/ | 5 | / | 6 | /'
+changed "a figure changed by hand" docs/performance.md '/<!-- goals -->/,/<!-- goals: end -->/s/ | [0-9]\+ | \([0-9.]*\) |$/ | 99 | \1 |/'
 changed "another measurement" bench/goals.json '0,/"load": [0-9.]*/s//"load": 77/'
 changed "other programs" bench/costs.json 's/"content": "/"content": "0/'
 changed "a page without its place" docs/performance.md 's/<!-- goals -->//'
