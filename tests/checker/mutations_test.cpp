@@ -54,7 +54,8 @@ std::string mutated(std::string bytes, std::mt19937_64& random) {
   return bytes;
 }
 
-/// What the bytes say; nothing where they are malformed. A compressed file has bits on which its content does not depend.
+/// What the bytes say; nothing where they are malformed. A compressed file has bits on which its content does not
+/// depend.
 std::optional<std::string> content_of(std::string bytes) {
   try {
     return checker::decompressed(std::move(bytes));
