@@ -12,12 +12,7 @@ constexpr CommandName left_to_claims[] = {about_claims, about_attack, about_camp
 
 }  // namespace
 
-bool is_left_to_claims(std::string_view subcommand) {
-  for (const CommandName& command : left_to_claims) {
-    if (subcommand == command.name) return true;
-  }
-  return false;
-}
+bool is_left_to_claims(std::string_view subcommand) { return is_among(left_to_claims, subcommand); }
 
 // Never parsed: main hands over before.
 void add_claims(CLI::App& program, Action&) { add_named(program, about_claims); }

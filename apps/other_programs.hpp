@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <span>
 #include <string_view>
 
 #include "apps/commands.hpp"
@@ -46,6 +48,11 @@ inline constexpr CommandName about_errata{
 inline constexpr CommandName about_tables{
     "tables", "Print the constants of the lemmas: the paper's, provable by the same proof, shown necessary"};
 inline constexpr CommandName about_formalise{"formalise", "Write the steps of proofs as files for Coq"};
+
+[[nodiscard]] inline bool is_among(std::span<const CommandName> commands, std::string_view subcommand) {
+  return std::any_of(commands.begin(), commands.end(),
+                     [subcommand](const CommandName& command) { return subcommand == command.name; });
+}
 
 /// Adds it as `program` has it.
 CLI::App* add_named(CLI::App& program, const CommandName& command);

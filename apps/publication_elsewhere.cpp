@@ -11,12 +11,7 @@ constexpr CommandName left_to_publishing[] = {about_cite, about_figure, about_bu
 
 }  // namespace
 
-bool is_left_to_publishing(std::string_view subcommand) {
-  for (const CommandName& command : left_to_publishing) {
-    if (subcommand == command.name) return true;
-  }
-  return false;
-}
+bool is_left_to_publishing(std::string_view subcommand) { return is_among(left_to_publishing, subcommand); }
 
 // Never parsed: main hands over before.
 void add_cite(CLI::App& program, Action&) { add_named(program, about_cite); }

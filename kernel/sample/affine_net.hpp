@@ -75,7 +75,7 @@ class AffineNetPoints {
   }
   void insert_about(std::uint32_t label, const Vector<double, m>& place) {
     const PlainChart<m>& chart = charts_[label];
-    const Place moved = space_.moved(places_[label], applied_triangle(chart.inverse, place));
+    const Place moved = space_.moved(places_[label], upper_applied(chart.inverse, place));
     if (is_free(moved, scaled(radius_, chart.stretch), &chart.matrix)) insert(space_.home_of(moved));
   }
   void look_about(std::uint32_t label, std::vector<Vector<double, m>>& around) const {
@@ -90,7 +90,7 @@ class AffineNetPoints {
     std::sort(seen.begin(), seen.end());
     around.clear();
     for (const auto& [lift, offset] : seen) {
-      const auto place = applied_triangle(chart.matrix, offset);
+      const auto place = upper_applied(chart.matrix, offset);
       if (pairing(place, place) <= reach * radius_ * (reach * radius_)) around.push_back(place);
     }
   }

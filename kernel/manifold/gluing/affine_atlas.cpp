@@ -62,10 +62,10 @@ template <int m>
 Vector<Filter, m> AffineAtlas<m>::carry(Label i, const Sighting<m>& seen, const Vector<Filter, m>& home) const {
   if (seen.index == i.value && seen.is_unmoved()) return home;
   if constexpr (filter_is_rigorous) {
-    return applied_triangle(enclosed(i).matrix, offset(i, seen, applied_triangle(enclosed_[seen.index].inverse, home)));
+    return upper_applied(enclosed(i).matrix, offset(i, seen, upper_applied(enclosed_[seen.index].inverse, home)));
   } else {
     const auto inverse = matrix_on<Filter>(charts_[seen.index].inverse());
-    return applied_triangle(matrix_on<Filter>(chart(i).matrix()), offset(i, seen, applied_triangle(inverse, home)));
+    return upper_applied(matrix_on<Filter>(chart(i).matrix()), offset(i, seen, upper_applied(inverse, home)));
   }
 }
 
@@ -73,13 +73,13 @@ template <int m>
 Vector<BigInterval, m> AffineAtlas<m>::carry(Label i, const Sighting<m>& seen,
                                              const Vector<BigInterval, m>& home) const {
   const auto inverse = matrix_on<BigInterval>(charts_[seen.index].inverse());
-  return applied_triangle(matrix_on<BigInterval>(chart(i).matrix()), offset(i, seen, applied_triangle(inverse, home)));
+  return upper_applied(matrix_on<BigInterval>(chart(i).matrix()), offset(i, seen, upper_applied(inverse, home)));
 }
 
 template <int m>
 std::optional<Vector<Rational, m>> AffineAtlas<m>::carry(Label i, const Sighting<m>& seen,
                                                          const Vector<Rational, m>& home) const {
-  return applied_triangle(chart(i).matrix(), offset(i, seen, applied_triangle(charts_[seen.index].inverse(), home)));
+  return upper_applied(chart(i).matrix(), offset(i, seen, upper_applied(charts_[seen.index].inverse(), home)));
 }
 
 template class AffineAtlas<2>;

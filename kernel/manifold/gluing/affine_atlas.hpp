@@ -40,7 +40,7 @@ class AffineAtlas : public Atlas<m> {
   [[nodiscard]] const Matrix<Interval, m>& enclosed_gram(Label i) const { return enclosed_[i.value].gram; }
   /// The point with these home coordinates: p_i + A_i⁻¹y.
   [[nodiscard]] Vector<Rational, m> position(Label i, const Vector<Rational, m>& home) const {
-    return sum(centre(i), applied_triangle(chart(i).inverse(), home));
+    return sum(centre(i), upper_applied(chart(i).inverse(), home));
   }
 
   [[nodiscard]] std::size_t size() const override { return centres_.size(); }
@@ -71,7 +71,7 @@ class AffineAtlas : public Atlas<m> {
   [[nodiscard]] bool fit_patch_factor(const std::function<double(Label, std::size_t)>& room, Label& where);
   /// Whether A_i·offset may be as short as this. Needs a `RoundingGuard`.
   [[nodiscard]] bool may_be_within(Label i, const Vector<Interval, m>& offset, double squared_distance) const {
-    const Vector<Interval, m> seen = applied_triangle(enclosed(i).matrix, offset);
+    const Vector<Interval, m> seen = upper_applied(enclosed(i).matrix, offset);
     Interval squared = square(seen[0]);
     for (std::size_t axis = 1; axis < m; ++axis) squared += square(seen[axis]);
     return squared.lower() <= squared_distance;

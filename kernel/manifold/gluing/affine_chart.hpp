@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernel/manifold/gluing/metric_field.hpp"
+#include "kernel/simplex/cholesky.hpp"
 
 namespace delcert {
 
@@ -31,17 +32,6 @@ class AffineChart {
 /// Precondition: rounding to nearest.
 template <int m>
 [[nodiscard]] AffineChart<m> rounded_chart(const Matrix<Interval, m>& gram);
-
-/// Ax for an upper triangular matrix, on any rung.
-template <class S, std::size_t m>
-[[nodiscard]] std::array<S, m> applied_triangle(const std::array<std::array<S, m>, m>& a, const std::array<S, m>& x) {
-  std::array<S, m> result;
-  for (std::size_t row = 0; row < m; ++row) {
-    result[row] = a[row][row] * x[row];
-    for (std::size_t column = row + 1; column < m; ++column) result[row] += a[row][column] * x[column];
-  }
-  return result;
-}
 
 /// The matrix on a rung of the ladder. For S = Interval a `RoundingGuard` is alive.
 template <class S, std::size_t m>

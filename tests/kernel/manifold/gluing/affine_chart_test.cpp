@@ -16,8 +16,8 @@ TEST(AffineChart, inverts_its_matrix) {
   for (std::size_t column = 0; column < 3; ++column) {
     Vector<Rational, 3> unit{};
     unit[column] = Rational(1);
-    EXPECT_EQ(applied_triangle(chart.matrix(), applied_triangle(chart.inverse(), unit)), unit);
-    EXPECT_EQ(applied_triangle(chart.inverse(), applied_triangle(chart.matrix(), unit)), unit);
+    EXPECT_EQ(upper_applied(chart.matrix(), upper_applied(chart.inverse(), unit)), unit);
+    EXPECT_EQ(upper_applied(chart.inverse(), upper_applied(chart.matrix(), unit)), unit);
   }
 }
 
@@ -25,7 +25,7 @@ TEST(AffineChart, has_the_gram_matrix_of_its_columns_and_stretches_of_the_invers
   const AffineChart<3> chart(triangle);
   const auto gram = chart.gram();
   const Vector<Rational, 3> x{Rational(1), Rational(-2), ratio(1, 2)};
-  const auto image = applied_triangle(chart.matrix(), x);
+  const auto image = upper_applied(chart.matrix(), x);
   Rational length(0);
   for (std::size_t row = 0; row < 3; ++row) {
     EXPECT_EQ(gram[row][(row + 1) % 3], gram[(row + 1) % 3][row]);
@@ -37,7 +37,7 @@ TEST(AffineChart, has_the_gram_matrix_of_its_columns_and_stretches_of_the_invers
     EXPECT_LE(square(x[axis]), chart.squared_stretch(axis) * length);
     Vector<Rational, 3> column;  // of A⁻ᵀ, so that A⁻¹ of it is B⁻¹e_k
     for (std::size_t k = 0; k < 3; ++k) column[k] = chart.inverse()[axis][k];
-    const auto best = applied_triangle(chart.inverse(), column);
+    const auto best = upper_applied(chart.inverse(), column);
     EXPECT_EQ(square(best[axis]), chart.squared_stretch(axis) * pairing(column, column));
   }
 }

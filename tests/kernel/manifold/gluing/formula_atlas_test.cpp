@@ -64,7 +64,7 @@ TEST(FormulaAtlas, sees_all_labels_within_a_distance) {
         if (atlas.home_chart(Label(other)) != atlas.home_chart(i) && square(x[0]) + square(x[1]) < ratio(1, 8))
           continue;
         const auto offset = difference(place_in(atlas, atlas.home_chart(i), Label(other)), atlas.centre(i));
-        const auto in_chart = applied_triangle(atlas.chart(i).matrix(), offset);
+        const auto in_chart = upper_applied(atlas.chart(i).matrix(), offset);
         if (pairing(in_chart, in_chart) > square(Rational::exactly(distance))) continue;
         ++expected;
         EXPECT_TRUE(found.contains(other)) << index << " " << other;
@@ -85,7 +85,7 @@ TEST(FormulaAtlas, transitions_are_exact_and_enclosed) {
       const Label j = label_of<2>(other);
       const auto exact = atlas.carry(i, other, home).value();
       const auto there = place_in(atlas, atlas.home_chart(i), j, home);
-      EXPECT_EQ(exact, applied_triangle(atlas.chart(i).matrix(), difference(there, atlas.centre(i))));
+      EXPECT_EQ(exact, upper_applied(atlas.chart(i).matrix(), difference(there, atlas.centre(i))));
       if (other.element != 0) {
         ++across;
         // Back again: the inverse stands beside the transition.

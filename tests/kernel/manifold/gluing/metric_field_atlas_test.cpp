@@ -17,7 +17,7 @@ Atlas2 sheared_atlas() { return {Field(shear()), lattice_points<2>(6), ratio(1, 
 
 /// |A_i v|².
 Rational squared_length(const Atlas2& atlas, Label i, const Vector<Rational, 2>& v) {
-  const auto seen = applied_triangle(atlas.chart(i).matrix(), v);
+  const auto seen = upper_applied(atlas.chart(i).matrix(), v);
   return pairing(seen, seen);
 }
 
@@ -86,7 +86,7 @@ TEST(MetricFieldAtlas, transitions_are_exact_and_enclosed) {
     // By way of the torus.
     auto x = atlas.position(j, home);
     for (std::size_t axis = 0; axis < 2; ++axis) x[axis] += Rational(other.shift[axis]) - atlas.centre(i)[axis];
-    EXPECT_EQ(exact, applied_triangle(atlas.chart(i).matrix(), x));
+    EXPECT_EQ(exact, upper_applied(atlas.chart(i).matrix(), x));
     // Back again.
     const Sighting<2> back{0, {-other.shift[0], -other.shift[1]}};
     EXPECT_EQ(atlas.carry(j, back, exact), home);
