@@ -47,12 +47,15 @@ FittingDrawing noted(PackedDrawing packed, const char* note, std::size_t kept, s
 }  // namespace
 
 FittingDrawing fitting_drawing(const Drawing& whole, const std::vector<std::string>& exact, const PageBudget& budget) {
+  const std::size_t allowed = budget.bytes(whole.simplex_count());
   std::size_t most = budget.simplices;
   while (true) {
     const Drawing part = decimated(whole, most);
-    const std::size_t count = part.simplex_count(), allowed = budget.bytes(count);
+    const std::size_t count = part.simplex_count();
     PackedDrawing packed;
     for (const auto& [detail, note] : choices) {
+      // A part is left for want of room, so it has the least detail.
+      if (most < budget.simplices && &note != &choices.back().note) continue;
       packed = packed_drawing(part, exact, detail);
       if (size_of(packed) <= allowed) return noted(std::move(packed), note, count, whole.simplex_count());
     }

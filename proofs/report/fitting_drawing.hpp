@@ -10,7 +10,8 @@
 
 namespace delcert {
 
-/// How many bytes the data of one certificate may take in a page, and how many simplices it has at most.
+/// How many bytes the data of one certificate may take in a page, by the number of its simplices, and how many of these
+/// the page has at most.
 struct PageBudget {
   std::size_t bytes_at_least = 600000;
   std::size_t bytes_a_simplex = 9;
