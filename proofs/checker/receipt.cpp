@@ -165,7 +165,8 @@ Receipt receipt_of(std::string_view bytes) {
     malformed(reason.what());
   }
   // So no key is missing, repeated, unknown or elsewhere, and no number is rounded or out of range.
-  if (receipt_text(receipt) != bytes) malformed("is not written as receipts of version " + std::to_string(receipt_version));
+  if (receipt_text(receipt) != bytes)
+    malformed("is not written as receipts of version " + std::to_string(receipt_version));
   require_sense(receipt.outcome);
   return receipt;
 }

@@ -11,6 +11,7 @@
 #include <iterator>
 #include <random>
 
+#include "proofs/checker/core/core.hpp"
 #include "tests/checker/merge.hpp"
 #include "tests/checker/support/forgeries.hpp"
 #include "tests/checker/support/metric_field_documents.hpp"
@@ -24,29 +25,28 @@ namespace delcert::checker_tests {
 namespace {
 
 using checker::NamedReceipt;
-using checker::Outcome;
 
-Outcome checked(const std::string& certificate, const checker::Share& share) {
+checker::Outcome outcome_of_share(const std::string& certificate, const checker::Share& share) {
   checker::own_share = share;
-  Outcome outcome = checker::check(certificate, {});
+  checker::Outcome outcome = checker::check(certificate, {});
   checker::own_share = {};
   return outcome;
 }
 
 /// Through its text, as from a file.
-NamedReceipt receipt(const std::string& certificate, const checker::Share& share) {
-  const std::string text = checker::receipt_text({"1.0", checked(certificate, share)});
+NamedReceipt receipt_of_share(const std::string& certificate, const checker::Share& share) {
+  const std::string text = checker::receipt_text({"1.0", outcome_of_share(certificate, share)});
   return {std::to_string(share.number) + "of" + std::to_string(share.of), checker::receipt_of(text)};
 }
 
-std::vector<NamedReceipt> receipts(const std::string& certificate, std::uint64_t number) {
+std::vector<NamedReceipt> receipts_of_parts(const std::string& certificate, std::uint64_t number) {
   std::vector<NamedReceipt> all;
-  for (std::uint64_t k = 1; k <= number; ++k) all.push_back(receipt(certificate, {k, number}));
+  for (std::uint64_t k = 1; k <= number; ++k) all.push_back(receipt_of_share(certificate, {k, number}));
   return all;
 }
 
 /// But for how long it took.
-std::string said(const Outcome& outcome) {
+std::string words_of(const checker::Outcome& outcome) {
   Json json = Json::parse(checker::as_json("", outcome));
   for (Json& level : json["levels"]) level.erase("seconds");
   const std::string text = checker::as_text(outcome);
@@ -63,7 +63,7 @@ std::string refusal(const std::vector<NamedReceipt>& all, const std::string& con
   }
 }
 
-const std::string& small_torus() {
+const std::string& torus_of_parts() {
   static const std::string bytes = sealed(narrow_torus().document());
   return bytes;
 }
@@ -72,12 +72,12 @@ const std::string& small_torus() {
 
 void expect_the_same_in_parts(const std::string& certificate, const std::vector<unsigned>& numbers) {
   const test::Upwards upwards;
-  const Outcome whole = checked(certificate, {});
+  const checker::Outcome whole = outcome_of_share(certificate, {});
   ASSERT_EQ(whole.status, 0) << checker::as_text(whole);
   for (const unsigned number : numbers) {
-    std::vector<NamedReceipt> all = receipts(certificate, number);
+    std::vector<NamedReceipt> all = receipts_of_parts(certificate, number);
     std::shuffle(all.begin(), all.end(), std::mt19937_64(number));
-    EXPECT_EQ(said(checker::merged(all, "1.0", whole.content)), said(whole)) << number << " parts";
+    EXPECT_EQ(words_of(checker::merged(all, "1.0", whole.content)), words_of(whole)) << number << " parts";
     for (const NamedReceipt& one : all) {
       const std::string text = checker::as_text(one.receipt.outcome);
       EXPECT_EQ(text.find("verified") == std::string::npos, number > 1) << text;
@@ -105,11 +105,11 @@ TEST(MergedReceipts, of_more_parts_than_labels_say_what_one_check_says) {
 
 TEST(MergedReceipts, may_be_of_parts_of_different_sizes) {
   const test::Upwards upwards;
-  std::vector<NamedReceipt> all{receipt(small_torus(), {1, 2}), receipt(small_torus(), {3, 4}),
-                                receipt(small_torus(), {7, 8})};
+  std::vector<NamedReceipt> all{receipt_of_share(torus_of_parts(), {1, 2}), receipt_of_share(torus_of_parts(), {3, 4}),
+                                receipt_of_share(torus_of_parts(), {7, 8})};
   EXPECT_EQ(refusal(all).substr(0, 16), "merge.missing 2:");
-  all.push_back(receipt(small_torus(), {8, 8}));
-  EXPECT_EQ(said(checker::merged(all, "1.0", "")), said(checked(small_torus(), {})));
+  all.push_back(receipt_of_share(torus_of_parts(), {8, 8}));
+  EXPECT_EQ(words_of(checker::merged(all, "1.0", "")), words_of(outcome_of_share(torus_of_parts(), {})));
 }
 
 /// A part that rejects: the whole is rejected, whatever the others say, and whether they are there or not.
@@ -120,7 +120,7 @@ TEST(MergedReceipts, are_rejected_if_a_part_is) {
        {level_0_forgeries(), star_forgeries(), core_forgeries(), configuration_forgeries(), space_form_forgeries()}) {
     for (const Forgery& forgery : forgeries) {
       if (forgery.status != 1 || number++ % 3 != 0) continue;
-      const std::vector<NamedReceipt> all = receipts(forgery.bytes, 3);
+      const std::vector<NamedReceipt> all = receipts_of_parts(forgery.bytes, 3);
       const auto is_rejected = [](const NamedReceipt& one) { return one.receipt.outcome.status == 1; };
       by_one_part += std::count_if(all.begin(), all.end(), is_rejected) == 1 ? 1U : 0U;
       try {
@@ -141,18 +141,50 @@ TEST(MergedReceipts, that_count_too_few_faces_are_refused) {
   for (const char* key : {"simplices", "euler_characteristic"}) {
     Json document = narrow_torus().document();
     document["levels"]["2"][key] = document["levels"]["2"][key].get<int>() + 1;
-    EXPECT_EQ(checked(sealed(document), {}).status, 1);
-    const std::vector<NamedReceipt> all = receipts(sealed(document), 3);
+    EXPECT_EQ(outcome_of_share(sealed(document), {}).status, 1);
+    const std::vector<NamedReceipt> all = receipts_of_parts(sealed(document), 3);
     for (const NamedReceipt& one : all) EXPECT_EQ(one.receipt.outcome.status, 0) << "no part counts all";
     EXPECT_EQ(refusal(all).substr(0, 14), "merge.count 1:") << key;
   }
+}
+
+/// In how many of five parts core.hinges seems to hold.
+std::size_t parts_that_seem_delaunay(const std::string& certificate) {
+  const checker::Certificate c(certificate);
+  std::size_t number = 0;
+  for (std::uint64_t k = 1; k <= 5; ++k) {
+    checker::own_share = {k, 5};
+    checker::Report report;
+    checker::core::Core core(c);
+    core.check_manifold(report);
+    EXPECT_TRUE(report.findings.empty());
+    number += core.is_delaunay() ? 1U : 0U;
+  }
+  checker::own_share = {};
+  return number;
+}
+
+/// Where lifts are found in a shorter way if the complex is Delaunay, that must not be concluded from a part of it.
+TEST(MergedReceipts, know_in_every_part_where_hinges_are_not_delaunay_if_no_level_claims_that_they_are) {
+  const test::Upwards upwards;
+  std::size_t number = 0;
+  for (const Forgery& forgery : core_forgeries()) {
+    if (forgery.rule != "core.hinges") continue;
+    ++number;
+    EXPECT_GT(parts_that_seem_delaunay(forgery.bytes), 0U) << "level 4 is rejected in other parts";
+    Json document = Json::parse(forgery.bytes);
+    document.erase("sha256");
+    for (const char* level : {"4", "5", "6"}) document["levels"].erase(level);
+    EXPECT_EQ(parts_that_seem_delaunay(sealed(document)), 0U) << forgery.name;
+  }
+  EXPECT_GT(number, 0U);
 }
 
 /// Receipts in files, of three parts.
 class Merge : public testing::Test {
  protected:
   Merge() {
-    write("certificate", small_torus());
+    write("certificate", torus_of_parts());
     for (const char* k : {"1", "2", "3"}) EXPECT_EQ(part(k, "3", "certificate").status, 0);
   }
   [[nodiscard]] std::string at(const std::string& name) const { return (folder_ / name).string(); }
@@ -269,7 +301,7 @@ TEST_F(Merge, refuses_what_is_not_one_whole) {
 }
 
 /// Whatever is changed in a receipt, one does not get through that covers less. What may change: how much was decided
-/// and how long it took, words in summaries, and counts that the certificate does not state.
+/// and how long it took, words in summaries, and counts that the certificate does not bound.
 TEST_F(Merge, refuses_whatever_is_altered_in_a_receipt) {
   const std::string whole = last_line(run_checker_with(at("certificate")).output);
   Json json = Json::parse(read("certificate2"));
@@ -296,7 +328,7 @@ TEST_F(Merge, refuses_whatever_is_altered_in_a_receipt) {
     const std::string name = leaf.to_string();
     const auto has = [&](const char* word) { return name.find(word) != std::string::npos; };
     const bool may_change = has("/decisions/") || has("/microseconds") || has("/summary") || has("/sets") ||
-                            has("/close") || has("/stars") ||
+                            has("/close") ||
                             (has("/manifold/") && !has("manifold_sha256"));  // that of the first part is printed
     std::vector<NamedReceipt> all = others;
     std::string rule;
@@ -336,7 +368,7 @@ TEST_F(Merge, refuses_files_that_are_no_receipts) {
   EXPECT_NE(merge({"certificate1", "wrong", "certificate3"}).output.find("cannot be printed"), std::string::npos);
   EXPECT_EQ(merge({"certificate"}).status, 3);
   EXPECT_EQ(merge({"absent"}).status, 3);
-  write("broken", small_torus().substr(0, small_torus().size() - 4) + "0\"}\n");
+  write("broken", torus_of_parts().substr(0, torus_of_parts().size() - 4) + "0\"}\n");
   const CheckerRun run = merge({"certificate1", "certificate2", "certificate3", "broken"});
   EXPECT_EQ(run.status, 3);
   EXPECT_NE(run.output.find("broken: seal: "), std::string::npos) << run.output;
@@ -355,7 +387,7 @@ TEST_F(Merge, and_parts_check_their_command_line) {
         std::string("--merge")})
     EXPECT_EQ(run_checker_with(arguments).status, 64) << arguments;
   EXPECT_FALSE(std::filesystem::exists(at("new")));
-  write("cut", small_torus().substr(0, 100));
+  write("cut", torus_of_parts().substr(0, 100));
   EXPECT_EQ(run_checker_with("--part 1/3" + receipt + " " + at("cut")).status, 3);
   EXPECT_FALSE(std::filesystem::exists(at("new"))) << "no receipt for what is malformed";
   EXPECT_EQ(run_checker_with("--part 1/3 --receipt " + at("nowhere/receipt") + " " + file).status, 70);

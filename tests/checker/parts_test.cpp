@@ -45,7 +45,7 @@ Outcome outcome_of(unsigned parts, std::uint64_t budget, std::size_t thrower, bo
             if (k == 700 && dies_elsewhere && ::getpid() != here) std::raise(SIGKILL);
             checker::decide([]<class N>(checker::In<N>) { return checker::Verdict::proved; });
             ++counts[0];
-            counts[1] += k;
+            counts[1] += static_cast<std::int64_t>(k);
             const auto say = [&] { return "number " + std::to_string(k); };
             if (k % 300 == 299) found.reject("rule.300", say);
             if (k % 500 == 499) found.reject("rule.500", say);
