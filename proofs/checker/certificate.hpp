@@ -50,6 +50,7 @@ struct Certificate {
   Certificate(const Certificate&) = delete;
   Certificate& operator=(const Certificate&) = delete;
 
+  std::string content;                   // the SHA-256 that it is sealed with
   std::string_view name, manifold_text;  // the name as it is written; the block with its braces
   bool torus = false;
   std::unique_ptr<SpaceForm> space_form;      // of its families; otherwise none

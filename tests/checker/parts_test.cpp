@@ -37,21 +37,22 @@ Outcome outcome_of(unsigned parts, std::uint64_t budget, std::size_t thrower, bo
   report.reject("rule.early", [] { return "before"; });
   Outcome outcome;
   try {
-    outcome.counts = checker::in_parts(1000, report, [&](std::size_t begin, std::size_t end, checker::Report& found) {
-      checker::Counts counts{};
-      for (std::size_t k = begin; k < end; ++k) {
-        if (k == thrower) throw checker::Undecided("at " + std::to_string(k));
-        if (k == 700 && dies_elsewhere && ::getpid() != here) std::raise(SIGKILL);
-        checker::decide([]<class N>(checker::In<N>) { return checker::Verdict::proved; });
-        ++counts[0];
-        counts[1] += k;
-        const auto say = [&] { return "number " + std::to_string(k); };
-        if (k % 300 == 299) found.reject("rule.300", say);
-        if (k % 500 == 499) found.reject("rule.500", say);
-        if (k % 400 == 399) found.reject("rule.early", say);
-      }
-      return counts;
-    });
+    outcome.counts =
+        checker::in_parts("rule.300", 1000, report, [&](std::size_t begin, std::size_t end, checker::Report& found) {
+          checker::Counts counts{};
+          for (std::size_t k = begin; k < end; ++k) {
+            if (k == thrower) throw checker::Undecided("at " + std::to_string(k));
+            if (k == 700 && dies_elsewhere && ::getpid() != here) std::raise(SIGKILL);
+            checker::decide([]<class N>(checker::In<N>) { return checker::Verdict::proved; });
+            ++counts[0];
+            counts[1] += static_cast<std::int64_t>(k);
+            const auto say = [&] { return "number " + std::to_string(k); };
+            if (k % 300 == 299) found.reject("rule.300", say);
+            if (k % 500 == 499) found.reject("rule.500", say);
+            if (k % 400 == 399) found.reject("rule.early", say);
+          }
+          return counts;
+        });
   } catch (const checker::Undecided& reason) {
     outcome.exception = reason.what();
   }

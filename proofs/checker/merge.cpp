@@ -1,0 +1,181 @@
+#include "proofs/checker/merge.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace delcert::checker {
+namespace {
+
+constexpr int not_the_whole = 1, incomplete = 2, foreign = 3;
+
+void require(const char* rule, bool holds, int status, const std::string& what) {
+  if (!holds && !Report::disabled(rule)) throw Refused{{rule, what}, status};
+}
+
+std::string part_of(const NamedReceipt& one) {
+  const Share& share = one.receipt.outcome.share;
+  return one.file + " (part " + std::to_string(share.number) + "/" + std::to_string(share.of) + ")";
+}
+
+std::string items(const Range& range, std::uint64_t begin, std::uint64_t end) {
+  return "items " + std::to_string(begin) + " to " + std::to_string(end - 1) + " of " + std::to_string(range.size) +
+         " of " + range.rules;
+}
+
+/// All of the same certificate, by the same program.
+void require_same(const std::vector<NamedReceipt>& all, const std::string& checker, const std::string& content) {
+  const Outcome& first = all.front().receipt.outcome;
+  for (const NamedReceipt& one : all) {
+    const Outcome& other = one.receipt.outcome;
+    require("merge.version", one.receipt.checker == checker, foreign,
+            one.file + ": by version " + one.receipt.checker + " of the checker, and this is " + checker);
+    require("merge.certificate", content.empty() || other.content == content, foreign,
+            one.file + ": of a certificate with the SHA-256 " + other.content + ", not of this one with " + content);
+    const auto stated = [](const Outcome& outcome) {
+      return std::tie(outcome.content, outcome.points, outcome.simplices, outcome.euler_characteristic,
+                      outcome.identity->manifold_digest);
+    };
+    require("merge.certificate", stated(other) == stated(first), foreign,
+            one.file + ": of another certificate than " + all.front().file);
+  }
+}
+
+/// The rules of the loops and the undivided rules, level by level: parts of one check have the same.
+std::vector<std::string> rules_of(const Outcome& outcome) {
+  std::vector<std::string> rules;
+  for (const LevelResult& level : outcome.levels) {
+    rules.push_back("level " + level.level);
+    for (const Range& range : level.ranges) {
+      rules.push_back(range.rules + " of " + std::to_string(range.size) + " items");
+      for (const auto& count : range.counts) rules.push_back(count.first);
+    }
+    for (const auto* list : {&level.done, &level.left}) rules.insert(rules.end(), list->begin(), list->end());
+  }
+  return rules;
+}
+
+void require_same_rules(const std::vector<NamedReceipt>& all) {
+  const std::vector<std::string> first = rules_of(all.front().receipt.outcome);
+  for (const NamedReceipt& one : all) {
+    const std::vector<std::string> rules = rules_of(one.receipt.outcome);
+    const auto [a, b] = std::mismatch(first.begin(), first.end(), rules.begin(), rules.end());
+    require("merge.rules", a == first.end() && b == rules.end(), not_the_whole,
+            one.file + " has " + (b == rules.end() ? "nothing" : *b) + " where " + all.front().file + " has " +
+                (a == first.end() ? "nothing" : *a));
+  }
+}
+
+void require_each_part_once(const std::vector<NamedReceipt>& all) {
+  for (std::size_t k = 1; k < all.size(); ++k) {
+    const Share &a = all[k - 1].receipt.outcome.share, &b = all[k].receipt.outcome.share;
+    require("merge.doubled", a.number != b.number || a.of != b.of, not_the_whole,
+            all[k - 1].file + " and " + part_of(all[k]) + " are of the same part");
+  }
+}
+
+/// The ranges of a loop, from all receipts, are disjoint and cover it.
+void require_all_items(const std::vector<NamedReceipt>& all, std::size_t level, std::size_t loop) {
+  const auto range_in = [&](const NamedReceipt& one) -> const Range& {
+    return one.receipt.outcome.levels[level].ranges[loop];
+  };
+  std::vector<const NamedReceipt*> in_order;
+  for (const NamedReceipt& one : all) {
+    if (range_in(one).begin < range_in(one).end) in_order.push_back(&one);
+  }
+  std::stable_sort(in_order.begin(), in_order.end(), [&](const NamedReceipt* a, const NamedReceipt* b) {
+    return range_in(*a).begin < range_in(*b).begin;
+  });
+  std::uint64_t covered = 0;
+  const Range& any = range_in(all.front());
+  for (const NamedReceipt* one : in_order) {
+    const Range& range = range_in(*one);
+    require("merge.overlap", range.begin >= covered, not_the_whole,
+            part_of(*one) + " has " + items(range, range.begin, std::min(covered, range.end)) +
+                ", which another receipt has too");
+    require("merge.missing", range.begin <= covered, incomplete, items(range, covered, range.begin) + " are missing");
+    covered = std::max(covered, range.end);
+  }
+  require("merge.missing", covered == any.size, incomplete, items(any, covered, any.size) + " are missing");
+}
+
+/// Of the parts, that which has done what is not divided.
+const Outcome& first_part(const std::vector<NamedReceipt>& all) {
+  const NamedReceipt* first = nullptr;
+  for (const NamedReceipt& one : all) {
+    if (one.receipt.outcome.share.number != 1) continue;
+    require("merge.doubled", first == nullptr, not_the_whole,
+            part_of(one) + " has done what is not divided, as " + (first == nullptr ? "" : part_of(*first)) + " has");
+    first = &one;
+  }
+  require("merge.missing", first != nullptr, incomplete, "part 1, which does what is not divided, is missing");
+  return (first == nullptr ? all.front() : *first).receipt.outcome;
+}
+
+/// What the receipts have counted, added up.
+void add(Outcome& sum, const Outcome& other) {
+  for (std::size_t level = 0; level < sum.levels.size(); ++level) {
+    LevelResult& to = sum.levels[level];
+    const LevelResult& from = other.levels[level];
+    to.seconds += from.seconds;
+    for (std::size_t loop = 0; loop < to.ranges.size(); ++loop) {
+      for (std::size_t k = 0; k < to.ranges[loop].counts.size(); ++k)
+        to.ranges[loop].counts[k].second += from.ranges[loop].counts[k].second;
+    }
+  }
+  sum.decisions.filtered += other.decisions.filtered;
+  sum.decisions.exact += other.decisions.exact;
+  sum.decisions.enclosed += other.decisions.enclosed;
+  if (sum.identity->file_digest != other.identity->file_digest) sum.identity->file_digest.clear();
+}
+
+/// Rule 2.count, which no part could look at; and that level 1 of simplices as they are has looked at all of them.
+void require_counts(const Outcome& sum) {
+  const auto require_count = [](const LevelResult& level, const std::pair<std::string, std::int64_t>& count,
+                                std::int64_t stated) {
+    require("merge.count", count.second == stated, not_the_whole,
+            "level " + level.level + ": the certificate states " + count.first + " " + std::to_string(stated) +
+                ", and the receipts add up to " + std::to_string(count.second));
+  };
+  for (const LevelResult& level : sum.levels) {
+    for (const Range& range : level.ranges) {
+      for (const auto& count : range.counts) {
+        if (count.first == "simplices") require_count(level, count, static_cast<std::int64_t>(sum.simplices));
+        if (count.first == "euler_characteristic") require_count(level, count, sum.euler_characteristic);
+        if (count.first == "stars" && count.second > static_cast<std::int64_t>(sum.points))
+          require_count(level, count, static_cast<std::int64_t>(sum.points));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Outcome merged(std::vector<NamedReceipt> receipts, const std::string& checker, const std::string& content) {
+  // The order in which they are given has no effect.
+  std::stable_sort(receipts.begin(), receipts.end(), [](const NamedReceipt& a, const NamedReceipt& b) {
+    const Share &x = a.receipt.outcome.share, &y = b.receipt.outcome.share;
+    return std::tie(x.of, x.number) < std::tie(y.of, y.number);
+  });
+  require_same(receipts, checker, content);
+  for (const int worse : {1, 2}) {
+    for (const NamedReceipt& one : receipts) {
+      if (one.receipt.outcome.status == worse) return one.receipt.outcome;
+    }
+  }
+  require_each_part_once(receipts);
+  require_same_rules(receipts);
+  Outcome sum = first_part(receipts);
+  for (std::size_t level = 0; level < sum.levels.size(); ++level) {
+    for (std::size_t loop = 0; loop < sum.levels[level].ranges.size(); ++loop) require_all_items(receipts, level, loop);
+  }
+  const Share first = sum.share;
+  for (const NamedReceipt& one : receipts) {
+    const Outcome& other = one.receipt.outcome;
+    if (other.share.number != first.number || other.share.of != first.of) add(sum, other);
+  }
+  require_counts(sum);
+  sum.share = {};
+  return sum;
+}
+
+}  // namespace delcert::checker
