@@ -60,6 +60,16 @@ refused "$1" "a smaller exponent of the constraints" sharper_constraints.v 's/g 
   "FAILED: sharper_constraints.v"
 refused "$1" "a star that looks only half as far" stars.v 's/distance m (q l) (q i) < 2 \* e -> B l/distance m (q l) (q i) < 1 * e -> B l/' \
   "FAILED: stars.v"
+refused "$1" "stable stars with twice the distortion" stable_stars.v 's/2 ^ 6/2 ^ 5/g' "FAILED: stable_stars.v"
+refused "$1" "stable stars whose charts need not agree about labels" stable_stars.v \
+  's/points'"'"' l -> near x -> agree m (q'"'"' l) (phi x) -> points l/points l -> near x -> agree m (q'"'"' l) (phi x) -> points l/' \
+  "FAILED: stable_stars.v"
+refused "$1" "a direction orthogonal to m vectors" growing_balls.v 's/(k < m)%nat -> exists u/(k <= m)%nat -> exists u/' \
+  "FAILED: growing_balls.v"
+refused "$1" "an image that contains too large a ball" open_images.v 's/< (1 - xi) \* a -> V y/< (1 + xi) * a -> V y/' \
+  "FAILED: open_images.v"
+refused "$1" "dual vectors as long as the altitudes" dual_vectors.v 's|is_altitude m k p i (/ norm m w)|is_altitude m k p i (norm m w)|' \
+  "FAILED: dual_vectors.v"
 
 echo "$failures failures"
 exit $((failures > 0))
