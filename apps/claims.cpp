@@ -17,8 +17,9 @@ namespace {
 
 void print_parameters(const Claim& claim) {
   for (const auto& [name, range] : claim.parameters) {
-    std::cout << "  for all " << name << " in " << (range.has_lower ? "[" : "(") << exact_text(range.lower) << ", "
-              << exact_text(range.upper) << (range.has_upper ? "]" : ")") << "\n";
+    std::cout << "  for all " << name << " in " << (range.has_lower ? "[" : "(")
+              << (range.lower ? exact_text(*range.lower) : "-infinity") << ", "
+              << (range.upper ? exact_text(*range.upper) : "infinity") << (range.has_upper ? "]" : ")") << "\n";
   }
 }
 
@@ -45,6 +46,9 @@ void print_claim(const Claim& claim) {
     std::cout << "  about: " << its_class.name() << ", " << its_class.meaning() << "\n";
   }
   print_parameters(claim);
+  for (const Statement& abbreviation : claim.abbreviations) {
+    std::cout << "  let " << abbreviation.name << " = " << abbreviation.text << "\n";
+  }
   for (const Hypothesis& hypothesis : claim.hypotheses) {
     std::cout << "  given " << hypothesis.name << ": " << hypothesis.text << "\n";
     if (!hypothesis.no_twin.empty()) std::cout << "    without it: " << hypothesis.no_twin << "\n";

@@ -28,7 +28,7 @@ ExpressionPointer replaced(const ExpressionPointer& formula, const Replacements&
     const auto found = replacements.find(formula->text);
     return found == replacements.end() ? formula : found->second;
   }
-  const bool binds = formula->operation == Operation::for_all || formula->operation == Operation::exists;
+  const bool binds = binds_variable(formula->operation);
   std::vector<ExpressionPointer> children;
   for (const auto& child : formula->children) {
     if (binds && !children.empty()) {

@@ -16,6 +16,8 @@ class HypothesisLimits : public Limits {
   /// Precondition: the claim outlives it.
   explicit HypothesisLimits(const Claim& claim);
   [[nodiscard]] std::optional<Rational> most(const std::string& name, const Bindings& bound, bool exact) const override;
+  [[nodiscard]] const PointRules* points() const override { return claim_.points ? &*claim_.points : nullptr; }
+  [[nodiscard]] std::vector<ExpressionPointer> constraints() const override;
 
  private:
   struct Limit {
@@ -25,6 +27,7 @@ class HypothesisLimits : public Limits {
     std::vector<std::string> needs;
   };
   void collect(const ExpressionPointer& statement);
+  const Claim& claim_;
   std::vector<Limit> limits_;
 };
 
