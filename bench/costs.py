@@ -80,8 +80,9 @@ ZERO_SETS = [Run(manifold, radius, 1, 2, cheap=manifold == "two-spheres")
                                       ("two-spheres", "1/17"), ("clifford-torus", "1/20")]]
 ZERO_SETS += [Run("trefoil", "1/26", 1, 2)]
 ZERO_SETS += [Run("sphere-3-in-r4", "1/11", 1, 2, long=True)]
-# In codimension 2, without the levels that are not reached at this radius.
-ZERO_SETS += [Run("s2-x-s1", "1/6", 1, 2, long=True, options=("--levels", "1,2,5"))]
+# In codimension 2 and 3, without the levels that are not reached at this radius.
+ZERO_SETS += [Run(manifold, radius, 1, 2, long=True, options=("--levels", "1,2,5"))
+              for manifold, radius in [("s2-x-s1", "1/6"), ("torus-3-in-r6", "1/6"), ("torus-3-in-r6", "3/20"), ("stiefel-2-3", "1/10")]]
 # Radii that vary.
 ZERO_SETS += [Run("ellipsoid", "1", 1, 2, cheap=True, options=("--sizing", "curvature:3/20,1/10")),
               Run("tanglecube", "1", 1, 2, options=("--sizing", "curvature:1/10,1/10")),
