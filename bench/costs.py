@@ -96,7 +96,9 @@ BENCHES = {"ratios": ["ratios", "3"],
            "claims": ["claims", "--benchmark_filter=^(thickness-and-singular-value|crude-circumradius-bound).*k=3,m=3",
                       "--benchmark_min_time=0.5", "--benchmark_format=json"],
            "tangential-2": ["tangential_complex", "sphere-2", "1/84"],
-           "tangential-3": ["tangential_complex", "sphere-3", "1/10"]}
+           "tangential-3": ["tangential_complex", "sphere-3", "1/10"],
+           "tangential-6": ["tangential_complex", "torus-3-in-r6", "1/6"],
+           "tangential-6-finer": ["tangential_complex", "torus-3-in-r6", "3/20"]}
 
 
 def descendants(process):
@@ -276,7 +278,9 @@ def measure_all(arguments, record, file):
     for name, run in ALL.items():
         if name in record["runs"] and run.is_due(arguments, record):
             record["runs"][name]["programs"] = identity
-    for name, command in ({} if arguments.only else BENCHES).items():
+    for name, command in BENCHES.items():
+        if arguments.only and not re.search(arguments.only, name):
+            continue
         program = arguments.build / "bench" / command[0]
         if not program.exists():
             print(f"{name}: bench/{command[0]} has not been built, its table stays", flush=True)
