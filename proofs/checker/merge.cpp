@@ -160,9 +160,7 @@ Outcome merged(std::vector<NamedReceipt> receipts, const std::string& checker, c
   require_each_part_once(receipts);
   require_same_rules(receipts);
   Outcome sum = first_part(receipts);
-  for (std::size_t level = 0; level < sum.levels.size(); ++level) {
-    for (std::size_t loop = 0; loop < sum.levels[level].ranges.size(); ++loop) require_all_items(receipts, level, loop);
-  }
+  require_the_whole(receipts);
   const Share first = sum.share;
   for (const NamedReceipt& one : receipts) {
     const Outcome& other = one.receipt.outcome;
