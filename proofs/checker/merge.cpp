@@ -122,21 +122,22 @@ void add(Outcome& sum, const Outcome& other) {
   if (sum.identity->file_digest != other.identity->file_digest) sum.identity->file_digest.clear();
 }
 
-/// Rule 2.count, which no part could look at; and that level 1 of simplices as they are has looked at all of them.
+/// Rule 2.count, which no part could look at; and that loops have looked at all simplices, labels and facets.
 void require_counts(const Outcome& sum) {
-  const auto require_count = [](const LevelResult& level, const std::pair<std::string, std::int64_t>& count,
-                                std::int64_t stated) {
-    require("merge.count", count.second == stated, not_the_whole,
-            "level " + level.level + ": the certificate states " + count.first + " " + std::to_string(stated) +
-                ", and the receipts add up to " + std::to_string(count.second));
-  };
   for (const LevelResult& level : sum.levels) {
     for (const Range& range : level.ranges) {
-      for (const auto& count : range.counts) {
-        if (count.first == "simplices") require_count(level, count, static_cast<std::int64_t>(sum.simplices));
-        if (count.first == "euler_characteristic") require_count(level, count, sum.euler_characteristic);
-        if (count.first == "stars" && count.second > static_cast<std::int64_t>(sum.points))
-          require_count(level, count, static_cast<std::int64_t>(sum.points));
+      for (const auto& [name, number] : range.counts) {
+        const auto require_count = [&, name = name, number = number](bool holds, std::int64_t expected) {
+          require("merge.count", holds, not_the_whole,
+                  "level " + level.level + ": expected are " + name + " " + std::to_string(expected) +
+                      ", and the receipts add up to " + std::to_string(number));
+        };
+        const auto simplices = static_cast<std::int64_t>(sum.simplices), points = static_cast<std::int64_t>(sum.points);
+        if (name == "simplices") require_count(number == simplices, simplices);
+        if (name == "euler_characteristic") require_count(number == sum.euler_characteristic, sum.euler_characteristic);
+        if (name == "stars") require_count(number <= points, points);
+        if (name == "facets")
+          require_count(number == static_cast<std::int64_t>(range.size), static_cast<std::int64_t>(range.size));
       }
     }
   }

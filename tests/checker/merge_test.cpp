@@ -291,7 +291,7 @@ TEST_F(Merge, refuses_what_is_not_one_whole) {
            {"merge.certificate", 3, {one, "other2", three}, "of another certificate than"},
            {"merge.certificate", 3, {one, two, three, "other"}, "of a certificate with the SHA-256"},
            {"merge.version", 3, {one, "old2", three}, "by version 0.0.1 of the checker, and this is"},
-           {"merge.count", 1, {one, "few2", three}, "the certificate states simplices 392, and the receipts add up to"},
+           {"merge.count", 1, {one, "few2", three}, "level 2: expected are simplices 392, and the receipts add up to"},
            {"merge.rules", 1, {one, "without2", three}, "where"},
            {"merge.rules", 1, {one, "unclaimed2", three}, "has nothing where"},
            {"merge.rules", 1, {one, "undone2", three}, "where"}}) {
