@@ -12,14 +12,13 @@ void require(const char* rule, bool holds, int status, const std::string& what) 
   if (!holds && !Report::disabled(rule)) throw Refused{{rule, what}, status};
 }
 
-std::string part_of(const NamedReceipt& one) {
-  const Share& share = one.receipt.outcome.share;
-  return one.file + " (part " + std::to_string(share.number) + "/" + std::to_string(share.of) + ")";
+std::string fraction(std::uint64_t number, std::uint64_t of) {
+  return std::to_string(number) + "/" + std::to_string(of);
 }
 
-std::string items(const Range& range, std::uint64_t begin, std::uint64_t end) {
-  return "items " + std::to_string(begin) + " to " + std::to_string(end - 1) + " of " + std::to_string(range.size) +
-         " of " + range.rules;
+std::string part_of(const NamedReceipt& one) {
+  const Share& share = one.receipt.outcome.share;
+  return one.file + " (part " + fraction(share.number, share.of) + ")";
 }
 
 /// All of the same certificate, by the same program.
@@ -73,29 +72,24 @@ void require_each_part_once(const std::vector<NamedReceipt>& all) {
   }
 }
 
-/// The ranges of a loop, from all receipts, are disjoint and cover it.
-void require_all_items(const std::vector<NamedReceipt>& all, std::size_t level, std::size_t loop) {
-  const auto range_in = [&](const NamedReceipt& one) -> const Range& {
-    return one.receipt.outcome.levels[level].ranges[loop];
+/// The shares are disjoint and fill the whole. So are and do the ranges of each loop: they are those of the shares,
+/// which receipt_of requires, of as many items in all receipts, which merge.rules does. Precondition: sorted by their
+/// beginnings.
+void require_the_whole(const std::vector<NamedReceipt>& all) {
+  Share covered{0, 1};  // up to the fraction number / of; no product exceeds 10^12
+  const auto require_up_to = [&](std::uint64_t number, std::uint64_t of) {
+    require("merge.missing", number * covered.of <= covered.number * of, incomplete,
+            "what lies between " + fraction(covered.number, covered.of) + " and " + fraction(number, of) +
+                " of each loop is missing");
   };
-  std::vector<const NamedReceipt*> in_order;
   for (const NamedReceipt& one : all) {
-    if (range_in(one).begin < range_in(one).end) in_order.push_back(&one);
+    const Share& share = one.receipt.outcome.share;
+    require("merge.overlap", (share.number - 1) * covered.of >= covered.number * share.of, not_the_whole,
+            part_of(one) + " begins before " + fraction(covered.number, covered.of) + ", where another part ends");
+    require_up_to(share.number - 1, share.of);
+    if (share.number * covered.of > covered.number * share.of) covered = share;
   }
-  std::stable_sort(in_order.begin(), in_order.end(), [&](const NamedReceipt* a, const NamedReceipt* b) {
-    return range_in(*a).begin < range_in(*b).begin;
-  });
-  std::uint64_t covered = 0;
-  const Range& any = range_in(all.front());
-  for (const NamedReceipt* one : in_order) {
-    const Range& range = range_in(*one);
-    require("merge.overlap", range.begin >= covered, not_the_whole,
-            part_of(*one) + " has " + items(range, range.begin, std::min(covered, range.end)) +
-                ", which another receipt has too");
-    require("merge.missing", range.begin <= covered, incomplete, items(range, covered, range.begin) + " are missing");
-    covered = std::max(covered, range.end);
-  }
-  require("merge.missing", covered == any.size, incomplete, items(any, covered, any.size) + " are missing");
+  require_up_to(1, 1);
 }
 
 /// Of the parts, that which has done what is not divided.
@@ -128,21 +122,22 @@ void add(Outcome& sum, const Outcome& other) {
   if (sum.identity->file_digest != other.identity->file_digest) sum.identity->file_digest.clear();
 }
 
-/// Rule 2.count, which no part could look at; and that level 1 of simplices as they are has looked at all of them.
+/// Rule 2.count, which no part could look at; and that loops have looked at all simplices, labels and facets.
 void require_counts(const Outcome& sum) {
-  const auto require_count = [](const LevelResult& level, const std::pair<std::string, std::int64_t>& count,
-                                std::int64_t stated) {
-    require("merge.count", count.second == stated, not_the_whole,
-            "level " + level.level + ": the certificate states " + count.first + " " + std::to_string(stated) +
-                ", and the receipts add up to " + std::to_string(count.second));
-  };
   for (const LevelResult& level : sum.levels) {
     for (const Range& range : level.ranges) {
-      for (const auto& count : range.counts) {
-        if (count.first == "simplices") require_count(level, count, static_cast<std::int64_t>(sum.simplices));
-        if (count.first == "euler_characteristic") require_count(level, count, sum.euler_characteristic);
-        if (count.first == "stars" && count.second > static_cast<std::int64_t>(sum.points))
-          require_count(level, count, static_cast<std::int64_t>(sum.points));
+      for (const auto& [name, number] : range.counts) {
+        const auto require_count = [&, name = name, number = number](bool holds, std::int64_t expected) {
+          require("merge.count", holds, not_the_whole,
+                  "level " + level.level + ": expected are " + name + " " + std::to_string(expected) +
+                      ", and the receipts add up to " + std::to_string(number));
+        };
+        const auto simplices = static_cast<std::int64_t>(sum.simplices), points = static_cast<std::int64_t>(sum.points);
+        if (name == "simplices") require_count(number == simplices, simplices);
+        if (name == "euler_characteristic") require_count(number == sum.euler_characteristic, sum.euler_characteristic);
+        if (name == "stars") require_count(number <= points, points);
+        if (name == "facets")
+          require_count(number == static_cast<std::int64_t>(range.size), static_cast<std::int64_t>(range.size));
       }
     }
   }
@@ -154,7 +149,8 @@ Outcome merged(std::vector<NamedReceipt> receipts, const std::string& checker, c
   // The order in which they are given has no effect.
   std::stable_sort(receipts.begin(), receipts.end(), [](const NamedReceipt& a, const NamedReceipt& b) {
     const Share &x = a.receipt.outcome.share, &y = b.receipt.outcome.share;
-    return std::tie(x.of, x.number) < std::tie(y.of, y.number);
+    const std::uint64_t at_x = (x.number - 1) * y.of, at_y = (y.number - 1) * x.of;
+    return at_x != at_y ? at_x < at_y : x.of < y.of;
   });
   require_same(receipts, checker, content);
   for (const int worse : {1, 2}) {
@@ -165,9 +161,7 @@ Outcome merged(std::vector<NamedReceipt> receipts, const std::string& checker, c
   require_each_part_once(receipts);
   require_same_rules(receipts);
   Outcome sum = first_part(receipts);
-  for (std::size_t level = 0; level < sum.levels.size(); ++level) {
-    for (std::size_t loop = 0; loop < sum.levels[level].ranges.size(); ++loop) require_all_items(receipts, level, loop);
-  }
+  require_the_whole(receipts);
   const Share first = sum.share;
   for (const NamedReceipt& one : receipts) {
     const Outcome& other = one.receipt.outcome;

@@ -23,8 +23,8 @@ struct NamedReceipt {
 ///   merge.version      all are of this version of the checker,
 ///   merge.certificate  of the same certificate,
 ///   merge.rules        and of the same rules;
-///   merge.doubled      no part, no range and no undivided rule is there twice;
-///   merge.overlap      ranges do not overlap;
+///   merge.doubled      no part, and no undivided rule, is there twice;
+///   merge.overlap      parts do not overlap;
 ///   merge.missing      together they are all that there is;
 ///   merge.count        simplices and Euler characteristic add up to what the certificate states.
 /// `content`: the SHA-256 in the seal of the certificate, if it is known; empty otherwise.

@@ -101,6 +101,14 @@ TEST(MergedReceipts, say_what_one_check_says) {
 
 TEST(MergedReceipts, of_more_parts_than_labels_say_what_one_check_says) {
   expect_the_same_in_parts(sealed(circle().document()), {100});
+  // Part 1 has nothing to do in loops of less than 100 items: it must be there all the same.
+  const test::Upwards upwards;
+  std::vector<NamedReceipt> all = receipts_of_parts(sealed(circle().document()), 100);
+  for (std::size_t k = 0; k < all.size(); k += 9) {
+    std::vector<NamedReceipt> without = all;
+    without.erase(without.begin() + static_cast<std::ptrdiff_t>(k));
+    EXPECT_EQ(refusal(without).substr(0, 16), "merge.missing 2:") << k;
+  }
 }
 
 TEST(MergedReceipts, may_be_of_parts_of_different_sizes) {
@@ -274,16 +282,16 @@ TEST_F(Merge, refuses_what_is_not_one_whole) {
   });
   const std::string one = "certificate1", two = "certificate2", three = "certificate3";
   for (const WrongReceipts& wrong : std::vector<WrongReceipts>{
-           {"merge.missing", 2, {one, three}, "items 65 to 129 of 196 of 0.separation are missing"},
-           {"merge.missing", 2, {one, two}, "are missing"},
+           {"merge.missing", 2, {one, three}, "what lies between 1/3 and 2/3 of each loop is missing"},
+           {"merge.missing", 2, {one, two}, "what lies between 2/3 and 1/1 of each loop is missing"},
            {"merge.missing", 2, {two, three}, "part 1, which does what is not divided, is missing"},
            {"merge.doubled", 1, {one, two, three, "again2"}, "are of the same part"},
-           {"merge.overlap", 1, {one, two, three, "half2"}, "which another receipt has too"},
+           {"merge.overlap", 1, {one, two, three, "half2"}, "where another part ends"},
            {"merge.doubled", 1, {"half1", "half2", one}, "has done what is not divided, as"},
            {"merge.certificate", 3, {one, "other2", three}, "of another certificate than"},
            {"merge.certificate", 3, {one, two, three, "other"}, "of a certificate with the SHA-256"},
            {"merge.version", 3, {one, "old2", three}, "by version 0.0.1 of the checker, and this is"},
-           {"merge.count", 1, {one, "few2", three}, "the certificate states simplices 392, and the receipts add up to"},
+           {"merge.count", 1, {one, "few2", three}, "level 2: expected are simplices 392, and the receipts add up to"},
            {"merge.rules", 1, {one, "without2", three}, "where"},
            {"merge.rules", 1, {one, "unclaimed2", three}, "has nothing where"},
            {"merge.rules", 1, {one, "undone2", three}, "where"}}) {

@@ -84,6 +84,25 @@ TEST(Parts, have_the_outcome_of_the_whole) {
   }
 }
 
+TEST(Parts, of_any_size_cover_what_there_is_once) {
+  for (const std::uint64_t size :
+       {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{1000}, (std::uint64_t{1} << 40) + 7}) {
+    for (const std::uint64_t of : {1U, 2U, 7U, 1001U, 1000000U}) {
+      std::uint64_t covered = 0, longest = 0;
+      for (std::uint64_t number = 1; number <= of; ++number) {
+        const auto [begin, end] = checker::range_of({number, of}, size);
+        ASSERT_EQ(begin, covered);
+        covered = end;
+        longest = std::max(longest, end - begin);
+      }
+      EXPECT_EQ(covered, size) << of;
+      EXPECT_LE(longest, size / of + 1) << of;
+    }
+  }
+  // Halves of a share are shares.
+  EXPECT_EQ(checker::range_of({2, 3}, 1000).second, checker::range_of({4, 6}, 1000).second);
+}
+
 /// What the checker says, but for how long it took.
 std::string said(const std::string& file, int parts) {
   const CheckerRun run = run_checker_with(file + " --json --threads " + std::to_string(parts));

@@ -52,7 +52,7 @@ std::string Core::check_delaunay(Report& report) {
   check_quotient(report);
   is_delaunay();
   report.add(*hinges_);
-  std::string text = std::to_string(complex_->hinges.size()) + " facets locally Delaunay";
+  const std::string text = "{facets} facets locally Delaunay";
   if (!c_.space_form) return text;
   check_margins(*complex_, c_.ball_radius, c_.empty_margin, report);
   return text + ", circumradius <= " + rounded_up(c_.ball_radius.exact) + ", all other points farther than " +

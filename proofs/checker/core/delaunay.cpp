@@ -128,10 +128,11 @@ void check_hinges(Complex& complex, Report& report) {
                return Counts{};
              });
   }
-  in_parts("core.hinges", complex.hinges.size(), report, [&](std::size_t begin, std::size_t end, Report& found) {
+  const auto check_all = [&](std::size_t begin, std::size_t end, Report& found) {
     for (std::size_t at = begin; at < end; ++at) check(complex.hinges[at], found);
-    return Counts{};
-  });
+    return Counts{static_cast<std::int64_t>(end - begin)};
+  };
+  in_parts("core.hinges", complex.hinges.size(), report, check_all, {"facets"});
 }
 
 void check_margins(Complex& complex, const Quantity& circumradius, const Quantity& protection, Report& report) {
