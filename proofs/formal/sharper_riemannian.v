@@ -1,4 +1,4 @@
-(** What Theorem 3 asks for, with the sharper lemmas: docs/claims/riemannian-constants.md. Its charts are exponential maps, and the
+(** What thm:riem.del.tri asks for, with the sharper lemmas: docs/claims/riemannian-constants.md. Its charts are exponential maps, and the
     separation in them is (1 − d)μ₀, so that Γ₀ is a little less than Γ = ρ₀/C at μ₀; x stands for Λε². *)
 
 Require Import Reals Lra Lia Psatz.
@@ -128,7 +128,7 @@ Proof.
   apply Rmult_le_compat_r; [lra |]; simpl; lra.
 Qed.
 
-(** Self-Delaunay, for ε ≤ Γ^(2m + 1)/(2⁵ √Λ): both metrics together are within the bound of η in Theorem 2. *)
+(** Self-Delaunay, for ε ≤ Γ^(2m + 1)/(2⁵ √Λ): both metrics together are within the bound of η in thm:output.del.cplx. *)
 Theorem self_delaunay_metric : x <= (g ^ (2 * m + 1)) ^ 2 / 2 ^ 10 ->
   320 * x / g ^ (2 * m) + 1 / 5 * (10 * (101 / 100)) ^ 2 * x <= g0 ^ (2 * m + 1) * ((1 - d) * mu) ^ 2 / 2 ^ 12 / 2.
 Proof.

@@ -16,7 +16,7 @@ set(ball "levels\n  0 .*\n  1 .*\n  2 .*\n  2s .*\n  3 .*\n  4 .*\n  not reached
 delcert_run_test(circle --manifold circle --radius 1/30 LEVELS "${all}")
 delcert_run_test(square --manifold torus-2 --radius 1/24 --seed 1 LEVELS "${all}")
 delcert_run_test(square-sharper --manifold torus-2 --radius 1/24 --seed 1 --hypotheses sharper
-  LEVELS "tolerance 8705/140737488355328 = .*levels\n  0   input: net, Hypotheses 1, the sharper Hypotheses 2\n  1 .*\n  6 ")
+  LEVELS "tolerance 0x2201p-47 = .*levels\n  0   input: net, Hypotheses 1, the sharper Hypotheses 2\n  1 .*\n  6 ")
 delcert_run_test(space-sharper --manifold torus-3 --radius 1/24 --seed 1 --hypotheses sharper
   LEVELS "input: net, Hypotheses 1, the sharper Hypotheses 2\n  1 .*\n  6 ")
 delcert_run_test(space-printed --manifold torus-3 --radius 1/24 --seed 1 --hypotheses printed
