@@ -65,6 +65,7 @@ struct Certificate {
   Quantity radius, epsilon, mu, radius_variation, distortion, rho, flake_squared, tolerance;
   std::array<bool, level_names.size()> claimed{};
   bool hypotheses_2 = false;                                   // level 0
+  bool sharper = false;                                        // which Hypotheses 2: docs/sharper-lemmas.md
   Quantity density, transition_distortion, metric_distortion;  // level 0 on a space form
   Quantity protection, thickness, circumradius;                // level 1
   std::uint64_t simplices = 0;                                 // level 2

@@ -92,16 +92,17 @@ void check_perturbation(const Certificate& c, Report& report) {
 
 /// The parameters are those of Hypotheses 2 at distortion 0; 0.perturbation has another part of them. With e = 4m^2 +
 /// 5m + 21 they say m^3 Gamma_0^2 = (rho (mu/2)^e)^2, so that m^(3/2) drops out of 2 alpha~_0 = 2^17 m^(3/2) Gamma_0 /
-/// mu^3.
+/// mu^3. The sharper ones: Gamma_0 = rho (mu/2)^e and alpha~_0 = 17410 Gamma_0/mu^3.
 void check_hypotheses_2(const Certificate& c, Report& report) {
   const auto require = [&](bool holds, const char* what) {
     if (!holds) report.reject("0.hypotheses-2", [&] { return what; });
   };
   const Rational root = c.rho.exact * power(c.mu.exact / Rational(2), 4 * c.m * c.m + 5 * c.m + 21);
-  const Rational least = Rational(1 << 17) * root / power(c.mu.exact, 3);
+  const Rational least = Rational(2 * (c.sharper ? 17410 : 1 << 16)) * root / power(c.mu.exact, 3);
+  const Rational cubed_dimension = c.sharper ? Rational(1) : power(Rational(c.m), 3);
   require(c.theory, "mode is not theory");
   require(less_equal(c.radius_variation.exact, Rational(1)) == Verdict::proved, "radius_variation exceeds 1");
-  require(power(Rational(c.m), 3) * c.flake_squared.exact == square(root), "flake_parameter_squared is not (rho/C)^2");
+  require(cubed_dimension * c.flake_squared.exact == square(root), "flake_parameter_squared is not (rho/C)^2");
   require(less_equal(least, c.tolerance.exact) == Verdict::proved, "tolerance is less than 2 alpha~_0");
 }
 
@@ -118,7 +119,10 @@ std::string check_level_0(const Certificate& c, Report& report) {
   check_density(c, report);
   return std::to_string(c.n) + " points, sampling radius " + (c.units.empty() ? "" : "at most ") +
          rounded_up(c.epsilon.exact) + ", separation >= " + rounded_down(c.mu.exact) +
-         ", perturbation <= " + rounded_up(c.rho.exact) + (c.hypotheses_2 ? ", Hypotheses 1 and 2" : ", Hypotheses 1");
+         ", perturbation <= " + rounded_up(c.rho.exact) +
+         (!c.hypotheses_2 ? ", Hypotheses 1"
+          : c.sharper     ? ", Hypotheses 1 and the sharper Hypotheses 2"
+                          : ", Hypotheses 1 and 2");
 }
 
 }  // namespace delcert::checker
