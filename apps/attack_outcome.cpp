@@ -84,8 +84,8 @@ double percent(std::uint64_t part, std::uint64_t whole) {
 }
 
 std::string draws_text(const PointDraws& draws) {
-  std::string result = fmt::format("points: {}, {} of {} draws met the constraints ({:.1f} %)", draws.claim, draws.drawn,
-                                   draws.samples, percent(draws.drawn, draws.samples));
+  std::string result = fmt::format("points: {}, {} of {} draws met the constraints ({:.1f} %)", draws.claim,
+                                   draws.drawn, draws.samples, percent(draws.drawn, draws.samples));
   if (draws.is_hardly_drawn()) result += ", hardly any: least_acceptance is " + exact_text(draws.least);
   return result + "\n";
 }

@@ -8,6 +8,7 @@
 #include "apps/other_programs.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "proofs/formula/latex.hpp"
+#include "proofs/formula/vocabulary_text.hpp"
 #include "properties/attack/claim_library.hpp"
 #include "properties/attack/paper_labels.hpp"
 
@@ -98,6 +99,14 @@ void add_claims(CLI::App& program, Action& chosen) {
   });
   CLI::App* classes = command->add_subcommand("classes", "Print the instance classes and the names that they bind");
   classes->callback([&chosen] { chosen = list_classes; });
+  CLI::App* functions =
+      command->add_subcommand("functions", "Print what formulas can use, with types and meaning, in Markdown");
+  functions->callback([&chosen] {
+    chosen = [] {
+      std::cout << vocabulary_table(full_vocabulary());
+      return ExitStatus::verified;
+    };
+  });
   CLI::App* labels = command->add_subcommand("labels", "Print which label of the paper is which claim, in Markdown");
   labels->callback([&chosen] {
     chosen = [] {
@@ -113,6 +122,7 @@ void add_claims(CLI::App& program, Action& chosen) {
       "  delcert claims show my-claim.toml\n"
       "  delcert claims show --latex --all > claims.tex\n"
       "  delcert claims classes\n"
+      "  delcert claims functions\n"
       "  delcert claims labels");
   command->callback([command, &chosen] {
     if (command->get_subcommands().empty()) chosen = list_claims;

@@ -164,8 +164,9 @@ class Parser {
   Pointer over_set(const Token& word) {
     const auto operation = operation_over_set(word.text);
     if (!operation) {
-      throw FormulaError(word.offset, "no sum, product, min or max is called " + word.text +
-                                          suggestion(word.text, std::vector<std::string>{"sum", "product", "min", "max"}));
+      throw FormulaError(word.offset,
+                         "no sum, product, min or max is called " + word.text +
+                             suggestion(word.text, std::vector<std::string>{"sum", "product", "min", "max"}));
     }
     const auto variables = variables_of("a colon and a term, or a comma and another variable");
     auto result = bound(*operation, word.offset, variables, statement());

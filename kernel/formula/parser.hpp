@@ -21,11 +21,12 @@ namespace delcert {
 struct ParameterRange {
   std::optional<Rational> lower;  ///< nothing: −∞
   std::optional<Rational> upper;  ///< nothing: ∞
-  bool has_lower = false;  ///< the lower end belongs to it
+  bool has_lower = false;         ///< the lower end belongs to it
   bool has_upper = false;
 };
 
-/// Reads an interval with ends that are rational or, open there, infinite. Throws FormulaError for anything else, and for an empty one.
+/// Reads an interval with ends that are rational or, open there, infinite. Throws FormulaError for anything else, and
+/// for an empty one.
 [[nodiscard]] ParameterRange parse_range(std::string_view text);
 
 }  // namespace delcert

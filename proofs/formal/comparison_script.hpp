@@ -17,8 +17,8 @@ struct ComparisonScript {
   std::set<std::size_t> wanted_squares;
 };
 
-/// A polynomial that is known not to be negative: tactics that prove 0 <= P (strict: 0 < P), where P is the polynomial as
-/// `polynomial_text` prints it.
+/// A polynomial that is known not to be negative: tactics that prove 0 <= P (strict: 0 < P), where P is the polynomial
+/// as `polynomial_text` prints it.
 struct KnownSign {
   bool strict = false;
   std::string script;
@@ -28,8 +28,8 @@ struct KnownSign {
 using KnownSigns = std::map<std::string, KnownSign>;
 
 /// A certificate for a comparison: the difference of its sides as a quotient of products of polynomials, and for each
-/// of these a sum of which the sign is seen (`sign_script`), or that is known. Roots and powers with symbolic exponents are replaced
-/// first. Precondition: a comparison; `parameters` are all its names.
+/// of these a sum of which the sign is seen (`sign_script`), or that is known. Roots and powers with symbolic exponents
+/// are replaced first. Precondition: a comparison; `parameters` are all its names.
 [[nodiscard]] ComparisonScript comparison_script(const ExpressionPointer& comparison,
                                                  const FormalParameters& parameters, const KnownSigns& known = {});
 

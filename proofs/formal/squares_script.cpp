@@ -19,7 +19,8 @@ constexpr const char* sum_of_squares_tactic =
 
 class SquaresPrinter {
  public:
-  SquaresPrinter(const SquaresProof& proof, FormalVariables variables) : proof_(proof), variables_(std::move(variables)) {}
+  SquaresPrinter(const SquaresProof& proof, FormalVariables variables)
+      : proof_(proof), variables_(std::move(variables)) {}
 
   std::string facts() const {
     std::string result;
@@ -29,7 +30,8 @@ class SquaresPrinter {
           return std::find(term.constraints.begin(), term.constraints.end(), i) != term.constraints.end();
         });
       });
-      if (is_used) result += "assert (constraint_" + std::to_string(i) + " : 0 <= " + constraint_text(i) + ") by lra.\n";
+      if (is_used)
+        result += "assert (constraint_" + std::to_string(i) + " : 0 <= " + constraint_text(i) + ") by lra.\n";
     }
     return result;
   }

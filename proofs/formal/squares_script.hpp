@@ -15,7 +15,8 @@ struct SquaresScript {
   KnownSigns signs;
 };
 
-/// Nothing if a parameter is a square of its variable. Precondition: the parameters are those of the goal, in its order.
+/// Nothing if a parameter is a square of its variable. Precondition: the parameters are those of the goal, in its
+/// order.
 [[nodiscard]] std::optional<SquaresScript> squares_script(const Goal& goal, const SquaresProof& proof,
                                                           const FormalParameters& parameters);
 

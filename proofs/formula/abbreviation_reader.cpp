@@ -55,7 +55,8 @@ class AbbreviationReader {
 
   Statement take_next() {
     auto next = std::find_if(waiting_.begin(), waiting_.end(), [&](const Abbreviation& one) {
-      return std::none_of(one.needs.begin(), one.needs.end(), [&](const std::string& need) { return is_waiting(need); });
+      return std::none_of(one.needs.begin(), one.needs.end(),
+                          [&](const std::string& need) { return is_waiting(need); });
     });
     if (next == waiting_.end()) reader_.fail(waiting_[0].node->source(), waiting_[0].name + " is made of itself");
     Statement term = rules_.term(*next->node, next->name);

@@ -25,7 +25,8 @@ class ClaimReader : FormulaReader {
 
   Claim read() {
     const toml::table table = parse();
-    refuse_unknown(table, {"name", "title", "source", "status", "instance", "note", "points", "forall", "let", "given", "show", "step"});
+    refuse_unknown(table, {"name", "title", "source", "status", "instance", "note", "points", "forall", "let", "given",
+                           "show", "step"});
     Claim claim;
     claim.file = file();
     claim.name = string(table, "name", true);
@@ -132,20 +133,19 @@ class ClaimReader : FormulaReader {
   }
 
   void read_abbreviations(const toml::table& table, Claim& claim) {
-    const AbbreviationRules rules{
-        [this](const toml::source_region& where, const std::string& name) {
-          require_free(where, name, "an abbreviation");
-          if (signature_.contains(name)) fail(where, name + " is already something else");
-        },
-        [this](const toml::node& node, const std::string& name) {
-          Statement term = formula(node, name, vocabulary_, signature_);
-          term.formula = replaced(term.formula, abbreviations_);
-          return term;
-        },
-        [this](const Statement& term) {
-          signature_[term.name] = term.formula->type;
-          abbreviations_[term.name] = term.formula;
-        }};
+    const AbbreviationRules rules{[this](const toml::source_region& where, const std::string& name) {
+                                    require_free(where, name, "an abbreviation");
+                                    if (signature_.contains(name)) fail(where, name + " is already something else");
+                                  },
+                                  [this](const toml::node& node, const std::string& name) {
+                                    Statement term = formula(node, name, vocabulary_, signature_);
+                                    term.formula = replaced(term.formula, abbreviations_);
+                                    return term;
+                                  },
+                                  [this](const Statement& term) {
+                                    signature_[term.name] = term.formula->type;
+                                    abbreviations_[term.name] = term.formula;
+                                  }};
     claim.abbreviations = delcert::read_abbreviations(*this, table, rules);
   }
 

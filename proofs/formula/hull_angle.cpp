@@ -7,7 +7,8 @@ namespace delcert {
 namespace {
 
 /// Whether tG − A is positive semidefinite.
-bool is_squared_sine_at_most(const SymmetricMatrix<Rational>& across, const SymmetricMatrix<Rational>& gram, const Rational& t) {
+bool is_squared_sine_at_most(const SymmetricMatrix<Rational>& across, const SymmetricMatrix<Rational>& gram,
+                             const Rational& t) {
   SymmetricMatrix<Rational> rest(gram.order());
   for (std::size_t i = 0; i < gram.order(); ++i) {
     for (std::size_t j = 0; j <= i; ++j) rest(i, j) = t * gram(i, j) - across(i, j);
@@ -28,6 +29,12 @@ Partial<RationalBounds> greatest_squared_sine(const SymmetricMatrix<Rational>& a
   }
   RationalBounds result{Rational(0), Rational(1)};
   if (is_squared_sine_at_most(across, gram, result.lower)) return RationalBounds{result.lower, result.lower};
+  // A line at a right angle: the difference G − A is singular.
+  SymmetricMatrix<Rational> along(gram.order());
+  for (std::size_t i = 0; i < gram.order(); ++i) {
+    for (std::size_t j = 0; j <= i; ++j) along(i, j) = gram(i, j) - across(i, j);
+  }
+  if (!is_proved(GramElimination<Rational>(along).definite())) return RationalBounds{result.upper, result.upper};
   const Rational narrow = Rational::power_of_two(-static_cast<long>(bits));
   while (result.upper - result.lower > narrow) {
     const Rational middle = (result.lower + result.upper) / Rational(2);

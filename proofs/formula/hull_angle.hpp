@@ -9,7 +9,7 @@ namespace delcert {
 
 /// The square of the sine of the greatest angle between a line of one linear space and another space: the greatest λ
 /// with det(A − λG) = 0, for the Gram matrix G of a basis of the first space and that of what is orthogonal to the
-/// second, A. Between two rational numbers at most 2^−bits apart, equal if λ is one of them, found by halving: λ ≤ t
+/// second, A. Between two rational numbers at most 2^−bits apart, equal if λ is 0 or 1, found by halving: λ ≤ t
 /// means that tG − A is positive semidefinite, which is decided exactly. Refuted unless G is positive definite.
 /// Precondition: A and G − A are positive semidefinite.
 struct RationalBounds {

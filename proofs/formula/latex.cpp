@@ -186,7 +186,7 @@ Piece quantifier_piece(const Expression& expression) {
           LatexLevel::statement};
 }
 
-/// \sum_{p \in s} D(p, s): what follows a sum or a least value is not part of it, so it is as loose as a product.
+/// \sum_{p \in s} D(p, s): as loose as a sum, because a factor behind it would seem to belong to it.
 Piece over_set_piece(const Expression& expression) {
   const auto sign = [&]() -> std::string {
     switch (expression.operation) {
@@ -202,7 +202,7 @@ Piece over_set_piece(const Expression& expression) {
   };
   return {sign() + "_{" + latex_name(expression.text) + " \\in " + piece_of(*expression.children[0]).text + "} " +
               at_least(piece_of(*expression.children[1]), LatexLevel::product),
-          LatexLevel::product};
+          LatexLevel::sum};
 }
 
 Piece infix(const Expression& expression, std::string_view sign, LatexLevel level, LatexLevel left, LatexLevel right) {

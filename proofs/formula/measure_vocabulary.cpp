@@ -73,7 +73,8 @@ ExactVector shadow_of(const SimplexObject& simplex, const ExactVector& x) {
   const auto& points = placed_points(simplex, x.size());
   const ExactVector to_x = exact_difference(x, points[0]);
   ExactVector result;
-  for (std::size_t i = 1; i < points.size(); ++i) result.push_back(scalar_product(exact_difference(points[i], points[0]), to_x));
+  for (std::size_t i = 1; i < points.size(); ++i)
+    result.push_back(scalar_product(exact_difference(points[i], points[0]), to_x));
   return result;
 }
 
@@ -143,7 +144,8 @@ Partial<Rational> barycentric_coordinate(const SimplexObject& simplex, const Exa
 /// |x − p_0|² less the square of its projection, which exists for degenerate simplices, too.
 Rational squared_distance_to_hull(const SimplexObject& simplex, const ExactVector& x) {
   const ExactVector to_x = exact_difference(x, placed_points(simplex, x.size())[0]);
-  return scalar_product(to_x, to_x) - *GramElimination<Rational>(simplex.exact_gram().gram()).energy(shadow_of(simplex, x));
+  return scalar_product(to_x, to_x) -
+         *GramElimination<Rational>(simplex.exact_gram().gram()).energy(shadow_of(simplex, x));
 }
 
 Rational exact_determinant(std::vector<ExactVector> rows) {
@@ -189,7 +191,8 @@ SymmetricMatrix<Rational> gram_across(const SimplexObject& simplex, const Simple
   for (std::size_t i = 1; i < points.size(); ++i) {
     const ExactVector edge = exact_difference(points[i], points[0]);
     shadows.emplace_back();
-    for (std::size_t j = 1; j < base.size(); ++j) shadows.back().push_back(scalar_product(exact_difference(base[j], base[0]), edge));
+    for (std::size_t j = 1; j < base.size(); ++j)
+      shadows.back().push_back(scalar_product(exact_difference(base[j], base[0]), edge));
   }
   SymmetricMatrix<Rational> result(shadows.size());
   for (std::size_t i = 0; i < shadows.size(); ++i) {
@@ -237,8 +240,8 @@ void add_measures(Vocabulary& vocabulary) {
       "degenerate simplex.",
       "\\cos\\angle({#1}_{#2}, {#1}_{#3})", []<class S>(Evaluation<S>&, Arguments<S> a) -> Partial<S> {
         const SimplexObject& simplex = simplex_at(a, 0);
-        return on_rung<S>(dihedral_cosine(simplex, vertex_index(simplex, integer_of(a[1])),
-                                          vertex_index(simplex, integer_of(a[2]))));
+        return on_rung<S>(
+            dihedral_cosine(simplex, vertex_index(simplex, integer_of(a[1])), vertex_index(simplex, integer_of(a[2]))));
       }));
 }
 
@@ -308,15 +311,16 @@ void add_hulls(Vocabulary& vocabulary) {
       "d_{\\pm}(#2, \\mathrm{aff}\\,#1)", []<class S>(Evaluation<S>&, Arguments<S> a) -> Partial<S> {
         return on_rung<S>(hyperplane_distance(simplex_at(a, 0), object_of<PointObject>(a[1]).coordinates()));
       }));
-  vocabulary.add(number_function(
-      "hull_angle_sine", {types::simplex, types::simplex},
-      "The sine of the greatest angle between a line in the affine hull of the first simplex and the affine hull of the "
-      "second one; from an edge exact, else enclosed to 256 bits, so that ties are undecided; undefined if the first is "
-      "a vertex or degenerate.",
-      "\\sin\\angle(\\mathrm{aff}\\,#1, \\mathrm{aff}\\,#2)",
-      []<class S>(Evaluation<S>&, Arguments<S> a) -> Partial<S> {
-        return hull_angle_sine<S>(simplex_at(a, 0), simplex_at(a, 1));
-      }));
+  vocabulary.add(number_function("hull_angle_sine", {types::simplex, types::simplex},
+                                 "The sine of the greatest angle between a line in the affine hull of the first "
+                                 "simplex and the affine hull of the "
+                                 "second one; from an edge exact, else enclosed to 256 bits, so that ties are "
+                                 "undecided; undefined if the first is "
+                                 "a vertex or degenerate.",
+                                 "\\sin\\angle(\\mathrm{aff}\\,#1, \\mathrm{aff}\\,#2)",
+                                 []<class S>(Evaluation<S>&, Arguments<S> a) -> Partial<S> {
+                                   return hull_angle_sine<S>(simplex_at(a, 0), simplex_at(a, 1));
+                                 }));
 }
 
 }  // namespace

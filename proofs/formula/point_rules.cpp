@@ -3,8 +3,6 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
-#include "kernel/number/exact_text.hpp"
-
 namespace delcert {
 
 namespace {
@@ -96,14 +94,19 @@ class RulesReader {
   const toml::table& table_;
 };
 
+/// A fraction, which formulas can read whatever its denominator.
+std::string fraction_of(const Rational& x) {
+  return x.numerator().str() + (x.denominator() == 1 ? "" : "/" + x.denominator().str());
+}
+
 std::string side_end_text(const std::optional<Rational>& end) {
   const Rational& value = end.value();
-  return value < Rational(0) ? "-(" + exact_text(-value) + ")" : exact_text(value);
+  return value < Rational(0) ? "-(" + fraction_of(-value) + ")" : fraction_of(value);
 }
 
 std::string side_formula(const ParameterRange& side, const std::string& coordinate) {
-  return side_end_text(side.lower) + (side.has_lower ? " <= " : " < ") + coordinate + (side.has_upper ? " <= " : " < ") +
-         side_end_text(side.upper);
+  return side_end_text(side.lower) + (side.has_lower ? " <= " : " < ") + coordinate +
+         (side.has_upper ? " <= " : " < ") + side_end_text(side.upper);
 }
 
 std::string count_text(const CountRange& range) {
@@ -111,8 +114,8 @@ std::string count_text(const CountRange& range) {
 }
 
 std::string interval_text(const ParameterRange& side) {
-  return std::string("\"") + (side.has_lower ? "[" : "(") + exact_text(side.lower.value()) + ", " +
-         exact_text(side.upper.value()) + (side.has_upper ? "]" : ")") + "\"";
+  return std::string("\"") + (side.has_lower ? "[" : "(") + fraction_of(side.lower.value()) + ", " +
+         fraction_of(side.upper.value()) + (side.has_upper ? "]" : ")") + "\"";
 }
 
 }  // namespace
@@ -120,7 +123,8 @@ std::string interval_text(const ParameterRange& side) {
 PointRules read_point_rules(const TomlFormulaReader& reader, const toml::node& node) {
   const toml::table* table = node.as_table();
   if (table == nullptr) {
-    reader.fail(node.source(), "the key points expects a table such as { number = 3, dimension = 2, box = \"[0, 1]\" }");
+    reader.fail(node.source(),
+                "the key points expects a table such as { number = 3, dimension = 2, box = \"[0, 1]\" }");
   }
   return RulesReader(reader, *table).read();
 }
@@ -148,7 +152,7 @@ std::string point_rules_text(const PointRules& rules) {
     for (const ParameterRange& side : rules.box) sides += (sides.empty() ? "" : ", ") + interval_text(side);
     result += "[" + sides + "]";
   }
-  result += "\nleast_acceptance = \"" + exact_text(rules.least_acceptance) + "\"\nconstraints = [";
+  result += "\nleast_acceptance = \"" + fraction_of(rules.least_acceptance) + "\"\nconstraints = [";
   for (std::size_t at = 0; at < rules.constraints.size(); ++at) {
     result += (at == 0 ? "" : ", ") + nlohmann::json(rules.constraints[at]).dump();
   }

@@ -119,18 +119,19 @@ void add_sets(Vocabulary& vocabulary) {
                   "\\mathrm{edges}(#1)",
                   false,
                   SetFunction([](std::span<const Item> a) { return faces_of(simplex_of(a[0]), 2, 2); })});
-  vocabulary.add({"faces_of_dimension",
-                  {types::simplex, types::integer},
-                  types::simplices,
-                  "The faces of the dimension given, the vertices (0) and the simplex itself among them; none for others.",
-                  "\\mathrm{faces}_{#2}(#1)",
-                  false,
-                  SetFunction([](std::span<const Item> a) -> std::vector<Item> {
-                    const long wanted = std::get<long>(a[1]);
-                    if (wanted < 0 || static_cast<std::size_t>(wanted) > simplex_of(a[0]).dimension()) return {};
-                    const auto count = static_cast<std::size_t>(wanted) + 1;
-                    return faces_of(simplex_of(a[0]), count, count);
-                  })});
+  vocabulary.add(
+      {"faces_of_dimension",
+       {types::simplex, types::integer},
+       types::simplices,
+       "The faces of the dimension given, the vertices (0) and the simplex itself among them; none for others.",
+       "\\mathrm{faces}_{#2}(#1)",
+       false,
+       SetFunction([](std::span<const Item> a) -> std::vector<Item> {
+         const long wanted = std::get<long>(a[1]);
+         if (wanted < 0 || static_cast<std::size_t>(wanted) > simplex_of(a[0]).dimension()) return {};
+         const auto count = static_cast<std::size_t>(wanted) + 1;
+         return faces_of(simplex_of(a[0]), count, count);
+       })});
   vocabulary.add({"face",
                   {types::simplex, types::integer, types::integer},
                   types::simplex,

@@ -257,10 +257,10 @@ class Checker {
     auto& set = expression.children[0];
     set = checked(set);
     if (!set->type.is_set) {
-      throw FormulaError(set->offset, described(set->type) +
-                                          " where a set was expected: a " +
-                                          std::string(wanted == types::truth ? "quantifier" : "sum, product, min or max") +
-                                          " runs through a set such as faces(s) or 1..k");
+      throw FormulaError(set->offset,
+                         described(set->type) + " where a set was expected: a " +
+                             std::string(wanted == types::truth ? "quantifier" : "sum, product, min or max") +
+                             " runs through a set such as faces(s) or 1..k");
     }
     signature_[expression.text] = Type{set->type.name, false};
     expression.children[1] = checked(expression.children[1], wanted);

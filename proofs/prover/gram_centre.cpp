@@ -36,6 +36,7 @@ class CentralPath {
     y_ = DenseVector::Zero(count_);
     for (const BlockPart& part : parts_) scale_ = std::max(scale_, part.base.cwiseAbs().maxCoeff());
     t_ = std::max(0.0, -least_eigenvalue()) + scale_;
+    bound_the_traces();
   }
 
   ApproximateCentre run() {
@@ -69,6 +70,22 @@ class CentralPath {
     return result;
   }
 
+  /// With two constraints that add up to 0, as those of an equation do, matrices of the family have no bound.
+  void bound_the_traces() {
+    constexpr double far = 1000;
+    double most = far * (scale_ + t_);
+    DenseMatrix base = DenseMatrix::Zero(1, 1);
+    std::vector<double> slopes(static_cast<std::size_t>(count_), 0.0);
+    for (const BlockPart& part : parts_) {
+      most += far * scale_ * static_cast<double>(part.base.rows());
+      base(0, 0) -= part.base.trace();
+      for (std::size_t i = 0; i < slopes.size(); ++i) slopes[i] -= part.directions[i].trace();
+    }
+    base(0, 0) += most;
+    bound_.base = base;
+    for (const double slope : slopes) bound_.directions.emplace_back(DenseMatrix::Constant(1, 1, slope));
+  }
+
   [[nodiscard]] double least_eigenvalue() const {
     double result = HUGE_VAL;
     for (const BlockPart& part : parts_) {
@@ -79,10 +96,11 @@ class CentralPath {
   }
 
   [[nodiscard]] bool is_inside(const DenseVector& y, double t) const {
-    return std::all_of(parts_.begin(), parts_.end(), [&](const BlockPart& part) {
+    const auto is_inside_of = [&](const BlockPart& part) {
       const DenseMatrix shifted = at(part, y) + t * DenseMatrix::Identity(part.base.rows(), part.base.cols());
       return Eigen::LLT<DenseMatrix>(shifted).info() == Eigen::Success;
-    });
+    };
+    return is_inside_of(bound_) && std::all_of(parts_.begin(), parts_.end(), is_inside_of);
   }
 
   bool centre(double mu) {
@@ -92,6 +110,7 @@ class CentralPath {
       DenseMatrix hessian = DenseMatrix::Zero(count_ + 1, count_ + 1);
       gradient(count_) = 1 / mu;
       for (const BlockPart& part : parts_) add(part, gradient, hessian);
+      add(bound_, gradient, hessian);
       hessian.diagonal().array() *= 1 + 1e-12;
       const DenseVector move = -hessian.ldlt().solve(gradient);
       const double decrement = std::sqrt(std::max(0.0, -gradient.dot(move)));
@@ -143,6 +162,7 @@ class CentralPath {
   }
 
   std::vector<BlockPart> parts_;
+  BlockPart bound_;  ///< a number that is positive while the sum of all traces has not become large
   DenseIndex count_ = 0;
   DenseVector y_;
   double t_ = 0;

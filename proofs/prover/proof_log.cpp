@@ -129,8 +129,9 @@ Json goal_of(const GoalOutcome& outcome) {
   if (!outcome.squares) {
     for (const std::size_t root : outcome.result.roots) trees.push_back(tree_of(outcome, root));
   }
-  Json result{{"statement", s_expression(*goal.statement)}, {"squared", squared}, {"factors", factors}, {"atoms", atoms},
-              {"precision", enclosure_precision.value},     {"trees", trees}};
+  Json result{
+      {"statement", s_expression(*goal.statement)}, {"squared", squared}, {"factors", factors}, {"atoms", atoms},
+      {"precision", enclosure_precision.value},     {"trees", trees}};
   if (outcome.squares) result["squares"] = squares_of(*outcome.squares, goal);
   return result;
 }

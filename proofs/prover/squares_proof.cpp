@@ -166,8 +166,8 @@ class SquaresSearch {
       const Polynomial turned = positive ? polynomial : -polynomial;
       auto terms = strict ? positive_sum_of_squares(turned, polynomials_) : sum_of_squares(turned, polynomials_);
       if (!terms) continue;
-      const Sign sign = positive ? (strict ? Sign::positive : Sign::nonnegative)
-                                 : (strict ? Sign::negative : Sign::nonpositive);
+      const Sign sign =
+          positive ? (strict ? Sign::positive : Sign::nonnegative) : (strict ? Sign::negative : Sign::nonpositive);
       proof_.signs.push_back({factor, sign, std::move(*terms)});
       return sign;
     }

@@ -23,7 +23,8 @@ struct SquaresConstraint {
 struct FactorSign {
   std::size_t factor = 0;
   Sign sign = Sign::unknown;  ///< positive, nonnegative, negative or nonpositive
-  /// Of the factor, or of its negative if the sign is; empty where Bernstein's coefficients on the whole ranges show it.
+  /// Of the factor, or of its negative if the sign is; empty where Bernstein's coefficients on the whole ranges show
+  /// it.
   std::vector<SquareTerm> terms;
 };
 

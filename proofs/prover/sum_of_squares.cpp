@@ -30,7 +30,8 @@ unsigned long total_degree(const Polynomial& p) {
 bool is_homogeneous(const Polynomial& p) {
   const unsigned long degree = total_degree(p);
   const auto terms = p.terms();
-  return std::all_of(terms.begin(), terms.end(), [&](const auto& term) { return total_exponent(term.exponents) == degree; });
+  return std::all_of(terms.begin(), terms.end(),
+                     [&](const auto& term) { return total_exponent(term.exponents) == degree; });
 }
 
 /// A rational matrix of FLINT.
@@ -51,7 +52,9 @@ class RationalMatrix {
     fmpq_set(value.raw(), entry(row, column));
     return value.rational();
   }
-  [[nodiscard]] bool is_zero(std::size_t row, std::size_t column) const { return fmpq_is_zero(entry(row, column)) != 0; }
+  [[nodiscard]] bool is_zero(std::size_t row, std::size_t column) const {
+    return fmpq_is_zero(entry(row, column)) != 0;
+  }
   /// Reduced row echelon form; the columns of the pivots.
   std::vector<std::size_t> reduce() {
     const auto rank = static_cast<std::size_t>(fmpq_mat_rref(value_, value_));
@@ -254,7 +257,9 @@ class GramSearch {
   [[nodiscard]] std::optional<AffineSolutions> solve() const {
     std::vector<std::vector<Polynomial::Term>> columns;
     std::map<ExponentVector, std::size_t> rows;
-    const auto row_of = [&rows](const ExponentVector& exponents) { return rows.try_emplace(exponents, rows.size()).first->second; };
+    const auto row_of = [&rows](const ExponentVector& exponents) {
+      return rows.try_emplace(exponents, rows.size()).first->second;
+    };
     for (const auto& term : polynomial_.terms()) (void)row_of(term.exponents);
     for (const SquaresBlock& block : blocks_) {
       for (std::size_t i = 0; i < block.basis.size(); ++i) {

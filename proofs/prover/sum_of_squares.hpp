@@ -14,8 +14,8 @@ struct SquareTerm {
   std::vector<std::size_t> constraints;  ///< numbers of constraints, each at most once
 };
 
-/// Whether the polynomial is the sum of the terms, exactly, and every weight is above 0: where no constraint is negative,
-/// the polynomial is not, either.
+/// Whether the polynomial is the sum of the terms, exactly, and every weight is above 0: where no constraint is
+/// negative, the polynomial is not, either.
 [[nodiscard]] bool is_sum(const Polynomial& polynomial, const std::vector<Polynomial>& constraints,
                           const std::vector<SquareTerm>& terms);
 
@@ -27,7 +27,7 @@ struct SquareTerm {
                                                                     const std::vector<Polynomial>& constraints);
 
 /// The same for a polynomial that is to be above 0: one of the terms is a constant.
-[[nodiscard]] std::optional<std::vector<SquareTerm>> positive_sum_of_squares(const Polynomial& polynomial,
-                                                                             const std::vector<Polynomial>& constraints);
+[[nodiscard]] std::optional<std::vector<SquareTerm>> positive_sum_of_squares(
+    const Polynomial& polynomial, const std::vector<Polynomial>& constraints);
 
 }  // namespace delcert

@@ -32,8 +32,9 @@ struct GoalParts {
   const Variables& variables;
 };
 
-/// Checks a proof by sums of squares (docs/prover.md, "The log"): each sum is the factor, the weights are positive, what
-/// is multiplied by is not negative where the hypotheses hold, and the signs make the conclusion true. Throws Rejected.
+/// Checks a proof by sums of squares (docs/prover.md, "The log"): each sum is the factor, the weights are positive,
+/// what is multiplied by is not negative where the hypotheses hold, and the signs make the conclusion true. Throws
+/// Rejected.
 void require_proved_by_squares(const nlohmann::json& squares, const GoalParts& goal);
 
 }  // namespace delcert::replay

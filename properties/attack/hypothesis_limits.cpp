@@ -22,7 +22,8 @@ Rational draw_unbounded(const ParameterRange& range, Choices& choices) {
   const bool has_end = range.has_lower || range.has_upper || (!range.lower && !range.upper);
   if (kind < 0.15 && has_end) return end;
   constexpr long far = 20;
-  const Rational distance = size * Rational::power_of_two(kind < 0.6 ? choices.between(-2, 2) : choices.between(-far, far));
+  const Rational distance =
+      size * Rational::power_of_two(kind < 0.6 ? choices.between(-2, 2) : choices.between(-far, far));
   return is_negative ? end - distance : end + distance;
 }
 

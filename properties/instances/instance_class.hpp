@@ -78,8 +78,8 @@ class InstanceClass {
   /// The shapes that an attack goes through unless told otherwise, from small to large.
   [[nodiscard]] virtual std::vector<Shape> shapes() const = 0;
 
-  /// Whether an attack can be told to use a shape: one of `shapes()`, or, for simplices, one of a higher dimension up to
-  /// 8 with as many dimensions to spare as one of these.
+  /// Whether an attack can be told to use a shape: one of `shapes()`, or, for simplices, one of a higher dimension up
+  /// to 8 with as many dimensions to spare as one of these.
   [[nodiscard]] virtual bool has(const Shape& shape) const;
 
   /// About how many simplices cost as much as one instance of this shape: a campaign of N samples has N/cost of it.

@@ -32,7 +32,7 @@ TEST(SquaresScript, replaces_a_factor_by_its_squares) {
 TEST(SquaresScript, keeps_a_constant_where_the_sign_is_strict) {
   const SquaresScript script = script_of(
       "forall = { x = '(-infinity, infinity)', y = '(-infinity, infinity)' }\ngiven = ['x + y >= 1']\n"
-      "claim = 'x^2 + y^2 > 49/100'");
+      "claim = 'x^2 + y^2 > 1/2 - 1/2^30'");
   ASSERT_EQ(script.signs.size(), 1U);
   EXPECT_TRUE(script.signs.begin()->second.strict);
   EXPECT_NE(script.signs.begin()->second.script.find("apply Rplus_le_lt_0_compat"), std::string::npos);

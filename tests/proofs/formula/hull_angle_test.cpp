@@ -31,7 +31,8 @@ TEST(HullAngle, of_one_direction_is_a_quotient) {
 /// det(A − λG) = (1/3 − λ)(1/7 − λ) for diagonal ones: the greatest root counts, wherever it stands.
 TEST(HullAngle, of_two_directions_lies_between_the_bounds) {
   const auto gram = matrix(Rational(1), Rational(0), Rational(1));
-  for (const auto& across : {matrix(ratio(1, 3), Rational(0), ratio(1, 7)), matrix(ratio(1, 7), Rational(0), ratio(1, 3))}) {
+  for (const auto& across :
+       {matrix(ratio(1, 3), Rational(0), ratio(1, 7)), matrix(ratio(1, 7), Rational(0), ratio(1, 3))}) {
     const auto bounds = greatest_squared_sine(across, gram, 40);
     ASSERT_TRUE(bounds.has_value());
     EXPECT_TRUE(bounds->lower < ratio(1, 3) && ratio(1, 3) <= bounds->upper);
@@ -49,10 +50,12 @@ TEST(HullAngle, does_not_depend_on_the_basis) {
   EXPECT_TRUE(bounds->lower < ratio(1, 3) && ratio(1, 3) <= bounds->upper);
 }
 
-TEST(HullAngle, is_zero_within_the_space_and_undefined_without_directions) {
+TEST(HullAngle, is_exact_within_the_space_and_across_it_and_undefined_without_directions) {
   const auto gram = matrix(Rational(1), Rational(0), Rational(1));
   const auto inside = greatest_squared_sine(SymmetricMatrix<Rational>(2), gram, 10);
   EXPECT_EQ(inside->upper, Rational(0));
+  const auto across = greatest_squared_sine(matrix(Rational(1), Rational(0), Rational(0)), gram, 10);
+  EXPECT_EQ(across->lower, Rational(1));
   const auto none = greatest_squared_sine(SymmetricMatrix<Rational>(0), SymmetricMatrix<Rational>(0), 10);
   EXPECT_EQ(none.exists(), Verdict::refuted);
   const auto degenerate =

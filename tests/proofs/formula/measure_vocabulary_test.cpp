@@ -47,7 +47,8 @@ TEST(MeasureVocabulary, DihedralAngles) {
   expect_equal("dihedral_cosine(s, 0, 1)", "4/5", right_triangle());
   expect_equal("dihedral_cosine(s, 0, 2)", "3/5", right_triangle());
   for (int k = 2; k <= 5; ++k) {
-    expect_equal("dihedral_cosine(s, 0, 1)", "1/" + std::to_string(k), {{"s", regular(static_cast<std::size_t>(k), one)}});
+    expect_equal("dihedral_cosine(s, 0, 1)", "1/" + std::to_string(k),
+                 {{"s", regular(static_cast<std::size_t>(k), one)}});
   }
   expect_equal("dihedral_cosine(s, 1, 2)", "0", corner());
   expect_equal("dihedral_cosine(s, 0, 2)", "1/sqrt(3)", corner());

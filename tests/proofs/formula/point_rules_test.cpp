@@ -14,9 +14,9 @@ const std::string head = "name = 'n'\ninstance = 'point-set'\n";
 const std::string show = "[[show]]\nclaim = 'n >= 1'\n";
 
 Claim parsed(const std::string& text) {
-  return parse_claim(text, "a.toml", full_vocabulary(),
-                     {{"point-set", instance_class("point-set").signature()},
-                      {"simplex", instance_class("simplex").signature()}});
+  return parse_claim(
+      text, "a.toml", full_vocabulary(),
+      {{"point-set", instance_class("point-set").signature()}, {"simplex", instance_class("simplex").signature()}});
 }
 
 std::string error_of(const std::string& text) {

@@ -24,8 +24,8 @@ const char* const line =
     "forall = { x = '(-infinity, infinity)', y = '(-infinity, infinity)' }\ngiven = ['x + y >= 1']\n"
     "claim = 'x^2 + y^2 >= 1/2'";
 const char* const strict =
-    "forall = { x = '(-infinity, infinity)', y = '(-infinity, infinity)' }\ngiven = ['x + y = 1']\n"
-    "claim = 'x^2 + y^2 > 49/100'";
+    "forall = { x = '(-infinity, infinity)', y = '(-infinity, infinity)' }\ngiven = ['x + y >= 1']\n"
+    "claim = 'x^2 + y^2 > 1/2 - 1/2^30'";
 
 Json logged(const std::string& lines) {
   const Step of = test::step(lines);
@@ -84,13 +84,25 @@ TEST(ReplayedSquares, have_positive_weights) {
 }
 
 TEST(ReplayedSquares, are_multiplied_by_what_the_hypotheses_grant_only) {
-  EXPECT_EQ(changed(line, [](Json& squares) { squares["constraints"].push_back({"comparison", 1, false}); }),
+  EXPECT_EQ(changed(line,
+                    [](Json& squares) {
+                      squares["constraints"].push_back({"comparison", 1, false});
+                    }),
             "c / a: goal 1: a comparison that no hypothesis grants");
-  EXPECT_EQ(changed(line, [](Json& squares) { squares["constraints"].push_back({"lower", "x"}); }),
+  EXPECT_EQ(changed(line,
+                    [](Json& squares) {
+                      squares["constraints"].push_back({"lower", "x"});
+                    }),
             "c / a: goal 1: an end of a range that has none");
-  EXPECT_EQ(changed(line, [](Json& squares) { squares["constraints"].push_back({"comparison", 0, true}); }),
+  EXPECT_EQ(changed(line,
+                    [](Json& squares) {
+                      squares["constraints"].push_back({"comparison", 0, true});
+                    }),
             "c / a: goal 1: a comparison that is turned, but no equation");
-  EXPECT_EQ(changed(means, [](Json& squares) { squares["constraints"].push_back({"upper", "a"}); }),
+  EXPECT_EQ(changed(means,
+                    [](Json& squares) {
+                      squares["constraints"].push_back({"upper", "a"});
+                    }),
             "c / a: goal 1: an end of a range that has none");
 }
 
