@@ -249,10 +249,10 @@ class HypothesisPower {
   }
 
   [[nodiscard]] bool violates(const Bindings& bindings) {
-    // First the conclusion: hypotheses about forbidden configurations take longest.
+    // The hypotheses first: where they fail, the conclusion may ask for what there is not.
     Scene scene(bindings);
-    if (!is_refuted(decide_statement(*target_.claim.conclusions[target_.conclusion].formula, scene))) return false;
-    return others_hold(scene);
+    if (!others_hold(scene)) return false;
+    return is_refuted(decide_statement(*target_.claim.conclusions[target_.conclusion].formula, scene));
   }
 
   [[nodiscard]] bool others_hold(Scene& scene) {
