@@ -56,6 +56,7 @@ void print_claim(const Claim& claim) {
   }
   for (const Conclusion& conclusion : claim.conclusions) {
     std::cout << "  show " << conclusion.name << ": " << conclusion.text << "\n";
+    if (conclusion.base) std::cout << "    base: " << conclusion.base->text << "\n";
     if (conclusion.twin) std::cout << "    twin, to be refuted: " << conclusion.twin->text << "\n";
     if (!conclusion.no_twin.empty()) std::cout << "    no twin: " << conclusion.no_twin << "\n";
   }

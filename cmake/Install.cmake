@@ -66,7 +66,7 @@ install(FILES ${PROJECT_BINARY_DIR}/generated/delcertConfig.cmake
   ${PROJECT_SOURCE_DIR}/cmake/CheckerLibraries.cmake
   DESTINATION ${DELCERT_PACKAGE_DIR} COMPONENT development)
 
-foreach(subcommand attack bundle campaign certify cite claims constants errata export figure formalise homology info manifolds prove report sample
+foreach(subcommand attack bundle campaign certify cite claims constants errata export figure formalise homology info manifolds power prove report sample
     tables tighten)
   delcert_manual(delcert-${subcommand} delcert "delcert ${subcommand}" ${subcommand})
   if(TARGET manual-of-delcert-${subcommand})

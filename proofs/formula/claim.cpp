@@ -201,11 +201,14 @@ class ClaimReader : FormulaReader {
     for (const toml::node& node : *show) {
       const toml::table* part = node.as_table();
       if (part == nullptr) fail(node.source(), "the key show expects tables, [[show]]");
-      refuse_unknown(*part, {"name", "claim", "twin", "no_twin"});
+      refuse_unknown(*part, {"name", "claim", "base", "twin", "no_twin"});
       const std::string name = part_name(*part, taken, "conclusion-" + std::to_string(taken.size() + 1));
       Conclusion conclusion;
       static_cast<Statement&>(conclusion) = statement(required(*part, "claim"), name);
       if (const toml::node* twin = part->get("twin")) conclusion.twin = statement(*twin, name + "-twin");
+      if (const toml::node* base = part->get("base")) {
+        conclusion.base = formula(*base, name + "-base", vocabulary_, signature_, types::number);
+      }
       conclusion.no_twin = reason(*part);
       if (conclusion.twin && !conclusion.no_twin.empty()) {
         fail(part->get("no_twin")->source(), "a conclusion has a twin or a reason why not, not both");

@@ -22,6 +22,9 @@ struct Hypothesis : Statement {
 struct Conclusion : Statement {
   /// The conclusion with its constant moved past what holds: it has to be refuted.
   std::optional<Statement> twin;
+  /// A term that both sides of its comparisons exceed or come near to: what is measured is the ratio of the excesses,
+  /// so that where nothing is distorted is not where the ratio is greatest.
+  std::optional<Statement> base;
   /// Why there is no twin, if there is none.
   std::string no_twin;
 };

@@ -55,6 +55,22 @@ ExpressionPointer without_definitions(const ExpressionPointer& formula) {
   return rebuilt_with(formula, std::move(children));
 }
 
+ExpressionPointer less_base(const ExpressionPointer& statement, const ExpressionPointer& base) {
+  std::vector<ExpressionPointer> children = statement->children;
+  for (auto& child : children) {
+    if (is_comparison(statement->operation)) {
+      auto difference = std::make_shared<Expression>();
+      difference->operation = Operation::subtract;
+      difference->type = types::number;
+      difference->children = {child, base};
+      child = difference;
+    } else if (child->type == types::truth) {
+      child = less_base(child, base);
+    }
+  }
+  return rebuilt_with(statement, std::move(children));
+}
+
 ExpressionPointer number_expression(const Rational& value) {
   if (value < Rational(0)) {
     auto result = std::make_shared<Expression>();

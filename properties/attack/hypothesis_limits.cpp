@@ -99,11 +99,25 @@ std::optional<Rational> HypothesisLimits::most(const std::string& name, const Bi
   return result;
 }
 
-std::optional<Instance> draw_instance(const Claim& claim, const HypothesisLimits& limits, const Shape& shape,
-                                      Choices& choices) {
+namespace {
+
+Bindings draw_parameters(const Claim& claim, Choices& choices) {
   Bindings given;
   for (const auto& [name, range] : claim.parameters) given[name] = draw_parameter(range, choices);
+  return given;
+}
+
+}  // namespace
+
+std::optional<Instance> draw_instance(const Claim& claim, const Limits& limits, const Shape& shape, Choices& choices) {
+  const Bindings given = draw_parameters(claim, choices);
   return instance_class(claim.instance).draw(shape, given, limits, choices);
+}
+
+std::optional<Instance> draw_structured_instance(const Claim& claim, const Limits& limits, const Shape& shape,
+                                                 Choices& choices) {
+  const Bindings given = draw_parameters(claim, choices);
+  return instance_class(claim.instance).draw_structured(shape, given, limits, choices);
 }
 
 }  // namespace delcert

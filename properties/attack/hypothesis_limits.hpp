@@ -32,7 +32,10 @@ class HypothesisLimits : public Limits {
 };
 
 /// Draws the parameters of the claim (its `forall`), then an instance of its class.
-[[nodiscard]] std::optional<Instance> draw_instance(const Claim& claim, const HypothesisLimits& limits,
-                                                    const Shape& shape, Choices& choices);
+[[nodiscard]] std::optional<Instance> draw_instance(const Claim& claim, const Limits& limits, const Shape& shape,
+                                                    Choices& choices);
+/// The same with `InstanceClass::draw_structured`.
+[[nodiscard]] std::optional<Instance> draw_structured_instance(const Claim& claim, const Limits& limits,
+                                                               const Shape& shape, Choices& choices);
 
 }  // namespace delcert

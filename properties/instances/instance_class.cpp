@@ -14,6 +14,12 @@ void InstanceClass::extend(Vocabulary&) const {}
 
 std::uint64_t InstanceClass::cost(const Shape&) const { return 1; }
 
+bool InstanceClass::has_structure(const Shape&) const { return false; }
+
+std::optional<Instance> InstanceClass::draw_structured(const Shape&, const Bindings&, const Limits&, Choices&) const {
+  return std::nullopt;
+}
+
 const InstanceClass& instance_class(const std::string& name) {
   std::vector<std::string> known;
   for (const InstanceClass* candidate : instance_classes()) {

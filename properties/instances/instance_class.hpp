@@ -91,6 +91,13 @@ class InstanceClass {
   [[nodiscard]] virtual std::optional<Instance> draw(const Shape& shape, const Bindings& given, const Limits& limits,
                                                      Choices& choices) const = 0;
 
+  /// Whether there are structured instances of this shape: those next to which the known bounds are nearly attained,
+  /// such as two flat groups of vertices. A directed search begins with some of them; an attack does not draw them.
+  [[nodiscard]] virtual bool has_structure(const Shape& shape) const;
+  /// One of them, as `draw`. Nothing where there are none.
+  [[nodiscard]] virtual std::optional<Instance> draw_structured(const Shape& shape, const Bindings& given,
+                                                                const Limits& limits, Choices& choices) const;
+
   /// Simpler instances near this one, the simplest first: fewer, smaller, rounder numbers. Each is an instance of the
   /// class again; that the hypotheses still hold is not asked. Finite descent: what is simpler than itself never ends.
   [[nodiscard]] virtual std::vector<Bindings> simpler(const Bindings& bindings) const = 0;
