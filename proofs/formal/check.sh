@@ -3,9 +3,10 @@
 # check.sh steps WORK DELCERT     exports all steps of all claims and compiles the fixed sample of sample.txt and what
 #                                 differs from what steps.txt records as compiled. The latter may take $FORMAL_BUDGET
 #                                 seconds (90); what is left then is a failure: record it.
-# check.sh all-steps WORK DELCERT compiles all of them.
-# check.sh record WORK DELCERT    the same, and writes steps.txt.
-# What has been compiled in WORK and has not changed is not compiled again.
+# check.sh all-steps WORK DELCERT compiles the theory and all steps anew: it trusts no hash, neither those of steps.txt
+#                                 nor those of what has been compiled in WORK.
+# check.sh record WORK DELCERT    compiles all steps, and writes steps.txt.
+# But for all-steps, what has been compiled in WORK and has not changed is not compiled again.
 set -uo pipefail
 formal=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 work=${2:?usage: check.sh theorems|steps|all-steps|record WORK [DELCERT]}
@@ -116,7 +117,7 @@ steps() {
 case ${1:-} in
   theorems) theorems ;;
   steps) steps sample "${3:-}" ;;
-  all-steps) steps all "${3:-}" ;;
+  all-steps) rm -rf "$out" && steps all "${3:-}" ;;
   record) steps record "${3:-}" ;;
   *) echo "check.sh: no such task: ${1:-}" >&2; exit 64 ;;
 esac

@@ -81,6 +81,16 @@ TEST_F(Core, refuses_two_elements_on_an_edge) {
   EXPECT_EQ(broken_rules(sample), Rules{"core.edges"});
 }
 
+/// With one more step along an edge that has no element, the loop has the element of its generator and ends elsewhere.
+TEST_F(Core, refuses_a_loop_that_is_not_closed) {
+  CoreSample sample = grid_torus(2, 4);
+  std::uint32_t s = 0;
+  while (sample.data.labels[s * 3] != 0 || sample.data.elements[s * 2] != 0) ++s;
+  EXPECT_EQ(broken_rules(sample), Rules{});
+  sample.data.loops[0].push_back({s, 0, 1});
+  EXPECT_EQ(broken_rules(sample), Rules{"core.group"});
+}
+
 TEST_F(Core, refuses_a_wrong_relative_element) {
   CoreSample sample = grid_torus(2, 4);
   sample.data.elements[0] = sample.data.elements[0] == 1 ? 2 : 1;

@@ -76,6 +76,27 @@ TEST_F(Simplices, thickness_of_known_shapes_is_decided_at_its_exact_value) {
   EXPECT_EQ(is_thick(plane_, edge, exact_value("1000001/1000000")), Verdict::refuted);
 }
 
+TEST_F(Simplices, of_known_shapes_are_clear_of_points_beyond_the_protection_only) {
+  // The circumcircle has the centre (3/2, 2) and the radius 5/2; the point is at 3 from the centre.
+  const Simplex<Rational> right(
+      plane_, {vector_of<Rational>({0, 0}), vector_of<Rational>({3, 0}), vector_of<Rational>({0, 4})});
+  Vector<Rational> point{};
+  point[0] = exact_value("9/2");
+  point[1] = Rational(2);
+  const Rational little = exact_value("0x1p-200");
+  EXPECT_EQ(is_clear(right, point, exact_value("1/2")), Verdict::refuted);
+  EXPECT_EQ(is_clear(right, point, exact_value("1/2") + little), Verdict::refuted);
+  EXPECT_EQ(is_clear(right, point, exact_value("1/2") - little), Verdict::proved);
+  EXPECT_EQ(is_clear(right, right.centre, little), Verdict::refuted);
+}
+
+TEST_F(Simplices, of_known_shapes_are_within_the_ball_that_their_own_touches) {
+  const Rational quarter = exact_value("25/4"), little = exact_value("0x1p-200");
+  EXPECT_EQ(is_ball_within(quarter, quarter, Rational(5)), Verdict::proved);
+  EXPECT_EQ(is_ball_within(quarter, quarter, Rational(5) - little), Verdict::refuted);
+  EXPECT_EQ(is_ball_within(quarter, quarter, Rational(1)), Verdict::refuted);
+}
+
 TEST_F(Simplices, of_random_points_have_all_vertices_on_the_sphere_and_filter_encloses_exact) {
   std::mt19937_64 random(1);
   for (int k = 0; k < 2000; ++k) {

@@ -40,6 +40,10 @@ TEST(CayleyMenger, QuotientsNeedANonDegenerateDivisor) {
       simplex_of({{Rational(0), Rational(0)}, {Rational(1), Rational(1)}, {Rational(3), Rational(3)}});
   EXPECT_EQ(cayley_menger_determinant(collinear), Rational(0));
   EXPECT_FALSE(squared_circumradius_by_volumes(collinear));
+  const auto right = simplex_of({{Rational(0), Rational(0)}, {Rational(3), Rational(0)}, {Rational(0), Rational(4)}});
+  EXPECT_EQ(squared_circumradius_by_volumes(right), Rational(25) / Rational(4));
+  EXPECT_EQ(squared_volume(right), Rational(36));
+  EXPECT_EQ(squared_altitude_by_volumes(right, 0), Rational(144) / Rational(25));
   EXPECT_EQ(squared_altitude_by_volumes(collinear, 0), Rational(0));
   EXPECT_THROW((void)squared_altitude_by_volumes(simplex_of({{Rational(1)}}), 0), std::invalid_argument);
   const auto doubled = simplex_of({{Rational(1)}, {Rational(0)}, {Rational(0)}});

@@ -52,5 +52,29 @@ refused "a step that is listed but compiles" \
 # A budget that is spent before the first of them.
 FORMAL_BUDGET=-1 refused "changed steps that were not compiled" "sed -i '/adaptive-sampling.density/d' steps.txt" "were not compiled: run check.sh record"
 
+# Another lemma in the place of a step, compiled, with the hash of the step: the sample trusts the hash, all-steps none.
+# With what the exported steps use, and one step only.
+rm -rf "$copy/formal" "$copy/work"
+mkdir "$copy/formal"
+cp "$project"/proofs/formal/{certificates,enclosure,refutations}.v "$project"/proofs/formal/*.sh "$copy/formal"
+echo circumcentres-under-distortion/forty-two >"$copy/formal/sample.txt"
+: >"$copy/formal/not-formalised.txt"
+one_step=$copy/one-step
+cat >"$one_step" <<END
+#!/bin/sh
+exec "$delcert" formalise circumcentres-under-distortion --step forty-two --into "\$4"
+END
+chmod +x "$one_step"
+one() { "$copy/formal/check.sh" "$1" "$copy/work" "$one_step" >"$copy/log" 2>&1 || fail "$1 of one step: $(cat "$copy/log")"; }
+one steps
+stem=$(cut -d' ' -f1 "$copy/work/steps.list")
+compiled=$copy/work/Delcert/$stem.v
+echo 'Lemma nothing : True. Proof. exact I. Qed.' >"$compiled"
+(cd "$copy/work" && coqc -q -w none -Q Delcert Delcert "$compiled") || fail "another lemma does not compile"
+one steps
+grep -q nothing "$compiled" || fail "the sample does not trust the hash, so nothing is tested here"
+one all-steps
+cmp -s "$compiled" "$copy/work/export/$stem.v" || fail "all-steps trusts the hash of what has been compiled"
+
 echo "$failures failures"
 exit $((failures > 0))
