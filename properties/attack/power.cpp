@@ -10,6 +10,7 @@
 #include "proofs/formula/substitution.hpp"
 #include "properties/attack/directed_search.hpp"
 #include "properties/attack/hypothesis_limits.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 
@@ -248,11 +249,25 @@ class HypothesisPower {
     return draw(ScaledLimits(limits_, name_, power_step(level)));
   }
 
+  /// The hypotheses first: where they fail, the conclusion may ask for what there is not. Where a wider hypothesis lets
+  /// in instances of which the claim cannot be asked at all, they violate nothing.
   [[nodiscard]] bool violates(const Bindings& bindings) {
-    // The hypotheses first: where they fail, the conclusion may ask for what there is not.
     Scene scene(bindings);
-    if (!others_hold(scene)) return false;
-    return is_refuted(decide_statement(*target_.claim.conclusions[target_.conclusion].formula, scene));
+    try {
+      return others_hold(scene) &&
+             is_refuted(decide_statement(*target_.claim.conclusions[target_.conclusion].formula, scene));
+    } catch (const InputError&) {
+      return false;
+    }
+  }
+
+  [[nodiscard]] bool can_be_asked(const Bindings& bindings) {
+    Scene scene(bindings);
+    try {
+      return others_hold(scene);
+    } catch (const InputError&) {
+      return false;
+    }
   }
 
   [[nodiscard]] bool others_hold(Scene& scene) {
@@ -276,8 +291,7 @@ class HypothesisPower {
         return least_level(0, last, fails);
       }
       // On the same way, what is nearer violates nothing either.
-      Scene scene(instance->bindings);
-      if (others_hold(scene)) return std::nullopt;
+      if (can_be_asked(instance->bindings)) return std::nullopt;
     }
     return std::nullopt;
   }

@@ -128,7 +128,8 @@ TEST(ConstantTable, is_printed_with_safe_roundings) {
   const std::string text = constant_table_markdown(
       {entry(row(), slacks(Rational(10) / Rational(300007), Rational(100003) / Rational(30000)))},
       {{"lem:y", "no constant"}});
-  EXPECT_TRUE(mentions(text, "| lem:x | \\|a\\| ≤ c·b | 4 | 3.3335 | > 33/10 | – | – | lemma.bound-twin.json |\n")) << text;
+  EXPECT_TRUE(mentions(text, "| lem:x | \\|a\\| ≤ c·b | 4 | 3.3335 | > 33/10 | – | – | lemma.bound-twin.json |\n"))
+      << text;
   EXPECT_TRUE(mentions(text, "| lem:y | no constant |\n"));
   EXPECT_TRUE(mentions(constant_table_markdown({entry(row())}, {}), "| 4 | – | > 33/10 |"));
   const std::string latex = constant_table_latex({entry(row())});
