@@ -1,5 +1,7 @@
 #include "apps/attack_outcome.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -8,6 +10,7 @@
 #include <set>
 
 #include "apps/claim_options.hpp"
+#include "kernel/number/exact_text.hpp"
 #include "properties/attack/attack_report.hpp"
 #include "properties/attack/twins.hpp"
 #include "support/atomic_file.hpp"
@@ -50,6 +53,43 @@ std::vector<std::string> never_met(const std::vector<Target>& targets, const std
   return result;
 }
 
+/// How often the points of a claim about points of its own could be drawn.
+struct PointDraws {
+  std::string claim;
+  std::uint64_t samples = 0;
+  std::uint64_t drawn = 0;
+  Rational least;
+  [[nodiscard]] bool is_hardly_drawn() const {
+    return Rational(static_cast<long>(drawn)) < least * Rational(static_cast<long>(samples));
+  }
+};
+
+std::vector<PointDraws> point_draws(const std::vector<Target>& targets, const std::vector<Tally>& tallies) {
+  std::vector<PointDraws> result;
+  for (std::size_t at = 0; at < targets.size(); ++at) {
+    const Claim& claim = targets[at].claim;
+    if (!claim.points) continue;
+    if (result.empty() || result.back().claim != claim.name) {
+      result.push_back({claim.name, 0, 0, claim.points->least_acceptance});
+    }
+    result.back().samples += tallies[at].samples;
+    result.back().drawn += tallies[at].samples - tallies[at].not_drawn;
+  }
+  return result;
+}
+
+double percent(std::uint64_t part, std::uint64_t whole) {
+  constexpr double hundred = 100;
+  return whole == 0 ? 0 : hundred * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+std::string draws_text(const PointDraws& draws) {
+  std::string result = fmt::format("points: {}, {} of {} draws met the constraints ({:.1f} %)", draws.claim,
+                                   draws.drawn, draws.samples, percent(draws.drawn, draws.samples));
+  if (draws.is_hardly_drawn()) result += ", hardly any: least_acceptance is " + exact_text(draws.least);
+  return result + "\n";
+}
+
 void print_json(const std::vector<Target>& targets, const std::vector<Tally>& tallies,
                 const std::vector<Refutation>& refutations, const OutcomeOptions& options) {
   nlohmann::ordered_json json{{"seed", options.seed},
@@ -59,6 +99,14 @@ void print_json(const std::vector<Target>& targets, const std::vector<Tally>& ta
   json["refutations"] = nlohmann::ordered_json::array();
   for (const Refutation& one : refutations) {
     json["refutations"].push_back({{"sample", one.sample}, {"witness", nlohmann::ordered_json::parse(one.witness)}});
+  }
+  const auto draws = point_draws(targets, tallies);
+  for (const PointDraws& one : draws) {
+    json["points"].push_back({{"claim", one.claim},
+                              {"samples", one.samples},
+                              {"drawn", one.drawn},
+                              {"least_acceptance", exact_text(one.least)},
+                              {"hardly_drawn", one.is_hardly_drawn()}});
   }
   std::cout << json.dump(1) << "\n";
 }
@@ -76,6 +124,7 @@ void print_text(const std::vector<Target>& targets, const std::vector<Tally>& ta
   for (const std::string& name : never_met(targets, tallies)) {
     std::cout << "\nnot attacked: " << name << ", no sample met its hypotheses\n";
   }
+  for (const PointDraws& draws : point_draws(targets, tallies)) std::cout << "\n" << draws_text(draws);
 }
 
 }  // namespace
@@ -97,7 +146,10 @@ ExitStatus report_outcome(const std::vector<Target>& targets, const std::vector<
   const bool hardly_attacked = std::any_of(totals.begin(), totals.end(), [&](const AttackTotal& total) {
     return total.tally.held == 0 || total.tally.held < options.least;
   });
-  return undecided || hardly_attacked ? ExitStatus::undecided : ExitStatus::verified;
+  const auto draws = point_draws(targets, tallies);
+  const bool hardly_drawn =
+      std::any_of(draws.begin(), draws.end(), [](const PointDraws& one) { return one.is_hardly_drawn(); });
+  return undecided || hardly_attacked || hardly_drawn ? ExitStatus::undecided : ExitStatus::verified;
 }
 
 std::string write_witness(const std::string& folder, const std::string& name, const std::string& text) {

@@ -70,6 +70,13 @@ void add_certify(CLI::App& program, Action& chosen) {
                        "forms other than flat tori, metric fields, atlases and submanifolds measured)")
           ->transform(CLI::CheckedTransformer(modes))
           ->type_name("theory|measured");
+  const std::map<std::string, ParameterConstraints> hypotheses{{"printed", ParameterConstraints::printed},
+                                                               {"sharper", ParameterConstraints::sharper}};
+  command
+      ->add_option("--hypotheses", options->choice.constraints,
+                   "Theory mode: Hypotheses 2 as the paper has them (the default), or those of the sharper lemmas")
+      ->transform(CLI::CheckedTransformer(hypotheses))
+      ->type_name("printed|sharper");
   command->add_option("--candidates", options->choice.candidates, "Which simplices perturbations are tested against")
       ->transform(CLI::CheckedTransformer(rules))
       ->type_name("pruned|whole|printed");
@@ -105,6 +112,7 @@ void add_certify(CLI::App& program, Action& chosen) {
       "Examples:\n"
       "  delcert certify --manifold torus-3 --radius 1/24 --seed 1 --output torus-3.json.zst\n"
       "  delcert certify --manifold torus-2 --lattice 30 --mode measured --tolerance 1/64\n"
+      "  delcert certify --manifold torus-3 --radius 1/24 --mode theory --hypotheses sharper\n"
       "  delcert certify --manifold my-torus.toml --points net.txt --levels 0,1,2,4,5,6\n"
       "  delcert certify --manifold torus-2 --radius 1/32 --sizing examples/sizings/torus-2.txt --seed 1\n"
       "  delcert certify --manifold bolza-surface --radius 1/10 --output bolza.json.zst\n"

@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "properties/attack/claim_library.hpp"
+#include "properties/attack/claim_shapes.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
@@ -67,17 +68,17 @@ std::vector<Claim> claims_of(const ClaimOptions& options) {
 }
 
 std::vector<Shape> shapes_of(const ClaimOptions& options, const Claim& claim) {
-  const InstanceClass& its_class = instance_class(claim.instance);
-  if (options.shapes.empty()) return its_class.shapes();
+  const std::vector<Shape> usual = usual_shapes(claim);
+  if (options.shapes.empty()) return usual;
   std::vector<Shape> result;
   for (const std::string& text : options.shapes) {
     const Shape shape = shape_from(text);
-    if (has_shape(its_class, shape)) {
+    if (has_shape(claim, shape)) {
       if (std::find(result.begin(), result.end(), shape) == result.end()) result.push_back(shape);
     } else if (!options.all) {
       std::string known;
-      for (const Shape& listed : its_class.shapes()) known += (known.empty() ? "" : "; ") + text_of(listed);
-      throw InputError("--shape " + text + ": the class " + its_class.name() + " of " + claim.name + " has " + known);
+      for (const Shape& listed : usual) known += (known.empty() ? "" : "; ") + text_of(listed);
+      throw InputError("--shape " + text + ": the class " + claim.instance + " of " + claim.name + " has " + known);
     }
   }
   return result;

@@ -8,6 +8,7 @@
 #include "apps/other_programs.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "proofs/formula/latex.hpp"
+#include "proofs/formula/vocabulary_text.hpp"
 #include "properties/attack/claim_library.hpp"
 #include "properties/attack/paper_labels.hpp"
 
@@ -17,8 +18,9 @@ namespace {
 
 void print_parameters(const Claim& claim) {
   for (const auto& [name, range] : claim.parameters) {
-    std::cout << "  for all " << name << " in " << (range.has_lower ? "[" : "(") << exact_text(range.lower) << ", "
-              << exact_text(range.upper) << (range.has_upper ? "]" : ")") << "\n";
+    std::cout << "  for all " << name << " in " << (range.has_lower ? "[" : "(")
+              << (range.lower ? exact_text(*range.lower) : "-infinity") << ", "
+              << (range.upper ? exact_text(*range.upper) : "infinity") << (range.has_upper ? "]" : ")") << "\n";
   }
 }
 
@@ -45,12 +47,16 @@ void print_claim(const Claim& claim) {
     std::cout << "  about: " << its_class.name() << ", " << its_class.meaning() << "\n";
   }
   print_parameters(claim);
+  for (const Statement& abbreviation : claim.abbreviations) {
+    std::cout << "  let " << abbreviation.name << " = " << abbreviation.text << "\n";
+  }
   for (const Hypothesis& hypothesis : claim.hypotheses) {
     std::cout << "  given " << hypothesis.name << ": " << hypothesis.text << "\n";
     if (!hypothesis.no_twin.empty()) std::cout << "    without it: " << hypothesis.no_twin << "\n";
   }
   for (const Conclusion& conclusion : claim.conclusions) {
     std::cout << "  show " << conclusion.name << ": " << conclusion.text << "\n";
+    if (conclusion.base) std::cout << "    base: " << conclusion.base->text << "\n";
     if (conclusion.twin) std::cout << "    twin, to be refuted: " << conclusion.twin->text << "\n";
     if (!conclusion.no_twin.empty()) std::cout << "    no twin: " << conclusion.no_twin << "\n";
   }
@@ -94,6 +100,14 @@ void add_claims(CLI::App& program, Action& chosen) {
   });
   CLI::App* classes = command->add_subcommand("classes", "Print the instance classes and the names that they bind");
   classes->callback([&chosen] { chosen = list_classes; });
+  CLI::App* functions =
+      command->add_subcommand("functions", "Print what formulas can use, with types and meaning, in Markdown");
+  functions->callback([&chosen] {
+    chosen = [] {
+      std::cout << vocabulary_table(full_vocabulary());
+      return ExitStatus::verified;
+    };
+  });
   CLI::App* labels = command->add_subcommand("labels", "Print which label of the paper is which claim, in Markdown");
   labels->callback([&chosen] {
     chosen = [] {
@@ -109,6 +123,7 @@ void add_claims(CLI::App& program, Action& chosen) {
       "  delcert claims show my-claim.toml\n"
       "  delcert claims show --latex --all > claims.tex\n"
       "  delcert claims classes\n"
+      "  delcert claims functions\n"
       "  delcert claims labels");
   command->callback([command, &chosen] {
     if (command->get_subcommands().empty()) chosen = list_claims;

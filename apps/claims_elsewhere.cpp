@@ -7,7 +7,7 @@ namespace delcert {
 
 namespace {
 
-constexpr CommandName left_to_claims[] = {about_claims, about_attack, about_campaign, about_tighten,
+constexpr CommandName left_to_claims[] = {about_claims, about_attack, about_campaign, about_tighten,  about_power,
                                           about_prove,  about_errata, about_tables,   about_formalise};
 
 }  // namespace
@@ -19,6 +19,7 @@ void add_claims(CLI::App& program, Action&) { add_named(program, about_claims); 
 void add_attack(CLI::App& program, Action&) { add_named(program, about_attack); }
 void add_campaign(CLI::App& program, Action&) { add_named(program, about_campaign); }
 void add_tighten(CLI::App& program, Action&) { add_named(program, about_tighten); }
+void add_power(CLI::App& program, Action&) { add_named(program, about_power); }
 void add_prove(CLI::App& program, Action&) { add_named(program, about_prove); }
 void add_errata(CLI::App& program, Action&) { add_named(program, about_errata); }
 void add_tables(CLI::App& program, Action&) { add_named(program, about_tables); }

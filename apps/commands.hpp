@@ -30,6 +30,7 @@ void add_claims(CLI::App& program, Action& chosen);
 void add_attack(CLI::App& program, Action& chosen);
 void add_campaign(CLI::App& program, Action& chosen);
 void add_tighten(CLI::App& program, Action& chosen);
+void add_power(CLI::App& program, Action& chosen);
 void add_formalise(CLI::App& program, Action& chosen);
 void add_prove(CLI::App& program, Action& chosen);
 void add_errata(CLI::App& program, Action& chosen);

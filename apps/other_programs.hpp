@@ -42,6 +42,8 @@ inline constexpr CommandName about_attack{"attack", "Attack claims on random ins
 inline constexpr CommandName about_campaign{"campaign",
                                             "Merge the parts of long attacks, show how far they are, recheck them"};
 inline constexpr CommandName about_tighten{"tighten", "Search for the instances that come nearest to refuting a claim"};
+inline constexpr CommandName about_power{
+    "power", "Find by how much each constant and term of a claim can be moved before it is refuted"};
 inline constexpr CommandName about_prove{"prove", "Prove the numeric steps of claims for all parameters"};
 inline constexpr CommandName about_errata{
     "errata", "Print remarks on the preprint of the paper, with commands that reproduce them"};

@@ -80,8 +80,9 @@ ZERO_SETS = [Run(manifold, radius, 1, 2, cheap=manifold == "two-spheres")
                                       ("two-spheres", "1/17"), ("clifford-torus", "1/20")]]
 ZERO_SETS += [Run("trefoil", "1/26", 1, 2)]
 ZERO_SETS += [Run("sphere-3-in-r4", "1/11", 1, 2, long=True)]
-# In codimension 2, without the levels that are not reached at this radius.
-ZERO_SETS += [Run("s2-x-s1", "1/6", 1, 2, long=True, options=("--levels", "1,2,5"))]
+# In codimension 2 and 3, without the levels that are not reached at this radius.
+ZERO_SETS += [Run(manifold, radius, 1, 2, long=True, options=("--levels", "1,2,5"))
+              for manifold, radius in [("s2-x-s1", "1/6"), ("torus-3-in-r6", "1/6"), ("torus-3-in-r6", "3/20"), ("stiefel-2-3", "1/10")]]
 # Radii that vary.
 ZERO_SETS += [Run("ellipsoid", "1", 1, 2, cheap=True, options=("--sizing", "curvature:3/20,1/10")),
               Run("tanglecube", "1", 1, 2, options=("--sizing", "curvature:1/10,1/10")),
@@ -95,7 +96,9 @@ BENCHES = {"ratios": ["ratios", "3"],
            "claims": ["claims", "--benchmark_filter=^(thickness-and-singular-value|crude-circumradius-bound).*k=3,m=3",
                       "--benchmark_min_time=0.5", "--benchmark_format=json"],
            "tangential-2": ["tangential_complex", "sphere-2", "1/84"],
-           "tangential-3": ["tangential_complex", "sphere-3", "1/10"]}
+           "tangential-3": ["tangential_complex", "sphere-3", "1/10"],
+           "tangential-6": ["tangential_complex", "torus-3-in-r6", "1/6"],
+           "tangential-6-finer": ["tangential_complex", "torus-3-in-r6", "3/20"]}
 
 
 def descendants(process):
@@ -275,7 +278,9 @@ def measure_all(arguments, record, file):
     for name, run in ALL.items():
         if name in record["runs"] and run.is_due(arguments, record):
             record["runs"][name]["programs"] = identity
-    for name, command in ({} if arguments.only else BENCHES).items():
+    for name, command in BENCHES.items():
+        if arguments.only and not re.search(arguments.only, name):
+            continue
         program = arguments.build / "bench" / command[0]
         if not program.exists():
             print(f"{name}: bench/{command[0]} has not been built, its table stays", flush=True)

@@ -30,7 +30,7 @@ install(FILES ${PROJECT_BINARY_DIR}/generated/delcert_version.hpp DESTINATION ${
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/manifolds ${PROJECT_SOURCE_DIR}/examples/claims ${PROJECT_SOURCE_DIR}/examples/complexes
   DESTINATION ${CMAKE_INSTALL_DATADIR}/delcert COMPONENT delcert)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/campaigns DESTINATION ${CMAKE_INSTALL_DATADIR}/delcert COMPONENT delcert
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/campaigns ${PROJECT_SOURCE_DIR}/examples/checks DESTINATION ${CMAKE_INSTALL_DATADIR}/delcert COMPONENT delcert
   USE_SOURCE_PERMISSIONS)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT delcert)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
@@ -66,7 +66,7 @@ install(FILES ${PROJECT_BINARY_DIR}/generated/delcertConfig.cmake
   ${PROJECT_SOURCE_DIR}/cmake/CheckerLibraries.cmake
   DESTINATION ${DELCERT_PACKAGE_DIR} COMPONENT development)
 
-foreach(subcommand attack bundle campaign certify cite claims constants errata export figure formalise homology info manifolds prove report sample
+foreach(subcommand attack bundle campaign certify cite claims constants errata export figure formalise homology info manifolds power prove report sample
     tables tighten)
   delcert_manual(delcert-${subcommand} delcert "delcert ${subcommand}" ${subcommand})
   if(TARGET manual-of-delcert-${subcommand})

@@ -46,7 +46,7 @@ installed_program() {
 # programs_for ARGS…: the programs that `delcert ARGS…` consists of, one a line.
 programs_for() {
   case ${1-} in
-    attack | campaign | claims | errata | formalise | prove | tables | tighten) echo delcert; echo delcert-claims ;;
+    attack | campaign | claims | errata | formalise | power | prove | tables | tighten) echo delcert; echo delcert-claims ;;
     check) case ${2-} in "" | --help | -h) echo delcert ;; *) echo delcert-check ;; esac ;;
     figure | report) echo delcert; echo delcert-publish; echo delcert-check; shows_witnesses "${@:2}" && echo delcert-claims ;;
     bundle | export) echo delcert; echo delcert-publish; echo delcert-check ;;

@@ -50,13 +50,17 @@ enum class Operation : unsigned char {
   implication,    ///< a implies b
   for_all,        ///< forall text in a: b
   exists,         ///< exists text in a: b
+  sum_over,       ///< sum(text in a: b)
+  product_over,   ///< product(text in a: b)
+  least_over,     ///< min(text in a: b)
+  greatest_over,  ///< max(text in a: b)
 };
 
 /// One node of the syntax tree that all readers share: the exact decision, the enclosure of ratios, LaTeX, the prover.
 struct Expression {
   Operation operation = Operation::literal;
   std::size_t offset = 0;  ///< where in the text of the formula its operator, name or number begins
-  std::string text;        ///< the name, the function's name, or the variable that a quantifier binds
+  std::string text;        ///< the name, the function's name, or the variable that a quantifier or a term binds
   Rational value;          ///< of a literal
   std::vector<std::shared_ptr<const Expression>> children;
 
@@ -70,6 +74,14 @@ using ExpressionPointer = std::shared_ptr<const Expression>;
 
 [[nodiscard]] constexpr bool is_comparison(Operation operation) {
   return operation >= Operation::less && operation <= Operation::equal;
+}
+
+/// A sum, a product, the least or the greatest of the terms for all elements of a set.
+[[nodiscard]] constexpr bool is_term_over_set(Operation operation) { return operation >= Operation::sum_over; }
+
+/// Whether `text` is a variable in the second child, which runs through the first.
+[[nodiscard]] constexpr bool binds_variable(Operation operation) {
+  return operation == Operation::for_all || operation == Operation::exists || is_term_over_set(operation);
 }
 
 }  // namespace delcert

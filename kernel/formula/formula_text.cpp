@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "kernel/formula/parser.hpp"
+
 namespace delcert {
 
 namespace {
@@ -95,6 +97,11 @@ std::string set_text(const Expression& set) {
   return text_at(set, Level::sum);
 }
 
+std::string variable_text(const Expression& expression) {
+  return expression.text + " in " + set_text(*expression.children[0]) + ": " +
+         text_at(*expression.children[1], Level::statement);
+}
+
 std::string bare_text(const Expression& expression) {
   switch (expression.operation) {
     case Operation::literal:
@@ -109,8 +116,12 @@ std::string bare_text(const Expression& expression) {
       return "not " + text_at(*expression.children[0], Level::negation);
     case Operation::for_all:
     case Operation::exists:
-      return (expression.operation == Operation::for_all ? "forall " : "exists ") + expression.text + " in " +
-             set_text(*expression.children[0]) + ": " + text_at(*expression.children[1], Level::statement);
+      return (expression.operation == Operation::for_all ? "forall " : "exists ") + variable_text(expression);
+    case Operation::sum_over:
+    case Operation::product_over:
+    case Operation::least_over:
+    case Operation::greatest_over:
+      return std::string(word_over_set(expression.operation)) + "(" + variable_text(expression) + ")";
     case Operation::implication:
       return infix(expression, Level::disjunction, Level::statement);
     case Operation::disjunction:

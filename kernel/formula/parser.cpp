@@ -32,14 +32,17 @@ class Parser {
     result.has_lower = next_is("[");
     const std::size_t begin = here().offset;
     ++at_;
-    result.lower = rational();
+    result.lower = end(true);
+    if (!result.lower && result.has_lower) throw FormulaError(begin, "infinity is not a number: write (-infinity");
     take(",", "a comma between the ends");
-    result.upper = rational();
+    result.upper = end(false);
+    const std::size_t last = here().offset;
     if (!next_is(")") && !next_is("]")) refuse("the end of the interval, ) or ]");
     result.has_upper = next_is("]");
+    if (!result.upper && result.has_upper) throw FormulaError(last, "infinity is not a number: write infinity)");
     ++at_;
     expect_end();
-    if (result.upper < result.lower || (result.upper == result.lower && !(result.has_lower && result.has_upper))) {
+    if (result.lower && result.upper && is_empty(*result.lower, *result.upper, result.has_lower && result.has_upper)) {
       throw FormulaError(begin, "an empty interval");
     }
     return result;
@@ -124,6 +127,12 @@ class Parser {
   }
 
   Pointer quantified(Operation operation, std::size_t offset) {
+    const auto variables = variables_of("a colon and a statement, or a comma and another variable");
+    return bound(operation, offset, variables, statement());
+  }
+
+  /// x in a, y in b: as far as the colon, or the error says what was expected there.
+  std::vector<std::pair<std::string, Pointer>> variables_of(const std::string& expected) {
     std::vector<std::pair<std::string, Pointer>> variables;
     do {
       if (!variables.empty()) ++at_;
@@ -133,11 +142,35 @@ class Parser {
       take("in", "'in'");
       variables.emplace_back(std::move(variable), set());
     } while (next_is(","));
-    take(":", "a colon and a statement, or a comma and another variable");
-    auto result = statement();
+    take(":", expected);
+    return variables;
+  }
+
+  /// The last variable is the innermost.
+  Pointer bound(Operation operation, std::size_t offset, const std::vector<std::pair<std::string, Pointer>>& variables,
+                Pointer result) {
     for (auto variable = variables.rbegin(); variable != variables.rend(); ++variable) {
       result = node(operation, offset, {variable->second, result}, variable->first);
     }
+    return result;
+  }
+
+  /// Whether "x in" follows, which begins no argument.
+  [[nodiscard]] bool next_is_variable() const {
+    return here().kind == TokenKind::word && !is_keyword(here().text) && tokens_[at_ + 1].is("in");
+  }
+
+  /// What stands in the parentheses of sum(x in a, y in b: term), and the one that closes them.
+  Pointer over_set(const Token& word) {
+    const auto operation = operation_over_set(word.text);
+    if (!operation) {
+      throw FormulaError(word.offset,
+                         "no sum, product, min or max is called " + word.text +
+                             suggestion(word.text, std::vector<std::string>{"sum", "product", "min", "max"}));
+    }
+    const auto variables = variables_of("a colon and a term, or a comma and another variable");
+    auto result = bound(*operation, word.offset, variables, statement());
+    take(")", "an operator or )");
     return result;
   }
 
@@ -235,6 +268,7 @@ class Parser {
     ++at_;
     if (!next_is("(")) return node(Operation::name, token.offset, {}, token.text);
     ++at_;
+    if (next_is_variable()) return over_set(token);
     std::vector<Pointer> arguments;
     if (!next_is(")")) {
       arguments.push_back(statement());
@@ -271,6 +305,20 @@ class Parser {
     return negative ? -result : result;
   }
 
+  /// Nothing for infinity, which has a minus sign at a lower end.
+  std::optional<Rational> end(bool lower) {
+    const std::size_t begin = here().offset;
+    const bool negative = next_is("-");
+    if (!tokens_[at_ + (negative ? 1 : 0)].is("infinity")) return rational();
+    if (negative != lower) throw FormulaError(begin, "an empty interval");
+    at_ += negative ? 2 : 1;
+    return std::nullopt;
+  }
+
+  static bool is_empty(const Rational& lower, const Rational& upper, bool has_both) {
+    return upper < lower || (upper == lower && !has_both);
+  }
+
   std::vector<Token> tokens_;
   std::size_t at_ = 0;
   std::size_t depth_ = 0;
@@ -280,6 +328,29 @@ class Parser {
 }  // namespace
 
 ExpressionPointer parse_formula(std::string_view text) { return Parser(text).whole(); }
+
+std::optional<Operation> operation_over_set(std::string_view word) {
+  for (const Operation operation :
+       {Operation::sum_over, Operation::product_over, Operation::least_over, Operation::greatest_over}) {
+    if (word == word_over_set(operation)) return operation;
+  }
+  return std::nullopt;
+}
+
+std::string_view word_over_set(Operation operation) {
+  switch (operation) {
+    case Operation::sum_over:
+      return "sum";
+    case Operation::product_over:
+      return "product";
+    case Operation::least_over:
+      return "min";
+    case Operation::greatest_over:
+      return "max";
+    default:
+      return "";
+  }
+}
 
 ParameterRange parse_range(std::string_view text) { return Parser(text).range(); }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "kernel/formula/expression.hpp"
@@ -11,15 +12,21 @@ namespace delcert {
 /// of n terms has n of them), so that no reader of it needs a deep stack.
 [[nodiscard]] ExpressionPointer parse_formula(std::string_view text);
 
-/// An interval of reals that a parameter runs through: "(0, 1]", "[1/2, 2)".
+/// The operation of a term that runs through a set, by its word: `sum`, `product`, `min`, `max`.
+[[nodiscard]] std::optional<Operation> operation_over_set(std::string_view word);
+/// The word of such an operation; empty for others.
+[[nodiscard]] std::string_view word_over_set(Operation operation);
+
+/// An interval of reals that a parameter runs through: "(0, 1]", "[1/2, 2)", "[1, infinity)".
 struct ParameterRange {
-  Rational lower;
-  Rational upper;
-  bool has_lower = false;  ///< the lower end belongs to it
+  std::optional<Rational> lower;  ///< nothing: −∞
+  std::optional<Rational> upper;  ///< nothing: ∞
+  bool has_lower = false;         ///< the lower end belongs to it
   bool has_upper = false;
 };
 
-/// Reads an interval with rational ends. Throws FormulaError for anything else, and for an empty one.
+/// Reads an interval with ends that are rational or, open there, infinite. Throws FormulaError for anything else, and
+/// for an empty one.
 [[nodiscard]] ParameterRange parse_range(std::string_view text);
 
 }  // namespace delcert

@@ -28,7 +28,13 @@ LevelEntry at_most(std::string key, const Rational& value, Unit unit = Unit::len
 using Entries = std::vector<LevelEntry>;
 
 Entries entries_of(const InputClaim& claim) {
-  if (claim.hypotheses_2) return {truth("hypotheses_2", *claim.hypotheses_2)};
+  if (claim.hypotheses_2) {
+    Entries result{truth("hypotheses_2", *claim.hypotheses_2)};
+    // The printed ones go without saying.
+    if (*claim.hypotheses_2 && claim.constraints != ParameterConstraints::printed)
+      result.push_back(fact("hypotheses", quoted(std::string(name_of(claim.constraints)))));
+    return result;
+  }
   return {at_most("density", claim.density->density), at_most("distortion", claim.density->distortion, Unit::one),
           at_most("metric_distortion", claim.density->metric_distortion, Unit::one)};
 }

@@ -8,6 +8,7 @@
 #include "kernel/topology/abelian_group.hpp"
 #include "kernel/topology/pure_complex.hpp"
 #include "proofs/certificate/delaunay_margin.hpp"
+#include "proofs/constants/ledger.hpp"
 
 namespace delcert {
 
@@ -20,6 +21,8 @@ struct InputClaim {
   };
   std::optional<bool> hypotheses_2;  ///< Hypotheses 1 hold; the value: Hypotheses 2 too
   std::optional<Density> density;
+  /// Which Hypotheses 2, if they are claimed.
+  ParameterConstraints constraints = ParameterConstraints::printed;
 };
 
 /// Level 2.

@@ -28,7 +28,8 @@ Claims derive_claims(const FlatAtlas<m>& atlas, const RunParameters& parameters,
     reasons.emplace_back("level 1: a circumball with its protection does not fit into a patch");
     return claims;
   }
-  if (selects(selection, "0")) claims.input = InputClaim{parameters.mode == RunMode::theory, {}};
+  if (selects(selection, "0"))
+    claims.input = InputClaim{parameters.mode == RunMode::theory, {}, parameters.constraints};
   if (selects(selection, "1") || selects(selection, "2")) {
     claims.stars = margins;
     claims.manifold = manifold_claim(run.complex.label_complex(), run.complex.simplices().size(), torus);

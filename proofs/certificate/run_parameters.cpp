@@ -2,7 +2,6 @@
 
 #include "kernel/number/exact_text.hpp"
 #include "kernel/run/chart_run.hpp"
-#include "proofs/constants/ledger.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
@@ -51,12 +50,16 @@ RunParameters parameters_for(Dimension dimension, const Rational& separation, co
                      "], μ₀ = " + exact_text(separation) +
                      (radius_variation > Rational(0) ? ", ε₀ = " + exact_text(radius_variation) : ""));
   }
-  const Ledger ledger = constants_for(dimension, separation, perturbation, radius_variation);
+  if (choice.constraints && choice.mode != RunMode::theory)
+    throw InputError("the hypotheses can be chosen in theory mode only; mode is " + std::string(name_of(choice.mode)));
+  const ParameterConstraints constraints = choice.constraints.value_or(ParameterConstraints::printed);
+  const Ledger ledger = constants_for(dimension, separation, perturbation, radius_variation, Rational(0), constraints);
   const Rational factor = Rational(1) + radius_variation;
   RunParameters result;
   const bool chooses = dimension == Dimension(2) || dimension == Dimension(3);
   const PerturbationParameters usual = chooses ? measured_parameters(dimension, choice.seed) : PerturbationParameters();
   result.mode = choice.mode;
+  result.constraints = constraints;
   result.algorithm.separation = separation;
   result.algorithm.perturbation = perturbation;
   result.algorithm.candidates = choice.candidates;

@@ -9,6 +9,7 @@
 #include "kernel/number/strong.hpp"
 #include "kernel/perturb/parameters.hpp"
 #include "kernel/simplex/forbidden_configuration.hpp"
+#include "proofs/constants/ledger.hpp"
 
 namespace delcert {
 
@@ -29,6 +30,7 @@ using Origin = std::vector<std::pair<std::string, std::string>>;
 /// The parameters of a run and the paper's constants that go with them, for ξ₀ = 0.
 struct RunParameters {
   RunMode mode = RunMode::theory;
+  ParameterConstraints constraints = ParameterConstraints::printed;  ///< theory mode: which Hypotheses 2
   PerturbationParameters algorithm;
   /// Γ₀². In measured mode that Γ₀ for which the tolerance is 2α̃₀.
   Rational squared_flake_parameter;
@@ -41,6 +43,7 @@ struct RunParameters {
 /// What a user may set; everything else follows.
 struct ParameterChoice {
   RunMode mode = RunMode::theory;
+  std::optional<ParameterConstraints> constraints;  ///< theory mode only; by default the printed ones
   std::optional<Rational> perturbation;  ///< ρ₀; by default μ₀/(4(1 + ε₀)), if ε₀ is not 0 in 12 binary digits
   std::optional<Rational> tolerance;     ///< measured mode only; by default one per dimension
   /// The second tolerance and the number of tries of `PerturbationParameters`; by default those of
@@ -55,7 +58,8 @@ struct ParameterChoice {
 /// still satisfy (docs/cli.md has the figures).
 [[nodiscard]] Rational default_tolerance(Dimension dimension);
 
-/// Throws InputError for a value out of range, and for a tolerance in theory mode. `radius_variation`: ε₀, at most 1.
+/// Throws InputError for a value out of range, for a tolerance in theory mode, and for constraints in another mode.
+/// `radius_variation`: ε₀, at most 1.
 [[nodiscard]] RunParameters parameters_for(Dimension dimension, const Rational& separation,
                                            const ParameterChoice& choice,
                                            const Rational& radius_variation = Rational(0));

@@ -250,7 +250,10 @@ std::string level_line(const Claims& claims, const std::string& level, const Rat
   if (level == "0" && claims.input->density)
     return fmt::format("input: every point is within {} ε of the net", within(claims.input->density->density));
   if (level == "0")
-    return *claims.input->hypotheses_2 ? "input: net, Hypotheses 1, Hypotheses 2" : "input: net, Hypotheses 1";
+    return std::string("input: net, Hypotheses 1") + (!*claims.input->hypotheses_2 ? ""
+                                                      : claims.input->constraints == ParameterConstraints::printed
+                                                          ? ", Hypotheses 2"
+                                                          : ", the sharper Hypotheses 2");
   if (level == "1") {
     return fmt::format("stars: protection ≥ {} ε, thickness ≥ {}, circumradius ≤ {} ε",
                        beyond(claims.stars->protection), decimal_lower(claims.stars->thickness),

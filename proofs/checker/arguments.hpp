@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "proofs/checker/share.hpp"
+
 namespace delcert::checker {
 
 /// What the command line asks for.
@@ -13,6 +15,9 @@ struct Arguments {
   std::string report;               // the file to which a report is written; empty: none
   double seconds = 0;               // limit of time for each file; 0: none
   double mebibytes = 0;             // limit of memory for each file; 0: none
+  Share part;                       // what is checked of each file
+  std::string receipt;              // the file to which a receipt of the part is written; empty: none
+  bool merge = false;               // the files are receipts, and perhaps their certificate
   unsigned threads = 1;             // how many processes share the work on each file
   bool json = false, quiet = false;
   std::string answer;  // the help or the version, where that is what was asked for: nothing is checked then

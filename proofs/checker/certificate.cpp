@@ -13,9 +13,9 @@ namespace delcert::checker {
 Certificate::Certificate(std::string_view text) {
   Cursor cursor(text);
   parse(cursor);
-  const std::string seal = sha256(cursor.passed());
+  content = sha256(cursor.passed());
   cursor.expect(",\"sha256\":");
-  Report::require("seal", seal == cursor.string(), "the SHA-256 of the content is not the one it is sealed with");
+  Report::require("seal", content == cursor.string(), "the SHA-256 of the content is not the one it is sealed with");
   cursor.expect("}");
   cursor.expect_end();
 

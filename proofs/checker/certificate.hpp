@@ -50,6 +50,7 @@ struct Certificate {
   Certificate(const Certificate&) = delete;
   Certificate& operator=(const Certificate&) = delete;
 
+  std::string content;                   // the SHA-256 that it is sealed with
   std::string_view name, manifold_text;  // the name as it is written; the block with its braces
   bool torus = false;
   std::unique_ptr<SpaceForm> space_form;      // of its families; otherwise none
@@ -64,6 +65,7 @@ struct Certificate {
   Quantity radius, epsilon, mu, radius_variation, distortion, rho, flake_squared, tolerance;
   std::array<bool, level_names.size()> claimed{};
   bool hypotheses_2 = false;                                   // level 0
+  bool sharper = false;                                        // which Hypotheses 2: docs/sharper-lemmas.md
   Quantity density, transition_distortion, metric_distortion;  // level 0 on a space form
   Quantity protection, thickness, circumradius;                // level 1
   std::uint64_t simplices = 0;                                 // level 2

@@ -3,6 +3,7 @@
 #include <limits>
 #include <set>
 
+#include "proofs/checker/parts.hpp"
 #include "proofs/checker/run.hpp"
 #include "proofs/checker/simplex.hpp"
 
@@ -140,7 +141,7 @@ class StarsInCharts {
       }
     }
   }
-  std::size_t simplices = 0;
+  std::int64_t simplices = 0;
 
  private:
   void check_simplex(const ShownPoints<E>& chart, Label i, const Label* others) {
@@ -202,10 +203,13 @@ std::string check_stars(const StarCharts<E>& charts, Report& report) {
     return "";
   }
   const Certificate& c = charts.certificate();
-  StarsInCharts<E> checker(charts, report);
-  for (Label i = 0; i < c.n; ++i) checker.check(i);
-  return std::to_string(checker.simplices) +
-         " simplices in the charts of their vertices, protection >= " + rounded_down(c.protection.exact) +
+  const auto check = [&](std::size_t begin, std::size_t end, Report& found) {
+    StarsInCharts<E> checker(charts, found);
+    for (auto i = static_cast<Label>(begin); i < end; ++i) checker.check(i);
+    return Counts{checker.simplices};
+  };
+  in_parts("1.perturbation, 1.facets, 1.vertices, 1.radius, 1.thickness, 1.protection", c.n, report, check, {"shown"});
+  return "{shown} simplices in the charts of their vertices, protection >= " + rounded_down(c.protection.exact) +
          ", thickness >= " + rounded_down(c.thickness.exact) + ", circumradius <= " + rounded_up(c.circumradius.exact) +
          c.of_lengths();
 }
@@ -218,8 +222,12 @@ std::string check_stable_stars(const StarCharts<E>& charts, Report& report) {
     return "";
   }
   const Certificate& c = charts.certificate();
-  StarsInCharts<E> checker(charts, report);
-  for (Label j = 0; j < c.n; ++j) checker.check_stable(j);
+  const auto check = [&](std::size_t begin, std::size_t end, Report& found) {
+    StarsInCharts<E> checker(charts, found);
+    for (auto j = static_cast<Label>(begin); j < end; ++j) checker.check_stable(j);
+    return Counts{};
+  };
+  in_parts("2s.reach, 2s.protection", c.n, report, check);
   return "every chart of a star sees the same star";
 }
 

@@ -7,7 +7,9 @@
 #include "proofs/checker/input.hpp"
 #include "proofs/checker/library_self_test.hpp"
 #include "proofs/checker/limits.hpp"
+#include "proofs/checker/merge.hpp"
 #include "proofs/checker/parts.hpp"
+#include "proofs/checker/receipt.hpp"
 #include "proofs/checker/run.hpp"
 #include "proofs/checker/self_test.hpp"
 #include "proofs/checker/separate_process.hpp"
@@ -17,8 +19,8 @@ namespace {
 
 constexpr int unreadable_file = 3, usage_error = 64, internal_error = 70;
 
-/// The words of an outcome come out of its process as one text: for a person, a zero, for a program. An error is what
-/// follows two zeros.
+/// The words of an outcome come out of its process as one text: for a person, a zero, for a program, and, of a part, a
+/// zero and the receipt. An error is what follows two zeros.
 std::string both(const std::string& file, const Outcome& outcome) {
   return as_text(outcome) + '\0' + as_json(file, outcome);
 }
@@ -38,11 +40,22 @@ std::string read_expected(const std::string& file) {
   }
 }
 
+/// The SHA-256 with which a certificate is sealed.
+std::string content_of(const std::string& text) {
+  const std::size_t seal = text.rfind(R"(,"sha256":")");
+  if (!text.starts_with(R"({"format":"delcert-certificate",)") || seal == std::string::npos)
+    throw Malformed("merge.receipt", "is neither a receipt nor a certificate");
+  const std::string content = sha256(std::string_view(text).substr(0, seal));
+  Report::require("seal", text.substr(seal) == R"(,"sha256":")" + content + "\"}\n",
+                  "the SHA-256 of the content is not the one it is sealed with");
+  return content;
+}
+
 void set_limits(const std::string& file, const Arguments& arguments) {
   const auto words = [&](const std::string& what) {
     Outcome limit;
     limit.status = 2;
-    limit.levels.push_back({"limit", 2, what, {}, arguments.seconds});
+    limit.levels.push_back({"limit", 2, what, {}, arguments.seconds, {}, {}, {}});
     return both(file, limit);
   };
   if (arguments.mebibytes > 0)
@@ -54,6 +67,7 @@ int check_here(const std::string& file, const Arguments& arguments) {
   try {
     set_limits(file, arguments);
     most_parts = arguments.threads;
+    own_share = arguments.part;
     std::string fault = self_test();
     if (fault.empty()) fault = library_self_test();
     if (!fault.empty()) return fail(internal_error, "refusing to check anything: " + fault);
@@ -70,6 +84,8 @@ int check_here(const std::string& file, const Arguments& arguments) {
     }
     lift_time_limit();
     std::cout << both(file, outcome);
+    if (!arguments.receipt.empty() && outcome.identity)
+      std::cout << '\0' << receipt_text({DELCERT_CHECK_VERSION, outcome});
     return outcome.status;
   } catch (const Unreadable& reason) {
     return fail(unreadable_file, reason.what());
@@ -98,9 +114,52 @@ FileOutcome check_file(const std::string& file, const Arguments& arguments) {
     outcome.error = ended.output.substr(2);
   } else {
     outcome.text = ended.output.substr(0, zero);
-    outcome.json = ended.output.substr(zero + 1);
+    const std::size_t second = std::min(ended.output.find('\0', zero + 1), ended.output.size());
+    outcome.json = ended.output.substr(zero + 1, second - zero - 1);
+    if (second < ended.output.size()) outcome.receipt = ended.output.substr(second + 1);
   }
   return outcome;
+}
+
+FileOutcome merge_files(const std::vector<std::string>& files) {
+  FileOutcome result;
+  const auto fail = [&](int status, const std::string& what) {
+    result.status = status;
+    result.error = what;
+    return result;
+  };
+  std::vector<NamedReceipt> receipts;
+  std::string certificate, content, digest;
+  for (const std::string& file : files) {
+    try {
+      std::string bytes = read_bytes(file);
+      if (looks_like_receipt(bytes)) {
+        receipts.push_back({file, receipt_of(bytes)});
+        continue;
+      }
+      if (!certificate.empty())
+        return fail(unreadable_file, file + ": merge.receipt: is no receipt; nor is " + certificate);
+      certificate = file;
+      digest = sha256(bytes);
+      content = content_of(decompressed(std::move(bytes)));
+    } catch (const Malformed& reason) {
+      return fail(unreadable_file, file + ": " + reason.rule + ": " + reason.what());
+    } catch (const Unreadable& reason) {
+      return fail(unreadable_file, reason.what());
+    }
+  }
+  if (receipts.empty()) return fail(unreadable_file, certificate + ": merge.receipt: is no receipt");
+  try {
+    Outcome outcome = merged(std::move(receipts), DELCERT_CHECK_VERSION, content);
+    if (!digest.empty()) outcome.identity->file_digest = digest;
+    const std::string& name = certificate.empty() ? files.front() : certificate;
+    result.status = outcome.status;
+    result.text = as_text(outcome);
+    result.json = as_json(name, outcome);
+    return result;
+  } catch (const Refused& reason) {
+    return fail(reason.status, reason.rule + ": " + reason.what);
+  }
 }
 
 }  // namespace delcert::checker

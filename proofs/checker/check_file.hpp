@@ -11,9 +11,13 @@ namespace delcert::checker {
 struct FileOutcome {
   int status = 0;
   std::string text, json, error;
+  std::string receipt;  // of a part, unless the certificate is malformed or a limit was reached
 };
 
 /// Checks one file under the limits of the command line, in a process of its own.
 FileOutcome check_file(const std::string& file, const Arguments& arguments);
+
+/// Puts the receipts among the files together; the other one, if there is one, is their certificate.
+FileOutcome merge_files(const std::vector<std::string>& files);
 
 }  // namespace delcert::checker

@@ -51,10 +51,40 @@ FaceComplex::FaceComplex(int m, std::vector<LabelSet> simplices) : m_(m), faces_
   }
 }
 
-std::int64_t FaceComplex::euler_characteristic() const {
-  std::int64_t sum = 0;
-  for (std::size_t k = 0; k < faces_.size(); ++k) sum += k % 2 == 0 ? std::ssize(faces_[k]) : -std::ssize(faces_[k]);
-  return sum;
+FaceCount count_faces(std::size_t m, const std::vector<Label>& labels, Label begin, Label end) {
+  // What follows a label in its simplices, label after label.
+  std::vector<std::size_t> next(std::size_t{end} - begin + 1, 0);
+  const auto is_in_range = [&](Label label) { return begin <= label && label < end; };
+  for (const Label label : labels) {
+    if (is_in_range(label)) ++next[label - begin + 1];
+  }
+  for (std::size_t k = 1; k < next.size(); ++k) next[k] += next[k - 1];
+  std::vector<std::size_t> places(next.back());
+  const std::vector<std::size_t> first = next;
+  for (std::size_t at = 0; at < labels.size(); ++at) {
+    if (is_in_range(labels[at])) places[next[labels[at] - begin]++] = at;
+  }
+  FaceCount count;
+  std::vector<LabelSet> faces;  // without their least label, and the dimension after it
+  for (std::size_t k = 0; k + 1 < first.size(); ++k) {
+    faces.clear();
+    for (std::size_t number = first[k]; number < first[k + 1]; ++number) {
+      const std::size_t later = m - places[number] % (m + 1);
+      for (unsigned subset = 0; subset < 1U << later; ++subset) {
+        LabelSet& face = faces.emplace_back(LabelSet{});
+        for (std::size_t other = 0; other < later; ++other) {
+          if ((subset >> other & 1) != 0) face[face.back()++] = labels[places[number] + 1 + other];
+        }
+      }
+    }
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    for (const LabelSet& face : faces) {
+      count.simplices += face.back() == m ? 1 : 0;
+      count.euler_characteristic += face.back() % 2 == 0 ? 1 : -1;
+    }
+  }
+  return count;
 }
 
 /// A face that owns a row or a column of one boundary matrix can be left out of the next one (docs/homology.md).

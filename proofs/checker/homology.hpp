@@ -11,13 +11,18 @@ namespace delcert::checker {
 
 using LabelSet = std::array<Label, 5>;  // the first labels count, increasing; the others are 0
 
+/// Of all faces of m-simplices, each with its m + 1 labels in increasing order, those whose least label is in a range:
+/// how many m-simplices, and the sum of (-1)^dimension. Ranges add up.
+struct FaceCount {
+  std::int64_t simplices = 0, euler_characteristic = 0;
+};
+FaceCount count_faces(std::size_t m, const std::vector<Label>& labels, Label begin, Label end);
+
 /// The complex of all faces of m-simplices.
 class FaceComplex {
  public:
   FaceComplex(int m, std::vector<LabelSet> simplices);
 
-  /// Sum of (-1)^dimension over all faces.
-  std::int64_t euler_characteristic() const;
   /// H_0 ... H_m with integer coefficients: "0", "Z^2", "Z + Z/2", "(Z/5)^3". Throws Undecided for a coefficient beyond
   /// 64 bits.
   std::vector<std::string> homology() const;

@@ -1,20 +1,25 @@
 #include <algorithm>
 #include <optional>
 
+#include "proofs/checker/parts.hpp"
 #include "proofs/checker/run.hpp"
 #include "proofs/checker/simplex.hpp"
 
 namespace delcert::checker {
 namespace {
 
-/// Calls f for the labels and the vertices of every net simplex: the first vertex as it stands, the others at their
-/// only lifts at distance < 2 epsilon; nothing instead of the vertices if these do not exist.
+std::size_t net_simplex_count(const Certificate& c) {
+  return c.net_simplices.size() / (static_cast<std::size_t>(c.m) + 1);
+}
+
+/// Calls f for the labels and the vertices of net simplices number begin ... end - 1: the first vertex as it stands,
+/// the others at their only lifts at distance < 2 epsilon; nothing instead of the vertices if these do not exist.
 template <class F>
-void for_each_net_simplex(const Certificate& c, const F& f) {
+void for_net_simplices(const Certificate& c, std::size_t begin, std::size_t end, const F& f) {
   const Quantity reach(Rational(2) * c.epsilon.exact);
   const auto size = static_cast<std::size_t>(c.m) + 1;
-  for (std::size_t s = 0; s < c.net_simplices.size(); s += size) {
-    const Label* labels = &c.net_simplices[s];
+  for (std::size_t s = begin; s < end; ++s) {
+    const Label* labels = &c.net_simplices[s * size];
     std::optional<Vertices> vertices = Vertices{{labels[0], {}}};
     for (std::size_t k = 1; k < size && vertices; ++k) {
       const std::vector<Lift> lifts = c.net.lifts_within({labels[0], {}}, labels[k], reach, false);
@@ -26,6 +31,11 @@ void for_each_net_simplex(const Certificate& c, const F& f) {
     }
     f(labels, vertices);
   }
+}
+
+template <class F>
+void for_each_net_simplex(const Certificate& c, const F& f) {
+  for_net_simplices(c, 0, net_simplex_count(c), f);
 }
 
 /// All vertices are at distance < radius from the circumcentre of the face; refuted if the face is degenerate.
@@ -126,14 +136,21 @@ void check_degree_on_ball(const Certificate& c, Report& report) {
 
 void check_density(const Certificate& c, Report& report) {
   const Quantity greatest(c.epsilon.exact / c.radius_factor().exact);
-  for_each_net_simplex(c, [&](const Label* labels, const std::optional<Vertices>& vertices) {
+  const auto check = [&](const Label* labels, const std::optional<Vertices>& vertices, Report& found) {
     if (vertices && is_in_open_ball(c, *vertices, c.at_least(labels, labels + c.m + 1, greatest))) return;
-    report.reject("0.ball", [&] {
+    found.reject("0.ball", [&] {
       return "net simplex " + label_set(labels, labels + c.m + 1) +
              (vertices ? " is in no open ball of the radius of its vertices"
                        : " has a vertex with no lift or several within 2 epsilon");
     });
+  };
+  in_parts("0.ball", net_simplex_count(c), report, [&](std::size_t begin, std::size_t end, Report& found) {
+    for_net_simplices(c, begin, end, [&](const Label* labels, const std::optional<Vertices>& vertices) {
+      check(labels, vertices, found);
+    });
+    return Counts{};
   });
+  if (!is_done_here("0.degree", report)) return;
   if (c.torus) {
     check_degree_on_torus(c, report);
   } else {

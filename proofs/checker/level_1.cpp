@@ -28,7 +28,7 @@ class StarChecker {
       check_simplex(i, labels);
     }
   }
-  std::size_t stars = 0, simplices = 0;
+  std::int64_t stars = 0, simplices = 0;
 
  private:
   void check_simplex(Label i, const Label* labels) {
@@ -151,9 +151,8 @@ std::string check_level_1(const Certificate& c, Report& report) {
     }
     return Counts{checker.simplices, checker.stars};
   };
-  const auto [simplices, stars] = in_parts(c.n, report, check);
-  return std::to_string(simplices) + " simplices of " + std::to_string(stars) +
-         " stars, protection >= " + rounded_down(c.protection.exact) +
+  in_parts("1.vertices, 1.radius, 1.thickness, 1.protection, 1.facets", c.n, report, check, {"simplices", "stars"});
+  return "{simplices} simplices of {stars} stars, protection >= " + rounded_down(c.protection.exact) +
          ", thickness >= " + rounded_down(c.thickness.exact) + ", circumradius <= " + rounded_up(c.circumradius.exact) +
          c.of_lengths();
 }

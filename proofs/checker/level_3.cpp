@@ -200,11 +200,11 @@ std::string check_level_3(const Certificate& c, Report& report) {
   const auto look = [&](std::size_t begin, std::size_t end, Report& found) {
     Search search(c, grid, found);
     for (auto first = static_cast<Label>(begin); first < end; ++first) search.from(first);
-    return Counts{search.sets, search.close};
+    return Counts{static_cast<std::int64_t>(search.sets), static_cast<std::int64_t>(search.close)};
   };
-  const auto [sets, close] = in_parts(c.n, report, look);
-  return std::to_string(sets) + " sets of 3 to " + std::to_string(c.m + 2) + " points, " + std::to_string(close) +
-         " of them looked at closely, no forbidden configuration";
+  in_parts("3.configuration", c.n, report, look, {"sets", "close"});
+  return "{sets} sets of 3 to " + std::to_string(c.m + 2) +
+         " points, {close} of them looked at closely, no forbidden configuration";
 }
 
 }  // namespace delcert::checker

@@ -11,8 +11,12 @@ namespace {
 
 constexpr int usage_error = 64, internal_error = 70;
 
-void print(const delcert::checker::FileOutcome& outcome, const delcert::checker::Arguments& arguments,
-           const std::string& file) {
+void name(const delcert::checker::FileOutcome& outcome, const delcert::checker::Arguments& arguments,
+          const std::string& file) {
+  if (outcome.error.empty() && !arguments.quiet && !arguments.json) std::cout << file << "\n";
+}
+
+void print(const delcert::checker::FileOutcome& outcome, const delcert::checker::Arguments& arguments) {
   if (!outcome.error.empty()) {
     std::cerr << "delcert-check: error: " << outcome.error << "\n";
   } else if (arguments.quiet) {
@@ -20,7 +24,6 @@ void print(const delcert::checker::FileOutcome& outcome, const delcert::checker:
   } else if (arguments.json) {
     std::cout << outcome.json << std::flush;
   } else {
-    if (arguments.files.size() > 1) std::cout << file << "\n";
     std::cout << outcome.text << std::flush;
   }
 }
@@ -33,10 +36,17 @@ int run(int argc, char** argv) {
     return 0;
   }
   std::vector<FileOutcome> outcomes;
-  for (const std::string& file : arguments.files) {
-    outcomes.push_back(check_file(file, arguments));
-    print(outcomes.back(), arguments, file);
+  if (arguments.merge) {
+    outcomes.push_back(merge_files(arguments.files));
+    print(outcomes.back(), arguments);
+  } else {
+    for (const std::string& file : arguments.files) {
+      outcomes.push_back(check_file(file, arguments));
+      if (arguments.files.size() > 1) name(outcomes.back(), arguments, file);
+      print(outcomes.back(), arguments);
+    }
   }
+  if (!outcomes.back().receipt.empty()) write_whole(arguments.receipt, outcomes.back().receipt);
   if (!arguments.report.empty()) write_whole(arguments.report, report_text(arguments.files, outcomes));
   return worst_status(outcomes);
 }

@@ -116,6 +116,7 @@ void Certificate::parse_levels(Cursor& cursor) {
     } else if (level == level_0) {
       cursor.expect("{\"hypotheses_2\":");
       hypotheses_2 = cursor.boolean();
+      sharper = hypotheses_2 && cursor.accept(",\"hypotheses\":\"sharper\"");
     } else if (level == level_1) {
       cursor.expect("{\"protection\":");
       protection = parse_quantity(cursor);

@@ -31,6 +31,12 @@ int do_elsewhere(const Work& work) {
 
 }  // namespace
 
+std::pair<std::uint64_t, std::uint64_t> range_of(const Share& share, std::uint64_t size) {
+  // The product with a number of parts has no 64 bits.
+  const auto at = [&](std::uint64_t k) { return size / share.of * k + size % share.of * k / share.of; };
+  return {at(share.number - 1), at(share.number)};
+}
+
 Elsewhere::Elsewhere(Work work) : work_(std::move(work)), process_([this] { return do_elsewhere(work_); }) {}
 
 std::string Elsewhere::result(Report& report) {
@@ -51,10 +57,19 @@ std::string Elsewhere::result(Report& report) {
   return words;
 }
 
-Counts in_parts(std::size_t size, Report& report,
-                const std::function<Counts(std::size_t begin, std::size_t end, Report& report)>& work) {
-  const std::size_t parts = std::max<std::size_t>(1, std::min<std::size_t>(most_parts, size / least_part));
-  const auto begin = [=](std::size_t part) { return part * size / parts; };
+bool is_done_here(std::string_view rule, Report& report) {
+  (own_share.number == 1 ? report.done : report.left).emplace_back(rule);
+  return own_share.number == 1;
+}
+
+Counts in_parts(std::string_view rules, std::size_t size, Report& report,
+                const std::function<Counts(std::size_t begin, std::size_t end, Report& report)>& work,
+                const std::vector<std::string>& names) {
+  const auto [first, last] = range_of(own_share, size);
+  const Decisions before = decisions;
+  const std::size_t length = last - first;
+  const std::size_t parts = std::max<std::size_t>(1, std::min<std::size_t>(most_parts, length / least_part));
+  const auto begin = [=, first = first](std::size_t part) { return first + part * length / parts; };
   std::list<Elsewhere> others;
   for (std::size_t part = 1; part < parts; ++part) {
     others.emplace_back([&work, first = begin(part), end = begin(part + 1)](Report& found) {
@@ -62,12 +77,18 @@ Counts in_parts(std::size_t size, Report& report,
       return std::to_string(counts[0]) + ' ' + std::to_string(counts[1]);
     });
   }
-  Counts sum = work(0, begin(1), report);
+  Counts sum = work(first, begin(1), report);
   for (Elsewhere& other : others) {
     Counts counts{};
     std::istringstream(other.result(report)) >> counts[0] >> counts[1];
     for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += counts[k];
   }
+  Range range{std::string(rules), size, first, last, {}};
+  for (std::size_t k = 0; k < names.size(); ++k) range.counts.emplace_back(names[k], sum[k]);
+  report.ranges.push_back(std::move(range));
+  in_ranges.filtered += decisions.filtered - before.filtered;
+  in_ranges.exact += decisions.exact - before.exact;
+  in_ranges.enclosed += decisions.enclosed - before.enclosed;
   return sum;
 }
 

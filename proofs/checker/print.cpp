@@ -11,11 +11,17 @@ const char* status_name(int status) {
   return names[static_cast<std::size_t>(status)];
 }
 
-/// A level that holds in a run that fails is only "passed".
+/// A level that holds in a run that fails, or in a part, is only "passed".
 const char* level_state(const Outcome& outcome, const LevelResult& result) {
   if (result.status == 1) return "REJECTED";
-  return result.status == 0 && outcome.status != 0 ? "passed" : status_name(result.status);
+  return result.status == 0 && !outcome.is_verified() ? "passed" : status_name(result.status);
 }
+
+const char* state(const Outcome& outcome) {
+  return outcome.status == 0 && !outcome.is_verified() ? "passed" : status_name(outcome.status);
+}
+
+std::string of_share(const Share& share) { return std::to_string(share.number) + "/" + std::to_string(share.of); }
 
 nlohmann::ordered_json as_object(const Finding& finding) { return {{"rule", finding.rule}, {"what", finding.what}}; }
 
@@ -36,20 +42,33 @@ nlohmann::ordered_json as_object(const Identity& identity, bool with_name) {
 
 }  // namespace
 
+std::string LevelResult::words() const {
+  std::string text = summary;
+  for (const Range& range : ranges) {
+    for (const auto& [name, number] : range.counts) {
+      const std::string mark = "{" + name + "}";
+      const std::size_t at = text.find(mark);
+      if (at != std::string::npos) text.replace(at, mark.size(), std::to_string(number));
+    }
+  }
+  return text;
+}
+
 std::string as_text(const Outcome& outcome) {
   if (outcome.malformed) return "malformed: " + outcome.malformed->rule + ": " + outcome.malformed->what + "\n";
   std::string text, checked, unchecked;
-  if (outcome.identity) text = "manifold   " + to_string(*outcome.identity, outcome.status == 0) + "\n";
+  if (outcome.identity) text = "manifold   " + to_string(*outcome.identity, outcome.is_verified()) + "\n";
   for (const LevelResult& result : outcome.levels) {
     std::array<char, 64> head{}, tail{};
     std::snprintf(head.data(), head.size(), "level %-4s %-10s ", result.level.c_str(), level_state(outcome, result));
     std::snprintf(tail.data(), tail.size(), "  [%.2f s]\n", result.seconds);
-    if (result.findings.empty()) text += head.data() + result.summary + tail.data();
+    if (result.findings.empty()) text += head.data() + result.words() + tail.data();
     for (const Finding& finding : result.findings) text += head.data() + finding.rule + ": " + finding.what + "\n";
     checked += " " + result.level;
   }
   for (const std::string& level : outcome.unchecked) unchecked += " " + level;
-  return text + status_name(outcome.status) + ": levels" + checked +
+  const std::string part = outcome.share.is_whole() ? "" : ", part " + of_share(outcome.share);
+  return text + state(outcome) + part + ": levels" + checked +
          (unchecked.empty() ? "" : "; claimed but not checked:" + unchecked) + " (" +
          std::to_string(outcome.decisions.filtered) + " decisions by intervals, " +
          std::to_string(outcome.decisions.exact) + " by rationals" +
@@ -64,13 +83,14 @@ std::string as_json(const std::string& file, const Outcome& outcome) {
     for (const Finding& finding : result.findings) findings.push_back(as_object(finding));
     levels.push_back({{"level", result.level},
                       {"state", level_state(outcome, result)},
-                      {"summary", result.summary},
+                      {"summary", result.words()},
                       {"findings", findings},
                       {"seconds", result.seconds}});
   }
-  nlohmann::ordered_json object = {{"file", file}, {"status", status_name(outcome.status)}, {"exit", outcome.status}};
+  nlohmann::ordered_json object = {{"file", file}, {"status", state(outcome)}, {"exit", outcome.status}};
+  if (!outcome.share.is_whole()) object["part"] = of_share(outcome.share);
   object["malformed"] = outcome.malformed ? as_object(*outcome.malformed) : nullptr;
-  object["manifold"] = outcome.identity ? as_object(*outcome.identity, outcome.status == 0) : nullptr;
+  object["manifold"] = outcome.identity ? as_object(*outcome.identity, outcome.is_verified()) : nullptr;
   object["levels"] = levels;
   object["unchecked"] = outcome.unchecked;
   object["decisions"] = {{"intervals", outcome.decisions.filtered},

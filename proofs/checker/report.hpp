@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -13,6 +14,13 @@ struct Finding {
   std::string rule, what;
 };
 
+/// Of a loop over `size` items: from which to which one they were looked at, for which rules, and what was counted.
+struct Range {
+  std::string rules;
+  std::uint64_t size = 0, begin = 0, end = 0;
+  std::vector<std::pair<std::string, std::int64_t>> counts;
+};
+
 /// The file is not a certificate of this format: exit status 3.
 struct Malformed : std::runtime_error {
   Malformed(std::string_view broken_rule, const std::string& what) : std::runtime_error(what), rule(broken_rule) {}
@@ -24,7 +32,7 @@ struct Undecided : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What is wrong with a level: the first case of each broken rule.
+/// What is wrong with a level: the first case of each broken rule. And which share of it was looked at.
 class Report {
  public:
   /// Records that the rule is broken; `describe` returns how, and is called for the first case only.
@@ -38,7 +46,10 @@ class Report {
   }
 
   /// What another report has found.
-  void add(const Report& other) { findings.insert(findings.end(), other.findings.begin(), other.findings.end()); }
+  void add(const Report& other) {
+    findings.insert(findings.end(), other.findings.begin(), other.findings.end());
+    ranges.insert(ranges.end(), other.ranges.begin(), other.ranges.end());
+  }
 
   /// Throws Malformed unless the rule of the form holds.
   static void require(std::string_view rule, bool holds, const std::string& what) {
@@ -46,6 +57,8 @@ class Report {
   }
 
   std::vector<Finding> findings;
+  std::vector<Range> ranges;
+  std::vector<std::string> done, left;  // rules that are not divided: looked at here, or left to the first part
 
 #ifdef DELCERT_CHECK_TESTING
   /// The rule that is left out, in the program that tests the tests; the real one cannot leave out any.

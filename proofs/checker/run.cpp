@@ -54,6 +54,9 @@ LevelResult run_check(const std::string_view name, const Check& check) {
   }
   if (!report.findings.empty()) result.status = 1;
   result.findings = report.findings;
+  result.ranges = report.ranges;
+  result.done = report.done;
+  result.left = report.left;
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
 }
@@ -98,6 +101,7 @@ class Run {
 
   Identity identity() const {
     Identity result = identify(c_);
+    if (own_share.number != 1) return result;  // the first part looks at what follows
     if ((c_.submanifold || c_.gluing) && holds_[level_5] && !c_.homology.empty()) {
       // The top group has a Z for each component that is orientable, the first one for each that there is.
       result.orientability = c_.homology.back() == c_.homology.front() ? "orientable" : "not orientable";
@@ -152,7 +156,7 @@ class Run {
   bool has_group() {
     if (!group_result_) {
       group_result_ = run_check("group", [&](Report& report) {
-        group_ = check_group(*c_.space_form, report);
+        if (is_done_here("group", report)) group_ = check_group(*c_.space_form, report);
         return group_.summary;
       });
       group_holds_ = group_result_->status == 0;
@@ -162,7 +166,11 @@ class Run {
 
   std::string check(std::size_t level, Report& report) {
     if (level == level_2 && has_core(c_.kind())) return check_manifold(report);
-    if (level == level_2) return check_level_2(c_, holds_[level_of_stars(c_.kind())], report);
+    if (level == level_2) {
+      const std::string text = check_count(c_, report);
+      const bool is_next = holds_[level_of_stars(c_.kind())] && report.findings.empty() && owes_homology(report);
+      return is_next ? text + check_homology(c_, report) : text;
+    }
     if (core_ && level == level_4) return core_->check_delaunay(report);
     if (core_ && level == level_5) return core_->check_triangulation(report);
     if (core_ && level == level_6) return core_->check_metric(report);
@@ -177,24 +185,25 @@ class Run {
       return level == level_1 ? stars_->check_stars(report) : stars_->check_stable_stars(report);
     }
     if (tangent_charts_) {
+      if (level == level_1) return check_stars(*tangent_charts_, report);
+      if (level == level_2s) return check_stable_stars(*tangent_charts_, report);
+      if (!is_done_here("all of level " + std::string(level_names[level]), report)) return "";
       if (level == level_5) return triangulation_.emplace(*tangent_charts_).check(report);
       if (level == level_4) return check_restricted_delaunay(*tangent_charts_, *triangulation_, report);
-      return level == level_5i   ? triangulation_->check_embedding(report)
-             : level == level_6  ? triangulation_->check_metric(report)
-             : level == level_1f ? check_given_stars(c_, report)
-             : level == level_1  ? check_stars(*tangent_charts_, report)
-                                 : check_stable_stars(*tangent_charts_, report);
+      return level == level_5i  ? triangulation_->check_embedding(report)
+             : level == level_6 ? triangulation_->check_metric(report)
+                                : check_given_stars(c_, report);
     }
     if (glued_charts_) {
-      return level == level_1    ? check_stars(*glued_charts_, report)
-             : level == level_2s ? check_stable_stars(*glued_charts_, report)
-                                 : check_blended_triangulation(*glued_charts_, report);
+      if (level == level_1) return check_stars(*glued_charts_, report);
+      if (level == level_2s) return check_stable_stars(*glued_charts_, report);
+      return is_done_here("all of level 5", report) ? check_blended_triangulation(*glued_charts_, report) : "";
     }
     if (charts_) {
-      return level == level_1    ? check_stars(*charts_, report)
-             : level == level_2s ? check_stable_stars(*charts_, report)
-             : level == level_4  ? check_delaunay_of_metric_field(*charts_, report)
-                                 : "follows from levels 1 and 2 in small patches of affine charts";
+      if (level == level_1) return check_stars(*charts_, report);
+      if (level == level_2s) return check_stable_stars(*charts_, report);
+      if (level == level_5) return "follows from levels 1 and 2 in small patches of affine charts";
+      return is_done_here("all of level 4", report) ? check_delaunay_of_metric_field(*charts_, report) : "";
     }
     return level == level_0    ? check_level_0(c_, report)
            : level == level_1  ? check_level_1(c_, report)
@@ -203,13 +212,18 @@ class Run {
                                : "follows from levels 1 and 2";
   }
 
-  /// Level 2 where there is a core. The homology is that of a manifold, which mostly it is.
+  bool owes_homology(Report& report) const { return !c_.homology.empty() && is_done_here("2.homology", report); }
+
+  /// Level 2 where there is a core. The homology is that of a manifold, which mostly it is; what is no manifold can
+  /// have any homology, and that can take any time to find.
   std::string check_manifold(Report& report) {
     std::optional<Elsewhere> homology;
-    if (most_parts > 1) homology.emplace([this](Report& found) { return check_level_2(c_, true, found); });
+    const bool owed = owes_homology(report);
+    if (owed && most_parts > 1) homology.emplace([this](Report& found) { return check_homology(c_, found); });
     core_.emplace(c_).check_manifold(report);
-    if (homology && report.findings.empty()) return homology->result(report);
-    return check_level_2(c_, report.findings.empty(), report);
+    const std::string text = check_count(c_, report);
+    if (!owed || !report.findings.empty()) return text;
+    return text + (homology ? homology->result(report) : check_homology(c_, report));
   }
 
   const Certificate& c_;
@@ -233,12 +247,17 @@ class Run {
 
 Outcome check(std::string_view text, const std::vector<std::string>& selected, std::string_view expected) {
   Outcome outcome;
-  decisions = {};
+  outcome.share = own_share;
+  decisions = in_ranges = {};
   Budget::open(0);
   try {
     const Certificate certificate(text);
     const Levels chosen = selection(certificate, selected);
     outcome.identity = identify(certificate);
+    outcome.content = certificate.content;
+    outcome.points = certificate.n;
+    outcome.simplices = certificate.simplices;
+    outcome.euler_characteristic = certificate.euler_characteristic;
     bool is_expected = true;
     if (!expected.empty()) {
       outcome.levels.push_back(run_check("manifold", [&](Report& report) -> std::string {
@@ -255,12 +274,12 @@ Outcome check(std::string_view text, const std::vector<std::string>& selected, s
     outcome.status = 3;
     outcome.malformed = Finding{reason.rule, reason.what()};
   } catch (const Undecided& reason) {
-    outcome.levels.push_back({"form", 2, reason.what(), {}, 0});
+    outcome.levels.push_back({"form", 2, reason.what(), {}, 0, {}, {}, {}});
   }
   for (const LevelResult& result : outcome.levels) {
     if (result.status != 0 && outcome.status != 1) outcome.status = result.status;
   }
-  outcome.decisions = decisions;
+  outcome.decisions = own_share.number == 1 ? decisions : in_ranges;
   return outcome;
 }
 

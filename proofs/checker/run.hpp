@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "proofs/checker/certificate.hpp"
+#include "proofs/checker/decide.hpp"
 #include "proofs/checker/identity.hpp"
 #include "proofs/checker/report.hpp"
+#include "proofs/checker/share.hpp"
 
 namespace delcert::checker {
 
@@ -15,9 +17,9 @@ namespace delcert::checker {
 // looked at. Throws Undecided. Levels 4, 5 and 6 are the core's (core/core.hpp).
 std::string check_level_0(const Certificate& c, Report& report);
 std::string check_level_1(const Certificate& c, Report& report);
-/// The rules 2.count and, if the rules hold that make the complex a manifold, 2.homology: whether they do is an
-/// argument.
-std::string check_level_2(const Certificate& c, bool is_manifold, Report& report);
+/// The rules of level 2 but those that make the complex a manifold: 2.count, and 2.homology, which presumes them.
+std::string check_count(const Certificate& c, Report& report);
+std::string check_homology(const Certificate& c, Report& report);
 std::string check_level_2s(const Certificate& c, Report& report);
 std::string check_level_3(const Certificate& c, Report& report);
 /// The parts of level 0 that show that the net is dense: the rule 0.cycle, and the rules 0.ball and 0.degree.
@@ -34,6 +36,11 @@ struct LevelResult {
   std::string summary;
   std::vector<Finding> findings;
   double seconds = 0;
+  std::vector<Range> ranges;
+  std::vector<std::string> done, left;  // as in a report
+
+  /// The summary with the counts of the ranges.
+  std::string words() const;
 };
 
 /// What became of a certificate: the exit status of the format, and the levels that were checked.
@@ -44,16 +51,24 @@ struct Outcome {
   std::vector<LevelResult> levels;
   std::vector<std::string> unchecked;  // claimed, but not selected, or resting on a level that does not hold
   Decisions decisions;
+  Share share;  // what was checked of it, not more
+  // What the certificate states, for those who add up counts.
+  std::string content;  // its SHA-256, as in the seal
+  std::uint64_t points = 0, simplices = 0;
+  std::int64_t euler_characteristic = 0;
+
+  bool is_verified() const { return status == 0 && share.is_whole(); }
 };
 
 /// Checks the selected levels (all that are claimed if none is selected) and those on which they rest; a level whose
 /// base does not hold is not looked at. The text is a decompressed certificate. Throws std::invalid_argument if a
 /// selected level is not claimed. If a manifold is expected, as a certificate or a manifold block, another one is
-/// rejected (manifold.expected) and no level is looked at. Precondition: self_test() found nothing in this thread.
+/// rejected (manifold.expected) and no level is looked at. Checks what belongs to `own_share`. Precondition:
+/// self_test() found nothing in this thread, and no level is selected for a part.
 Outcome check(std::string_view text, const std::vector<std::string>& selected, std::string_view expected = {});
 
-/// A line for each level and one for the whole; or one JSON object. Only an outcome of status 0 has the word
-/// "verified".
+/// A line for each level and one for the whole; or one JSON object. Only the outcome of a whole that is verified has
+/// the word "verified".
 std::string as_text(const Outcome& outcome);
 std::string as_json(const std::string& file, const Outcome& outcome);
 

@@ -46,7 +46,7 @@ std::string check_input_on_space_form(const Certificate& c, Lifts& lifts, Report
     }
     return Counts{};
   };
-  in_parts(c.n, report, check);
+  in_parts("0.separation", c.n, report, check);
   return std::to_string(c.n) + " points, separation >= " + rounded_down(c.mu.exact * c.epsilon.exact) +
          ", density <= " + rounded_up(c.density.exact) +
          (less(c.density.exact, c.epsilon.exact) == Verdict::proved ? ", below" : ", not below") +

@@ -230,11 +230,10 @@ std::string SpaceFormStars::check_stars(Report& report) {
   const auto check = [&](std::size_t begin, std::size_t end, Report& found) {
     std::uint64_t simplices = 0;
     for (auto i = static_cast<Label>(begin); i < end; ++i) simplices += check_star(i, view, shift, found);
-    return Counts{simplices};
+    return Counts{static_cast<std::int64_t>(simplices)};
   };
-  const std::uint64_t simplices = in_parts(c_.n, report, check)[0];
-  return std::to_string(simplices) +
-         " simplices in the charts of their vertices, protection >= " + rounded_down(c_.protection.exact) +
+  in_parts("1.perturbation, 1.vertices, 1.radius, 1.thickness, 1.protection", c_.n, report, check, {"shown"});
+  return "{shown} simplices in the charts of their vertices, protection >= " + rounded_down(c_.protection.exact) +
          ", thickness >= " + rounded_down(c_.thickness.exact) +
          ", circumradius <= " + rounded_up(c_.circumradius.exact);
 }
@@ -255,7 +254,7 @@ std::string SpaceFormStars::check_stable_stars(Report& report) {
     for (auto j = static_cast<Label>(begin); j < end; ++j) check_stable_star(j, view, seen, found);
     return Counts{};
   };
-  in_parts(c_.n, report, check);
+  in_parts("2s.reach, 2s.protection", c_.n, report, check);
   return "every chart of a star sees the same star";
 }
 

@@ -43,6 +43,10 @@ Rational upper_bound_of(const PowerProduct& protection_parameter) {
 
 }  // namespace
 
+std::string_view name_of(ParameterConstraints constraints) {
+  return constraints == ParameterConstraints::sharper ? "sharper" : "printed";
+}
+
 Ledger constants_for(Dimension dimension, const Rational& separation, const Rational& perturbation,
                      const Rational& radius_variation, const Rational& distortion, ParameterConstraints constraints) {
   const Rational one(1);
@@ -91,13 +95,18 @@ Ledger constants_for(Dimension dimension, const Rational& separation, const Rati
   ledger.hoop_distortion_bound = power(power(flake, hoop_exponent) / PowerProduct(Rational(4)), 2);
   ledger.metric_distortion_bound = power(mu, 2) / power(two, 12) * power(flake, 2 * m + 1);
 
-  ledger.chart_sampling_radius = power(flake, 2 * m + 1) / power(two, 6);
+  // Exponent and power of 2 in the bounds of sampling radii on manifolds.
+  const long radius_exponent = is_sharper ? m + 1 : 2 * m + 1;
+  const PowerProduct radius_divisor = power(two, is_sharper ? 5 : 6);
+  ledger.chart_sampling_radius = power(flake, radius_exponent) / radius_divisor;
   ledger.riemannian_perturbation = minimum(perturbation, separation / Rational(5));
-  ledger.riemannian_flake_divisor = divisor(5);
+  ledger.riemannian_flake_divisor = is_sharper ? ledger.flake_divisor : divisor(5);
   ledger.riemannian_flake_parameter = PowerProduct(ledger.riemannian_perturbation) / ledger.riemannian_flake_divisor;
-  ledger.riemannian_sampling_radius = power(ledger.riemannian_flake_parameter, 2 * m + 1) / power(two, 6);
-  ledger.piecewise_flat_distortion =
-      power(two, 8) * power(ledger.riemannian_flake_parameter, -2 * m) * power(ledger.riemannian_sampling_radius, 2);
+  ledger.riemannian_sampling_radius = power(ledger.riemannian_flake_parameter, radius_exponent) / radius_divisor;
+  ledger.self_delaunay_sampling_radius = power(ledger.riemannian_flake_parameter, 2 * m + 1) / radius_divisor;
+  ledger.piecewise_flat_distortion = PowerProduct(Rational(is_sharper ? 320 : 256)) *
+                                     power(ledger.riemannian_flake_parameter, -2 * m) *
+                                     power(ledger.riemannian_sampling_radius, 2);
   return ledger;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "kernel/number/rational.hpp"
 #include "kernel/number/strong.hpp"
 #include "proofs/constants/power_product.hpp"
@@ -13,6 +15,9 @@ inline constexpr Dimension largest_ledger_dimension{16};
 /// Which form of Hypotheses 2 the constants belong to: the paper's, or the weaker one that the sharper lemmas admit
 /// (docs/sharper-lemmas.md): ξ₀ ≤ 2⁻⁴(ρ₀/C)^{2m+2}, C without m^{3/2}, α̃₀ = 17410Γ₀/μ₀³.
 enum class ParameterConstraints : unsigned char { printed, sharper };
+
+/// "printed", "sharper": as on the command line and in certificates.
+[[nodiscard]] std::string_view name_of(ParameterConstraints constraints);
 
 /// What the paper derives from the dimension m, the separation μ₀, the perturbation ρ₀, the radius variation ε₀ and the
 /// distortion ξ₀ of an input. Every value is exact; lengths are relative to the sampling radius ε unless said.
@@ -67,19 +72,23 @@ struct Ledger {
   PowerProduct metric_distortion_bound;
 
   /// ε_i ≤ Γ₀^{2m+1}/2⁶, the bound (eq:locsam.curv.bnd) under exponential charts of a manifold whose sectional
-  /// curvatures are within [−1, 1]. A length on the manifold.
+  /// curvatures are within [−1, 1]; sharper: Γ₀^{m+1}/2⁵. A length on the manifold.
   PowerProduct chart_sampling_radius;
   /// Theorem 3 asks for ρ₀ ≤ μ₀/5: the smaller of ρ₀ and μ₀/5.
   Rational riemannian_perturbation;
-  /// C̃ = m^{3/2}(2/μ₀)^{5m²+5m+21} (thm:riem.del.tri).
+  /// C̃ = m^{3/2}(2/μ₀)^{5m²+5m+21} (thm:riem.del.tri); sharper (docs/claims/riemannian-constants.md): C, as above.
   PowerProduct riemannian_flake_divisor;
   /// The riemannian_perturbation divided by C̃.
   PowerProduct riemannian_flake_parameter;
   /// ε ≤ 2⁻⁶(ρ₀/C̃)^{2m+1} at the riemannian_perturbation (thm:riem.del.tri), for sectional curvatures within [−1, 1];
+  /// sharper: 2⁻⁵(ρ₀/C)^{m+1};
   /// the other bound of Theorem 3, a quarter of the injectivity radius, is not in it. A length on the manifold.
   PowerProduct riemannian_sampling_radius;
-  /// 2⁸(C̃/ρ₀)^{2m}ε² at that radius: how much the piecewise flat metric differs from the manifold's, relatively
-  /// (thm:riem.del.tri).
+  /// 2⁻⁵(ρ₀/C)^{2m+1}, for which the sharper Theorem 3 says that the piecewise flat metric is self-Delaunay; of the
+  /// printed one the radius above. A length on the manifold.
+  PowerProduct self_delaunay_sampling_radius;
+  /// 2⁸(C̃/ρ₀)^{2m}ε² at the riemannian_sampling_radius: how much the piecewise flat metric differs from the
+  /// manifold's, relatively (thm:riem.del.tri); sharper: 320(C/ρ₀)^{2m}ε².
   PowerProduct piecewise_flat_distortion;
 };
 

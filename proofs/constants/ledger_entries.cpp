@@ -95,24 +95,34 @@ std::vector<LedgerEntry> ledger_entries(const Ledger& ledger) {
             ledger.stable_stars_distortion_bound),
       entry({"hoop_distortion_bound", "ξ₀ ≤", "\\xi_0 \\le", source("lem:hoop.distort")}, ledger.hoop_distortion_bound),
       entry({"metric_distortion_bound", "η ≤", "\\eta \\le", "thm:output.del.cplx"}, ledger.metric_distortion_bound)};
-  if (is_sharper) return entries;
   const SphereSampleSize sphere = sphere_sample_size(ledger.dimension, ledger.riemannian_sampling_radius);
-  const std::vector<LedgerEntry> theorem_3{
-      entry({"chart_sampling_radius", "ε_i ≤ (Λ = 1)", "\\epsilon_i \\le", "eq:locsam.curv.bnd"},
+  const auto theorem_3_source = [is_sharper](const char* printed) {
+    return is_sharper ? "riemannian-constants" : printed;
+  };
+  std::vector<LedgerEntry> theorem_3{
+      entry({"chart_sampling_radius", "ε_i ≤ (Λ = 1)", "\\epsilon_i \\le", theorem_3_source("eq:locsam.curv.bnd")},
             ledger.chart_sampling_radius),
       entry({"riemannian_perturbation", "min(ρ₀, μ₀/5)", "\\min(\\rho_0, \\mu_0/5)", "thm:riem.del.tri"},
             ledger.riemannian_perturbation),
-      entry({"riemannian_flake_divisor", "C̃", "\\tilde C", "thm:riem.del.tri"}, ledger.riemannian_flake_divisor),
+      entry({"riemannian_flake_divisor", "C̃", "\\tilde C", theorem_3_source("thm:riem.del.tri")},
+            ledger.riemannian_flake_divisor),
       entry({"riemannian_flake_parameter", "ρ₀/C̃", "\\rho_0/\\tilde C", "thm:riem.del.tri"},
             ledger.riemannian_flake_parameter),
-      entry({"riemannian_sampling_radius", "ε ≤ (Λ = 1)", "\\epsilon \\le", "thm:riem.del.tri"},
+      entry({"riemannian_sampling_radius", "ε ≤ (Λ = 1)", "\\epsilon \\le", theorem_3_source("thm:riem.del.tri")},
             ledger.riemannian_sampling_radius),
-      entry({"piecewise_flat_distortion", "|d_M/d_PL−1| ≤", "\\lvert d_M/d_{PL} - 1 \\rvert \\le", "thm:riem.del.tri"},
+      entry({"piecewise_flat_distortion", "|d_M/d_PL−1| ≤", "\\lvert d_M/d_{PL} - 1 \\rvert \\le",
+             theorem_3_source("thm:riem.del.tri")},
             ledger.piecewise_flat_distortion),
       entry({"sphere_sample_size_at_least", "n ≥ on S^m", "n \\ge", "volume of geodesic balls"},
             (sphere.has_factor_pi ? "π·" : "") + sphere.at_least_without_pi.text(),
             (sphere.has_factor_pi ? "\\pi \\cdot " : "") + sphere.at_least_without_pi.latex(), sphere.at_least,
             sphere.at_least_log2)};
+  // The printed theorem has one radius for all that it says.
+  if (is_sharper) {
+    theorem_3.insert(theorem_3.begin() + 5,
+                     entry({"self_delaunay_sampling_radius", "ε ≤ (Λ = 1)", "\\epsilon \\le", "riemannian-constants"},
+                           ledger.self_delaunay_sampling_radius));
+  }
   entries.insert(entries.end(), theorem_3.begin(), theorem_3.end());
   if (sphere.measured_estimate) {
     entries.push_back(

@@ -29,8 +29,8 @@ struct LedgerEntry {
   bool is_estimate = false;
 };
 
-/// The lines of the ledger in the order of the paper's argument: input, parameters, hypotheses, Theorem 3. The last
-/// only of the printed hypotheses: what Theorem 3 would be with the sharper ones is not worked out.
+/// The lines of the ledger in the order of the paper's argument: input, parameters, hypotheses, Theorem 3. Those of the
+/// sharper hypotheses have one more, self_delaunay_sampling_radius.
 [[nodiscard]] std::vector<LedgerEntry> ledger_entries(const Ledger& ledger);
 
 }  // namespace delcert

@@ -16,7 +16,8 @@ struct NoCertificate {};
 
 class Certificate {
  public:
-  Certificate(const FormalParameters& parameters, const SymbolicPowers& powers) : names_(coq_names(parameters)) {
+  Certificate(const FormalParameters& parameters, const SymbolicPowers& powers, const KnownSigns& known)
+      : names_(coq_names(parameters)), known_(known) {
     std::vector<std::string> names;
     std::vector<bool> squared;
     for (const FormalParameter& parameter : parameters) {
@@ -108,8 +109,16 @@ class Certificate {
     return result;
   }
 
+  [[nodiscard]] const KnownSign* known_sign(const Polynomial& polynomial) const {
+    if (known_.empty()) return nullptr;
+    const auto found = known_.find(polynomial.text());
+    return found == known_.end() ? nullptr : &found->second;
+  }
+
   /// The sign that a certificate shows: positive or negative if it can be strict.
   Sign sign(const Polynomial& polynomial) {
+    if (const KnownSign* known = known_sign(polynomial)) return known->strict ? Sign::positive : Sign::nonnegative;
+    if (const KnownSign* known = known_sign(-polynomial)) return known->strict ? Sign::negative : Sign::nonpositive;
     const int guess = sign_at_some_point(polynomial, variables_);
     for (const int turn : {1, -1}) {
       if (guess == -turn) continue;
@@ -126,7 +135,8 @@ class Certificate {
     const bool is_variable =
         std::any_of(variables_.begin(), variables_.end(), [&](const FormalVariable& one) { return one.text == text; });
     if (is_variable || !asserted_.insert(text).second) return;
-    const auto proof = sign_script(polynomial, variables_, strict);
+    const KnownSign* known = known_sign(polynomial);
+    const auto proof = known != nullptr ? std::optional(known->script) : sign_script(polynomial, variables_, strict);
     if (!proof) throw NoCertificate();
     script_ += "assert (0 " + std::string(strict ? "<" : "<=") + " " + text + ").\n{ " + *proof + " }\n";
   }
@@ -167,6 +177,7 @@ class Certificate {
   }
 
   CoqNames names_;
+  const KnownSigns& known_;
   FormalVariables variables_;
   RingPointer ring_;
   std::optional<RationalFunctionReader> reader_;
@@ -178,11 +189,12 @@ class Certificate {
 
 }  // namespace
 
-ComparisonScript comparison_script(const ExpressionPointer& comparison, const FormalParameters& parameters) {
+ComparisonScript comparison_script(const ExpressionPointer& comparison, const FormalParameters& parameters,
+                                   const KnownSigns& known) {
   SymbolicPowers powers(parameters);
   const auto plain = powers.replaced(comparison);
   if (!plain) return {};
-  Certificate certificate(parameters, powers);
+  Certificate certificate(parameters, powers, known);
   try {
     std::string tactics = powers.script() + certificate.tactics(**plain);
     return {std::move(tactics), certificate.wanted_squares()};

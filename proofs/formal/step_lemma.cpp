@@ -1,6 +1,7 @@
 #include "proofs/formal/step_lemma.hpp"
 
 #include "proofs/formal/comparison_script.hpp"
+#include "proofs/formal/squares_script.hpp"
 #include "proofs/formal/terms.hpp"
 #include "proofs/prover/prover.hpp"
 
@@ -10,7 +11,8 @@ namespace {
 
 class Proof {
  public:
-  explicit Proof(FormalParameters parameters) : parameters_(std::move(parameters)) {}
+  explicit Proof(FormalParameters parameters, SquaresScript squares = {})
+      : parameters_(std::move(parameters)), squares_(std::move(squares)) {}
 
   /// The tactics for a claim, and whether they only check.
   std::string of(const ExpressionPointer& claim) {
@@ -41,11 +43,13 @@ class Proof {
  private:
   std::string comparison(const ExpressionPointer& claim) {
     if (auto extreme = by_parts(claim)) return *extreme;
-    const ComparisonScript script = comparison_script(claim, parameters_);
+    const ComparisonScript script = comparison_script(claim, parameters_, squares_.signs);
     wanted_.insert(script.wanted_squares.begin(), script.wanted_squares.end());
     // Coq handles long terms badly: what has become of a high power is left to enclosures.
     constexpr std::size_t longest = 12000;
-    return script.tactics && script.tactics->size() < longest ? *script.tactics : search();
+    constexpr std::size_t longest_with_squares = 60000;
+    const std::size_t most = squares_.signs.empty() ? longest : longest_with_squares;
+    return script.tactics && script.tactics->size() < most ? squares_.facts + *script.tactics : search();
   }
 
   /// max(a, b) <= c, c <= min(a, b) and |a| <= c are two comparisons each.
@@ -93,10 +97,26 @@ class Proof {
   }
 
   FormalParameters parameters_;
+  SquaresScript squares_;
   std::set<std::size_t> wanted_;
   bool searches_ = false;
   int premises_ = 0;
 };
+
+/// The tactics for a claim of one comparison, by the sums of squares that the prover has found.
+std::optional<StepLemma> by_squares(const ExpressionPointer& claim, const StepOutcome& outcome,
+                                    const FormalParameters& parameters, const std::string& before,
+                                    const std::string& after) {
+  if (!is_proved(outcome.verdict) || outcome.goals.size() != 1 || !outcome.goals[0].squares) return std::nullopt;
+  auto squares = squares_script(outcome.goals[0].goal, *outcome.goals[0].squares, parameters);
+  if (!squares) return std::nullopt;
+  const std::string definitions = squares->definitions;
+  Proof proof(parameters, std::move(*squares));
+  const std::string tactics = proof.of(claim);
+  if (proof.searches() || !proof.wanted_squares().empty()) return std::nullopt;
+  return StepLemma{before + " certificates.\nOpen Scope R_scope.\n\n" + definitions + after + tactics + "Qed.\n",
+                   StepLemma::Method::certificate};
+}
 
 /// No formula has anything in it that would end a comment.
 std::string comment(const Step& step) {
@@ -170,6 +190,10 @@ std::optional<StepLemma> step_lemma(const Step& step, const std::map<std::string
         return StepLemma{header + refutation(step, parameters, statement, outcome.counterexample, name),
                          StepLemma::Method::refutation};
       }
+      const std::string after =
+          "Lemma " + name + " :\n" + statement + ".\nProof.\n" + introduction(parameters, step.hypotheses.size());
+      auto lemma = by_squares(claim, outcome, parameters, header + "From Delcert Require Import", after);
+      if (lemma) return lemma;
     }
     return StepLemma{header + "From Delcert Require Import certificates" + (proof.searches() ? " enclosure" : "") +
                          ".\nOpen Scope R_scope.\n\nLemma " + name + " :\n" + statement + ".\nProof.\n" +

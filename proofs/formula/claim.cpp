@@ -5,8 +5,11 @@
 
 #include "kernel/formula/formula_error.hpp"
 #include "kernel/formula/token.hpp"
+#include "proofs/formula/abbreviation_reader.hpp"
 #include "proofs/formula/formula_reader.hpp"
 #include "proofs/formula/step_reader.hpp"
+#include "proofs/formula/substitution.hpp"
+#include "proofs/formula/type_check.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
@@ -22,7 +25,8 @@ class ClaimReader : FormulaReader {
 
   Claim read() {
     const toml::table table = parse();
-    refuse_unknown(table, {"name", "title", "source", "status", "instance", "note", "forall", "given", "show", "step"});
+    refuse_unknown(table, {"name", "title", "source", "status", "instance", "note", "points", "forall", "let", "given",
+                           "show", "step"});
     Claim claim;
     claim.file = file();
     claim.name = string(table, "name", true);
@@ -32,13 +36,15 @@ class ClaimReader : FormulaReader {
     claim.note = string(table, "note", false);
     claim.status = status(table);
     if (table.contains("step") && !table.contains("show")) {
-      for (const char* key : {"instance", "forall", "given"}) {
+      for (const char* key : {"instance", "points", "forall", "let", "given"}) {
         if (const toml::node* node = table.get(key))
           fail(node->source(), "a file of steps only has no key " + std::string(key));
       }
     } else {
       read_instance(table, claim);
       read_parameters(table, claim);
+      read_points(table, claim);
+      read_abbreviations(table, claim);
       read_hypotheses(table, claim);
       read_conclusions(table, claim);
     }
@@ -79,10 +85,7 @@ class ClaimReader : FormulaReader {
     if (!node->is_table()) fail(node->source(), "the key forall expects a table such as { eta = \"(0, 1]\" }");
     for (const auto& [key, value] : *node->as_table()) {
       const std::string name(key.str());
-      if (!is_name_of_formula(name) || vocabulary_.function(name) != nullptr ||
-          vocabulary_.definition(name) != nullptr) {
-        fail(key.source(), shortened(name) + " is no name for a parameter: letters, digits and '_', and no function");
-      }
+      require_free(key.source(), name, "a parameter");
       if (signature_.contains(name)) fail(key.source(), "the class " + claim.instance + " binds " + name + " already");
       claim.parameters[name] = in_string(value, "a parameter expects a string such as \"(0, 1]\"",
                                          [](const std::string& text) { return parse_range(text); });
@@ -90,8 +93,67 @@ class ClaimReader : FormulaReader {
     for (const auto& [name, range] : claim.parameters) signature_[name] = types::number;
   }
 
+  void require_free(const toml::source_region& where, const std::string& name, const std::string& what) const {
+    if (is_name_of_formula(name) && vocabulary_.function(name) == nullptr && vocabulary_.definition(name) == nullptr) {
+      return;
+    }
+    fail(where, shortened(name) + " is no name for " + what + ": letters, digits and '_', and no function");
+  }
+
+  void read_points(const toml::table& table, Claim& claim) {
+    const toml::node* node = table.get("points");
+    if (node == nullptr) return;
+    if (claim.instance != point_set_name) {
+      fail(node->source(), "the key points is for claims about the class " + std::string(point_set_name));
+    }
+    claim.points = read_point_rules(*this, *node);
+    for (const std::string& text : box_formulas(*claim.points)) {
+      try {
+        add_constraint(claim, {"", text, type_checked(parse_formula(text), vocabulary_, signature_, types::truth)});
+      } catch (const FormulaError& error) {
+        fail(node->source(), "the box as a formula, " + text + ": " + error.what());
+      }
+    }
+    const toml::array* constraints = list(*node->as_table(), "constraints");
+    if (constraints == nullptr) return;
+    for (const toml::node& constraint : *constraints) {
+      Statement here = formula(constraint, "", vocabulary_, signature_, types::truth);
+      claim.points->constraints.push_back(here.text);
+      add_constraint(claim, std::move(here));
+    }
+  }
+
+  static void add_constraint(Claim& claim, Statement statement) {
+    Hypothesis hypothesis;
+    static_cast<Statement&>(hypothesis) = std::move(statement);
+    hypothesis.name = "constraint-" + std::to_string(claim.hypotheses.size() + 1);
+    hypothesis.no_twin = "what the points are";
+    hypothesis.is_constraint = true;
+    claim.hypotheses.push_back(std::move(hypothesis));
+  }
+
+  void read_abbreviations(const toml::table& table, Claim& claim) {
+    const AbbreviationRules rules{[this](const toml::source_region& where, const std::string& name) {
+                                    require_free(where, name, "an abbreviation");
+                                    if (signature_.contains(name)) fail(where, name + " is already something else");
+                                  },
+                                  [this](const toml::node& node, const std::string& name) {
+                                    Statement term = formula(node, name, vocabulary_, signature_);
+                                    term.formula = replaced(term.formula, abbreviations_);
+                                    return term;
+                                  },
+                                  [this](const Statement& term) {
+                                    signature_[term.name] = term.formula->type;
+                                    abbreviations_[term.name] = term.formula;
+                                  }};
+    claim.abbreviations = delcert::read_abbreviations(*this, table, rules);
+  }
+
+  /// With what the abbreviations stand for in their place.
   Statement statement(const toml::node& node, const std::string& name) const {
-    return formula(node, name, vocabulary_, signature_, types::truth);
+    Statement result = formula(node, name, vocabulary_, signature_, types::truth);
+    result.formula = replaced(result.formula, abbreviations_);
+    return result;
   }
 
   void require_new(const toml::node& part, const std::vector<std::string>& taken, const std::string& name) const {
@@ -100,9 +162,10 @@ class ClaimReader : FormulaReader {
     }
   }
 
-  std::string part_name(const toml::table& part, const std::vector<std::string>& taken, const std::string& kind) const {
+  std::string part_name(const toml::table& part, const std::vector<std::string>& taken,
+                        const std::string& usual_name) const {
     std::string name = string(part, "name", false);
-    if (name.empty()) name = kind + "-" + std::to_string(taken.size() + 1);
+    if (name.empty()) name = usual_name;
     if (const toml::node* node = part.get("name")) require_name(*node, name);
     require_new(part, taken, name);
     return name;
@@ -112,15 +175,18 @@ class ClaimReader : FormulaReader {
     const toml::array* given = list(table, "given");
     if (given == nullptr) return;
     std::vector<std::string> taken;
+    for (const Hypothesis& constraint : claim.hypotheses) taken.push_back(constraint.name);
+    const std::size_t constraints = taken.size();
     for (const toml::node& node : *given) {
+      const std::string usual_name = "hypothesis-" + std::to_string(taken.size() - constraints + 1);
       Hypothesis hypothesis;
       if (const toml::table* part = node.as_table()) {
         refuse_unknown(*part, {"name", "claim", "no_twin"});
-        const std::string name = part_name(*part, taken, "hypothesis");
+        const std::string name = part_name(*part, taken, usual_name);
         static_cast<Statement&>(hypothesis) = statement(required(*part, "claim"), name);
         hypothesis.no_twin = reason(*part);
       } else {
-        static_cast<Statement&>(hypothesis) = statement(node, "hypothesis-" + std::to_string(taken.size() + 1));
+        static_cast<Statement&>(hypothesis) = statement(node, usual_name);
         require_new(node, taken, hypothesis.name);
       }
       taken.push_back(hypothesis.name);
@@ -135,11 +201,14 @@ class ClaimReader : FormulaReader {
     for (const toml::node& node : *show) {
       const toml::table* part = node.as_table();
       if (part == nullptr) fail(node.source(), "the key show expects tables, [[show]]");
-      refuse_unknown(*part, {"name", "claim", "twin", "no_twin"});
-      const std::string name = part_name(*part, taken, "conclusion");
+      refuse_unknown(*part, {"name", "claim", "base", "twin", "no_twin"});
+      const std::string name = part_name(*part, taken, "conclusion-" + std::to_string(taken.size() + 1));
       Conclusion conclusion;
       static_cast<Statement&>(conclusion) = statement(required(*part, "claim"), name);
       if (const toml::node* twin = part->get("twin")) conclusion.twin = statement(*twin, name + "-twin");
+      if (const toml::node* base = part->get("base")) {
+        conclusion.base = formula(*base, name + "-base", vocabulary_, signature_, types::number);
+      }
       conclusion.no_twin = reason(*part);
       if (conclusion.twin && !conclusion.no_twin.empty()) {
         fail(part->get("no_twin")->source(), "a conclusion has a twin or a reason why not, not both");
@@ -157,6 +226,7 @@ class ClaimReader : FormulaReader {
   const Vocabulary& vocabulary_;
   const Signatures& signatures_;
   Signature signature_;
+  Replacements abbreviations_;
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kernel/formula/parser.hpp"
+#include "proofs/formula/point_rules.hpp"
 #include "proofs/formula/step.hpp"
 #include "proofs/formula/vocabulary.hpp"
 
@@ -14,11 +15,16 @@ namespace delcert {
 struct Hypothesis : Statement {
   /// Why the claim without this hypothesis need not be refuted; empty if it has to be.
   std::string no_twin;
+  /// It belongs to what the points of the claim are (`PointRules`).
+  bool is_constraint = false;
 };
 
 struct Conclusion : Statement {
   /// The conclusion with its constant moved past what holds: it has to be refuted.
   std::optional<Statement> twin;
+  /// A term that both sides of its comparisons exceed or come near to: what is measured is the ratio of the excesses,
+  /// so that where nothing is distorted is not where the ratio is greatest.
+  std::optional<Statement> base;
   /// Why there is no twin, if there is none.
   std::string no_twin;
 };
@@ -34,6 +40,8 @@ struct Claim {
   std::string instance;  ///< the instance class; empty for a file of steps only, which has no conclusions
   std::string note;
   std::map<std::string, ParameterRange> parameters;
+  std::optional<PointRules> points;      ///< what the points of the class `point-set` are
+  std::vector<Statement> abbreviations;  ///< `let`; formulas have what they stand for in their place
   std::vector<Hypothesis> hypotheses;
   std::vector<Conclusion> conclusions;
   std::vector<Step> steps;

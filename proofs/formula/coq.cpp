@@ -33,6 +33,10 @@ class Printer {
         return "(~ " + part(expression, 0) + ")";
       case Operation::for_all:
       case Operation::exists:
+      case Operation::sum_over:
+      case Operation::product_over:
+      case Operation::least_over:
+      case Operation::greatest_over:
         throw NotInCoq();
       default:
         return "(" + part(expression, 0) + std::string(sign_of(expression.operation)) + part(expression, 1) + ")";

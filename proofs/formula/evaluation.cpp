@@ -239,9 +239,43 @@ Partial<S> Evaluation<S>::number(const Expression& term) {
         return number_from<S>(Rational(std::get<long>(item(term))));
       }
       return call(term);
+    case Operation::sum_over:
+    case Operation::product_over:
+    case Operation::least_over:
+    case Operation::greatest_over:
+      return over_set(term);
     default:
       return arithmetic(term);
   }
+}
+
+/// 0, 1 or nothing for an empty set, and then with each element in turn. A term that certainly has no value decides
+/// that the whole has none.
+template <class S>
+Partial<S> Evaluation<S>::over_set(const Expression& term) {
+  const bool is_sum = term.operation == Operation::sum_over;
+  std::optional<S> result;
+  if (is_sum || term.operation == Operation::product_over) result = S(is_sum ? 0 : 1);
+  Verdict exists = Verdict::proved;
+  for (const Item& item : items_of(*term.children[0])) {
+    locals_.push_back({term.text, item});
+    Partial<S> value = number(*term.children[1]);
+    locals_.pop_back();
+    if (!value) {
+      exists = conjunction(exists, value.exists());
+      if (is_refuted(exists)) break;
+    } else if (!result) {
+      result = std::move(*value);
+    } else if (is_sum) {
+      result = S(*result + *value);
+    } else if (term.operation == Operation::product_over) {
+      result = S(*result * *value);
+    } else {
+      result = term.operation == Operation::least_over ? minimum(*result, *value) : maximum(*result, *value);
+    }
+  }
+  if (!is_proved(exists)) return Partial<S>::absent(exists);
+  return result ? Partial<S>(std::move(*result)) : Partial<S>::absent(Verdict::refuted);
 }
 
 template <class S>

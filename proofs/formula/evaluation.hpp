@@ -56,6 +56,7 @@ class Evaluation {
   [[nodiscard]] Partial<S> call(const Expression& term);
   [[nodiscard]] Partial<S> call_definition(const Expression& term);
   [[nodiscard]] Partial<S> arithmetic(const Expression& term);
+  [[nodiscard]] Partial<S> over_set(const Expression& term);
   [[nodiscard]] Verdict leaf(const Expression& statement);
   [[nodiscard]] Verdict leaf_on_this_rung(const Expression& statement);
   [[nodiscard]] Verdict predicate(const Expression& statement);

@@ -33,4 +33,11 @@ Statement FormulaReader::formula(const toml::node& node, const std::string& name
   });
 }
 
+Statement FormulaReader::formula(const toml::node& node, const std::string& name, const Vocabulary& vocabulary,
+                                 const Signature& signature) const {
+  return in_string(node, "a formula expects a string", [&](const std::string& text) {
+    return Statement{name, text, type_checked(parse_formula(text), vocabulary, signature)};
+  });
+}
+
 }  // namespace delcert

@@ -18,6 +18,9 @@ class FormulaReader : public TomlFormulaReader {
 
   [[nodiscard]] Statement formula(const toml::node& node, const std::string& name, const Vocabulary& vocabulary,
                                   const Signature& signature, const Type& type) const;
+  /// The same of any type.
+  [[nodiscard]] Statement formula(const toml::node& node, const std::string& name, const Vocabulary& vocabulary,
+                                  const Signature& signature) const;
 };
 
 }  // namespace delcert

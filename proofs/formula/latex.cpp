@@ -186,6 +186,25 @@ Piece quantifier_piece(const Expression& expression) {
           LatexLevel::statement};
 }
 
+/// \sum_{p \in s} D(p, s): as loose as a sum, because a factor behind it would seem to belong to it.
+Piece over_set_piece(const Expression& expression) {
+  const auto sign = [&]() -> std::string {
+    switch (expression.operation) {
+      case Operation::sum_over:
+        return "\\sum";
+      case Operation::product_over:
+        return "\\prod";
+      case Operation::least_over:
+        return "\\min";
+      default:
+        return "\\max";
+    }
+  };
+  return {sign() + "_{" + latex_name(expression.text) + " \\in " + piece_of(*expression.children[0]).text + "} " +
+              at_least(piece_of(*expression.children[1]), LatexLevel::product),
+          LatexLevel::sum};
+}
+
 Piece infix(const Expression& expression, std::string_view sign, LatexLevel level, LatexLevel left, LatexLevel right) {
   return {at_least(piece_of(*expression.children[0]), left) + std::string(sign) +
               at_least(piece_of(*expression.children[1]), right),
@@ -225,6 +244,11 @@ Piece piece_of(const Expression& expression) {
     case Operation::for_all:
     case Operation::exists:
       return quantifier_piece(expression);
+    case Operation::sum_over:
+    case Operation::product_over:
+    case Operation::least_over:
+    case Operation::greatest_over:
+      return over_set_piece(expression);
     default:
       return comparison_piece(expression);
   }
@@ -255,8 +279,9 @@ std::string number_latex(const Rational& x) {
 }
 
 std::string range_latex(const std::string& name, const ParameterRange& range) {
-  return latex_name(name) + " \\in \\left" + (range.has_lower ? "[" : "(") + number_latex(range.lower) + ", " +
-         number_latex(range.upper) + "\\right" + (range.has_upper ? "]" : ")");
+  return latex_name(name) + " \\in \\left" + (range.has_lower ? "[" : "(") +
+         (range.lower ? number_latex(*range.lower) : "-\\infty") + ", " +
+         (range.upper ? number_latex(*range.upper) : "\\infty") + "\\right" + (range.has_upper ? "]" : ")");
 }
 
 std::string range_latex(const std::string& name, const StepRange& range) {

@@ -112,6 +112,41 @@ void add_sets(Vocabulary& vocabulary) {
                     }
                     return result;
                   })});
+  vocabulary.add({"edges",
+                  {types::simplex},
+                  types::simplices,
+                  "The faces of dimension 1.",
+                  "\\mathrm{edges}(#1)",
+                  false,
+                  SetFunction([](std::span<const Item> a) { return faces_of(simplex_of(a[0]), 2, 2); })});
+  vocabulary.add(
+      {"faces_of_dimension",
+       {types::simplex, types::integer},
+       types::simplices,
+       "The faces of the dimension given, the vertices (0) and the simplex itself among them; none for others.",
+       "\\mathrm{faces}_{#2}(#1)",
+       false,
+       SetFunction([](std::span<const Item> a) -> std::vector<Item> {
+         const long wanted = std::get<long>(a[1]);
+         if (wanted < 0 || static_cast<std::size_t>(wanted) > simplex_of(a[0]).dimension()) return {};
+         const auto count = static_cast<std::size_t>(wanted) + 1;
+         return faces_of(simplex_of(a[0]), count, count);
+       })});
+  vocabulary.add({"face",
+                  {types::simplex, types::integer, types::integer},
+                  types::simplex,
+                  "The face of the vertices from the first to the last number.",
+                  "{#1}_{#2 \\ldots #3}",
+                  false,
+                  ItemFunction([](std::span<const Item> a) -> Item {
+                    const SimplexObject& simplex = simplex_of(a[0]);
+                    const std::size_t first = vertex_of(simplex, std::get<long>(a[1]));
+                    const std::size_t last = vertex_of(simplex, std::get<long>(a[2]));
+                    if (last < first) throw InputError("a face needs a vertex: the last is before the first");
+                    std::vector<std::size_t> vertices(last - first + 1);
+                    std::iota(vertices.begin(), vertices.end(), first);
+                    return std::make_shared<SimplexObject>(simplex.face(vertices));
+                  })});
   vocabulary.add({"faces",
                   {types::simplex},
                   types::simplices,

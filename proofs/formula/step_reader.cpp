@@ -4,6 +4,7 @@
 
 #include "kernel/formula/parser.hpp"
 #include "kernel/formula/token.hpp"
+#include "proofs/formula/abbreviation_reader.hpp"
 #include "proofs/formula/type_check.hpp"
 
 namespace delcert {
@@ -116,7 +117,7 @@ class StepReader {
       step_.constants[name] =
           reader_.in_string(value, "a constant expects a string such as \"4/5\"", [](const std::string& text) {
             try {
-              return parse_range("[" + text + ", " + text + "]").lower;
+              return parse_range("[" + text + ", " + text + "]").lower.value();
             } catch (const FormulaError& error) {
               throw FormulaError(error.offset() - 1, error.what());
             }
@@ -132,58 +133,21 @@ class StepReader {
   }
 
   void require_no_quantifier(const toml::node& node, const Expression& expression) const {
-    if (expression.operation == Operation::for_all || expression.operation == Operation::exists) {
-      reader_.fail_in(node, FormulaError(expression.offset, "a quantifier in a step, which speaks of numbers only"));
+    if (binds_variable(expression.operation)) {
+      const std::string what = is_term_over_set(expression.operation)
+                                   ? std::string(word_over_set(expression.operation)) + " over a set"
+                                   : "quantifier";
+      reader_.fail_in(node, FormulaError(expression.offset, "a " + what + " in a step, which speaks of numbers only"));
     }
     for (const auto& child : expression.children) require_no_quantifier(node, *child);
   }
 
-  struct Abbreviation {
-    const toml::node* node;
-    std::string name;
-    std::vector<std::string> needs;
-  };
-
-  void add_abbreviation(std::vector<Abbreviation>& all, const toml::source_region& where, const std::string& name,
-                        const toml::node& node) const {
-    require_free(where, name);
-    const bool taken = std::any_of(all.begin(), all.end(), [&](const Abbreviation& one) { return one.name == name; });
-    if (taken) reader_.fail(where, name + " is already something else");
-    all.push_back({&node, name, reader_.in_string(node, "a formula expects a string", [](const std::string& text) {
-                     return free_names(*parse_formula(text));
-                   })});
-  }
-
   void read_abbreviations() {
-    const toml::node* node = table_.get("let");
-    if (node == nullptr) return;
-    std::vector<Abbreviation> waiting;
-    if (const toml::table* all = node->as_table()) {
-      for (const auto& [key, value] : *all) add_abbreviation(waiting, key.source(), std::string(key.str()), value);
-    } else if (const toml::array* all_in_order = node->as_array()) {
-      for (const toml::node& part : *all_in_order) {
-        const toml::table* entry = part.as_table();
-        if (entry == nullptr) reader_.fail(part.source(), "an abbreviation expects a table { name = …, is = … }");
-        reader_.refuse_unknown(*entry, {"name", "is"});
-        const std::string name = reader_.string(*entry, "name", true);
-        add_abbreviation(waiting, entry->get("name")->source(), name, reader_.required(*entry, "is"));
-      }
-    } else {
-      reader_.fail(node->source(), "the key let expects a table such as { ratio = \"1/(1 + xi)\" }");
-    }
-    while (!waiting.empty()) {
-      const auto is_waiting = [&](const std::string& name) {
-        return std::any_of(waiting.begin(), waiting.end(), [&](const Abbreviation& one) { return one.name == name; });
-      };
-      auto next = std::find_if(waiting.begin(), waiting.end(), [&](const Abbreviation& one) {
-        return std::none_of(one.needs.begin(), one.needs.end(), is_waiting);
-      });
-      if (next == waiting.end()) reader_.fail(waiting[0].node->source(), waiting[0].name + " is made of itself");
-      Statement term = formula(*next->node, next->name, types::number);
-      signature_[next->name] = term.formula->type;
-      step_.abbreviations.push_back(std::move(term));
-      waiting.erase(next);
-    }
+    const AbbreviationRules rules{
+        [this](const toml::source_region& where, const std::string& name) { require_free(where, name); },
+        [this](const toml::node& node, const std::string& name) { return formula(node, name, types::number); },
+        [this](const Statement& term) { signature_[term.name] = term.formula->type; }};
+    step_.abbreviations = delcert::read_abbreviations(reader_, table_, rules);
   }
 
   void read_hypotheses() {

@@ -28,7 +28,7 @@ ExpressionPointer replaced(const ExpressionPointer& formula, const Replacements&
     const auto found = replacements.find(formula->text);
     return found == replacements.end() ? formula : found->second;
   }
-  const bool binds = formula->operation == Operation::for_all || formula->operation == Operation::exists;
+  const bool binds = binds_variable(formula->operation);
   std::vector<ExpressionPointer> children;
   for (const auto& child : formula->children) {
     if (binds && !children.empty()) {
@@ -53,6 +53,22 @@ ExpressionPointer without_definitions(const ExpressionPointer& formula) {
     return replaced(without_definitions(formula->definition->body), arguments);
   }
   return rebuilt_with(formula, std::move(children));
+}
+
+ExpressionPointer less_base(const ExpressionPointer& statement, const ExpressionPointer& base) {
+  std::vector<ExpressionPointer> children = statement->children;
+  for (auto& child : children) {
+    if (is_comparison(statement->operation)) {
+      auto difference = std::make_shared<Expression>();
+      difference->operation = Operation::subtract;
+      difference->type = types::number;
+      difference->children = {child, base};
+      child = difference;
+    } else if (child->type == types::truth) {
+      child = less_base(child, base);
+    }
+  }
+  return rebuilt_with(statement, std::move(children));
 }
 
 ExpressionPointer number_expression(const Rational& value) {

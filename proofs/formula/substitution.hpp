@@ -16,6 +16,9 @@ using Replacements = std::map<std::string, ExpressionPointer>;
 /// The formula with the bodies of definitions, such as constant_c(m, mu0), in the place of their calls.
 [[nodiscard]] ExpressionPointer without_definitions(const ExpressionPointer& formula);
 
+/// The statement with a term taken off both sides of all comparisons. Precondition: type-checked.
+[[nodiscard]] ExpressionPointer less_base(const ExpressionPointer& statement, const ExpressionPointer& base);
+
 /// The term that is this number, as the parser would make it: −3/4 is −(3/4), literals are integers from 0 on.
 [[nodiscard]] ExpressionPointer number_expression(const Rational& value);
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "kernel/formula/formula_error.hpp"
+#include "kernel/formula/parser.hpp"
 
 namespace delcert {
 
@@ -78,7 +79,6 @@ class Checker {
     return result;
   }
 
- private:
   ExpressionPointer checked(const ExpressionPointer& expression) {
     auto result = std::make_shared<Expression>(*expression);
     switch (result->operation) {
@@ -126,10 +126,17 @@ class Checker {
       case Operation::exists:
         check_quantifier(*result);
         break;
+      case Operation::sum_over:
+      case Operation::product_over:
+      case Operation::least_over:
+      case Operation::greatest_over:
+        check_over_set(*result, types::number);
+        break;
     }
     return result;
   }
 
+ private:
   void check_children(Expression& expression, const Type& wanted) {
     for (auto& child : expression.children) child = checked(child, wanted);
   }
@@ -206,6 +213,10 @@ class Checker {
       throw FormulaError(expression.offset,
                          expression.text + " is a name, not a function: products are written with *");
     }
+    if (expression.function == nullptr && operation_over_set(expression.text)) {
+      throw FormulaError(expression.offset, expression.text + " runs through a set: " + expression.text +
+                                                "(p in vertices(s): altitude(s, p))");
+    }
     if (expression.function == nullptr) {
       throw FormulaError(expression.offset,
                          "no function is called " + expression.text + suggestion(expression.text, vocabulary_.names()));
@@ -233,7 +244,10 @@ class Checker {
                                               std::to_string(given));
   }
 
-  void check_quantifier(Expression& expression) {
+  void check_quantifier(Expression& expression) { check_over_set(expression, types::truth); }
+
+  /// What is said of each element of a set is of the type `wanted`, and so is the whole.
+  void check_over_set(Expression& expression, const Type& wanted) {
     if (signature_.contains(expression.text)) {
       throw FormulaError(expression.offset, "the variable " + expression.text + " is already something else");
     }
@@ -243,14 +257,15 @@ class Checker {
     auto& set = expression.children[0];
     set = checked(set);
     if (!set->type.is_set) {
-      throw FormulaError(set->offset, described(set->type) +
-                                          " where a set was expected: a quantifier runs through a set such as "
-                                          "faces(s) or 1..k");
+      throw FormulaError(set->offset,
+                         described(set->type) + " where a set was expected: a " +
+                             std::string(wanted == types::truth ? "quantifier" : "sum, product, min or max") +
+                             " runs through a set such as faces(s) or 1..k");
     }
     signature_[expression.text] = Type{set->type.name, false};
-    expression.children[1] = checked(expression.children[1], types::truth);
+    expression.children[1] = checked(expression.children[1], wanted);
     signature_.erase(expression.text);
-    expression.type = types::truth;
+    expression.type = wanted;
   }
 
   const Vocabulary& vocabulary_;
@@ -262,7 +277,7 @@ void collect(const Expression& expression, std::set<std::string>& names, std::ve
       std::find(variables.begin(), variables.end(), expression.text) == variables.end()) {
     names.insert(expression.text);
   }
-  const bool binds = expression.operation == Operation::for_all || expression.operation == Operation::exists;
+  const bool binds = binds_variable(expression.operation);
   for (std::size_t at = 0; at < expression.children.size(); ++at) {
     const bool in_scope = binds && at == 1;
     if (in_scope) variables.push_back(expression.text);
@@ -276,6 +291,11 @@ void collect(const Expression& expression, std::set<std::string>& names, std::ve
 ExpressionPointer type_checked(const ExpressionPointer& expression, const Vocabulary& vocabulary,
                                const Signature& signature, const Type& expected) {
   return Checker(vocabulary, signature).checked(expression, expected);
+}
+
+ExpressionPointer type_checked(const ExpressionPointer& expression, const Vocabulary& vocabulary,
+                               const Signature& signature) {
+  return Checker(vocabulary, signature).checked(expression);
 }
 
 std::vector<std::string> free_names(const Expression& expression) {

@@ -12,6 +12,10 @@ namespace delcert {
 [[nodiscard]] ExpressionPointer type_checked(const ExpressionPointer& expression, const Vocabulary& vocabulary,
                                              const Signature& signature, const Type& expected);
 
+/// The same, whatever the type of the whole.
+[[nodiscard]] ExpressionPointer type_checked(const ExpressionPointer& expression, const Vocabulary& vocabulary,
+                                             const Signature& signature);
+
 /// The names of the signature that occur in the expression, each once, in alphabetical order.
 [[nodiscard]] std::vector<std::string> free_names(const Expression& expression);
 

@@ -203,29 +203,10 @@ class Builder {
     const auto factors = p.factors();
     Sign result = factors.constant < Rational(0) ? Sign::negative : Sign::positive;
     for (const auto& factor : factors.powers) {
-      const Sign sign = sign_of_factor(factor.base);
+      const Sign sign = sign_on(boxes_, factor.base);
       result = product(result, factor.exponent % 2 == 0 ? even_power(sign) : sign);
     }
     return result;
-  }
-
-  Sign sign_of_factor(const Polynomial& factor) const {
-    std::optional<Sign> result;
-    for (const Box& box : boxes_) {
-      std::vector<UnitMap> maps;
-      std::vector<OpenEnds> open;
-      for (const BoxSide& side : box) {
-        maps.push_back(side.map);
-        open.push_back(side.unit_open());
-      }
-      try {
-        const Sign here = BernsteinTensor(factor, maps, most_coefficients_for_signs).sign(open);
-        result = result ? common_sign(*result, here) : here;
-      } catch (const std::length_error&) {
-        return Sign::unknown;
-      }
-    }
-    return result.value_or(Sign::unknown);
   }
 
   std::size_t factor_number(const Polynomial& factor) {
@@ -315,6 +296,25 @@ std::vector<ExpressionPointer> goal_statements(const std::vector<ExpressionPoint
 
 Goal make_goal(const ExpressionPointer& statement, const std::map<std::string, StepRange>& parameters) {
   return Builder(statement, parameters).build();
+}
+
+Sign sign_on(const std::vector<Box>& boxes, const Polynomial& polynomial) {
+  std::optional<Sign> result;
+  for (const Box& box : boxes) {
+    std::vector<UnitMap> maps;
+    std::vector<OpenEnds> open;
+    for (const BoxSide& side : box) {
+      maps.push_back(side.map);
+      open.push_back(side.unit_open());
+    }
+    try {
+      const Sign here = BernsteinTensor(polynomial, maps, most_coefficients_for_signs).sign(open);
+      result = result ? common_sign(*result, here) : here;
+    } catch (const std::length_error&) {
+      return Sign::unknown;
+    }
+  }
+  return result.value_or(Sign::unknown);
 }
 
 Verdict verdict_of(Operation relation, Sign difference) {

@@ -69,6 +69,10 @@ struct Goal {
 /// Precondition: the statement is about numbers and has no quantifiers and definitions.
 [[nodiscard]] Goal make_goal(const ExpressionPointer& statement, const std::map<std::string, StepRange>& parameters);
 
+/// The sign of a polynomial on all boxes, from its coefficients of Bernstein on each as a whole; unknown also if there
+/// are too many of them.
+[[nodiscard]] Sign sign_on(const std::vector<Box>& boxes, const Polynomial& polynomial);
+
 /// What a comparison is, given the sign of left − right.
 [[nodiscard]] Verdict verdict_of(Operation relation, Sign difference);
 

@@ -73,6 +73,50 @@ Json atom_of(const Atom& atom) {
               {"divisors", atom.polynomial->divisors}};
 }
 
+Json constraint_of(const SquaresConstraint& constraint, const Goal& goal) {
+  switch (constraint.kind) {
+    case SquaresConstraint::Kind::lower_end:
+      return {"lower", goal.names[constraint.number]};
+    case SquaresConstraint::Kind::upper_end:
+      return {"upper", goal.names[constraint.number]};
+    default:
+      return {"comparison", constraint.number, constraint.is_turned};
+  }
+}
+
+/// 2 positive, 1 not negative, and so on.
+int number_of(Sign sign) {
+  switch (sign) {
+    case Sign::positive:
+      return 2;
+    case Sign::nonnegative:
+      return 1;
+    case Sign::nonpositive:
+      return -1;
+    case Sign::negative:
+      return -2;
+    default:
+      return 0;
+  }
+}
+
+Json squares_of(const SquaresProof& proof, const Goal& goal) {
+  Json constraints = Json::array();
+  for (const SquaresConstraint& constraint : proof.constraints) {
+    constraints.push_back(constraint_of(constraint, goal));
+  }
+  Json signs = Json::array();
+  for (const FactorSign& sign : proof.signs) {
+    Json one{{"factor", sign.factor}, {"sign", number_of(sign.sign)}};
+    for (const SquareTerm& term : sign.terms) {
+      one["terms"].push_back(
+          Json{{"weight", fraction_text(term.weight)}, {"base", term.base.text()}, {"times", term.constraints}});
+    }
+    signs.push_back(std::move(one));
+  }
+  return Json{{"constraints", constraints}, {"signs", signs}};
+}
+
 Json goal_of(const GoalOutcome& outcome) {
   const Goal& goal = outcome.goal;
   Json squared = Json::array();
@@ -84,10 +128,14 @@ Json goal_of(const GoalOutcome& outcome) {
   Json atoms = Json::array();
   for (const Atom& atom : goal.atoms) atoms.push_back(atom_of(atom));
   Json trees = Json::array();
-  for (const std::size_t root : outcome.result.roots) trees.push_back(tree_of(outcome, root));
-  return Json{
+  if (!outcome.squares) {
+    for (const std::size_t root : outcome.result.roots) trees.push_back(tree_of(outcome, root));
+  }
+  Json result{
       {"statement", s_expression(*goal.statement)}, {"squared", squared}, {"factors", factors}, {"atoms", atoms},
       {"precision", enclosure_precision.value},     {"trees", trees}};
+  if (outcome.squares) result["squares"] = squares_of(*outcome.squares, goal);
+  return result;
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ std::string wrong_exponent(const Expanded& parts, const Parameters& parameters) 
 std::string method_of(const std::vector<GoalOutcome>& goals) {
   std::string result;
   for (const GoalOutcome& outcome : goals) {
-    const std::string method = outcome.goal.method();
+    const std::string method = outcome.squares ? "squares" : outcome.goal.method();
     result = result.empty() || result == method ? method : "mixed";
   }
   return result;
@@ -133,13 +133,19 @@ StepOutcome prove(const Step& step, const std::map<std::string, Rational>& const
       return is_refuted(of_goal) ? value_at(parts, *bindings) : of_goal;
     };
     SearchResult result = search(goal, at, limits);
+    std::optional<SquaresProof> squares;
+    if (is_undecided(result.verdict)) squares = squares_proof(goal);
+    if (squares) {
+      result.verdict = Verdict::proved;
+      result.left.clear();
+    }
     outcome.boxes += result.boxes;
     outcome.verdict = result.verdict;
     for (const Box& box : result.left) outcome.left.push_back(box_text(box, goal.names));
     for (std::size_t i = 0; i < result.counterexample.size(); ++i) {
       outcome.counterexample[goal.names[i]] = result.counterexample[i];
     }
-    outcome.goals.push_back({std::move(goal), std::move(result)});
+    outcome.goals.push_back({std::move(goal), std::move(result), std::move(squares)});
     if (!is_proved(outcome.verdict)) break;
   }
   outcome.method = method_of(outcome.goals);

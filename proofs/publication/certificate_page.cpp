@@ -11,12 +11,23 @@ namespace delcert {
 
 namespace {
 
+/// Which Hypotheses 2 level 0 names.
+ParameterConstraints constraints_of(const CertificateSummary& certificate) {
+  for (const auto& [level, entries] : certificate.levels) {
+    if (level != "0") continue;
+    for (const auto& [key, text] : entries) {
+      if (key == "hypotheses" && text == name_of(ParameterConstraints::sharper)) return ParameterConstraints::sharper;
+    }
+  }
+  return ParameterConstraints::printed;
+}
+
 /// The paper's constants for the parameters of a certificate; null where the paper does not speak of such parameters.
 nlohmann::ordered_json ledger_of(const CertificateSummary& certificate) {
   try {
-    const Ledger ledger = constants_for(certificate.manifold.dimension, certificate.parameter("separation"),
-                                        certificate.parameter("perturbation"),
-                                        certificate.parameter("radius_variation"), certificate.parameter("distortion"));
+    const Ledger ledger = constants_for(
+        certificate.manifold.dimension, certificate.parameter("separation"), certificate.parameter("perturbation"),
+        certificate.parameter("radius_variation"), certificate.parameter("distortion"), constraints_of(certificate));
     return nlohmann::ordered_json::parse(ledger_json(ledger)).at("constants");
   } catch (const InputError&) {
     return nullptr;

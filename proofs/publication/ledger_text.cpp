@@ -141,8 +141,9 @@ std::vector<std::string> remarks_on(const SweptLedgers& swept) {
 }  // namespace
 
 ConstantNames all_constant_names() {
-  // In dimension 2 there is everything.
-  const Ledger ledger = constants_for(Dimension{2}, Rational(1), Rational(1) / Rational(4));
+  // In dimension 2 there is everything, and the sharper hypotheses have all constants of the printed ones.
+  const Ledger ledger = constants_for(Dimension{2}, Rational(1), Rational(1) / Rational(4), Rational(0), Rational(0),
+                                      ParameterConstraints::sharper);
   ConstantNames names;
   for (const LedgerEntry& entry : ledger_entries(ledger)) names.push_back(entry.name);
   return names;

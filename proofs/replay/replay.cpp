@@ -7,6 +7,7 @@
 #include "proofs/replay/digest.hpp"
 #include "proofs/replay/enclosure.hpp"
 #include "proofs/replay/polynomial.hpp"
+#include "proofs/replay/squares.hpp"
 
 namespace delcert::replay {
 
@@ -45,22 +46,6 @@ void round_inwards(Side& side) {
   }
 }
 
-/// A comparison, given the sign of left − right.
-int truth(const std::string& relation, int sign) {
-  if (relation == "<") return sign == -2 ? 1 : sign >= 0 ? -1 : 0;
-  if (relation == "<=") return sign <= 0 ? 1 : sign == 2 ? -1 : 0;
-  if (relation == ">") return sign == 2 ? 1 : sign <= 0 ? -1 : 0;
-  if (relation == ">=") return sign >= 0 ? 1 : sign == -2 ? -1 : 0;
-  return sign == 0 ? 1 : sign == 2 || sign == -2 ? -1 : 0;
-}
-
-/// left − right = constant·Π factor^exponent, where no divisor vanishes.
-struct Product {
-  Number constant;
-  std::vector<std::pair<std::size_t, long>> powers;
-  std::vector<std::size_t> divisors;
-};
-
 class GoalReplay {
  public:
   GoalReplay(const Json& json, const NodePointer& statement, const std::vector<std::string>& names, const Box& ranges)
@@ -82,6 +67,11 @@ class GoalReplay {
     const Json& atoms = json_.at("atoms");
     if (atoms.size() != comparisons_.size()) throw Rejected("as many comparisons as the statement has not");
     for (std::size_t i = 0; i < atoms.size(); ++i) read_comparison(*comparisons_[i], atoms[i]);
+    if (json_.contains("squares")) {
+      require_proved_by_squares(json_.at("squares"),
+                                {*statement_, comparisons_, products_, factors_, ranges_, boxes_, variables_});
+      return 1;
+    }
     const Json& trees = json_.at("trees");
     if (trees.size() != boxes_.size()) throw Rejected("as many trees as the ranges have parts not");
     for (std::size_t i = 0; i < boxes_.size(); ++i) walk(trees[i], boxes_[i]);

@@ -1,38 +1,16 @@
 #include "proofs/report/certificate_item.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
 #include <utility>
 
 #include "kernel/number/exact_text.hpp"
 #include "proofs/certificate/summary_json.hpp"
 #include "proofs/drawing/drawing.hpp"
-#include "proofs/report/decimation.hpp"
-#include "proofs/report/packed_drawing.hpp"
+#include "proofs/report/fitting_drawing.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
 
 namespace {
-
-/// From the most to the least that a page says of each simplex, with the note that goes with it.
-struct DetailChoice {
-  PackingDetail detail;
-  const char* note;
-};
-
-constexpr std::array<DetailChoice, 4> choices{{
-    {{2, true, true}, ""},
-    {{2, false, true}, "To keep this page small, exact coordinates are left out; the certificate has them."},
-    {{1, false, true},
-     "To keep this page small, exact coordinates are left out, and measures of single simplices are rounded to one of "
-     "254 values; the certificate has what they come from."},
-    {{1, false, false},
-     "To keep this page small, exact coordinates, circumradii and hinges of single simplices are left out, and other "
-     "measures are rounded to one of 254 values; the certificate has what they come from."},
-}};
 
 bool has_points_in_the_frame(const CertificateSummary& certificate) {
   return certificate.family == "flat-torus" || certificate.family == "euclidean-ball";
@@ -69,33 +47,15 @@ std::vector<std::string> exact_coordinates(const CertificateSummary& certificate
 
 void add_drawing(const CertificateSummary& certificate, PageItem& item) {
   const Drawing whole = drawing_of(certificate, {});
-  const Drawing drawing = decimated(whole, most_simplices_of_a_page);
-  const std::vector<std::string> exact = exact_coordinates(certificate);
-  for (const auto& [detail, note] : choices) {
-    PackedDrawing packed = packed_drawing(drawing, exact, detail);
-    const std::size_t size = packed.block.size() + packed.description.dump().size();
-    if (size > page_budget(drawing.simplex_count()) && &note != &choices.back().note) continue;
-    item.data["drawing"] = std::move(packed.description);
-    item.data["drawing"]["exact_names"] = exact_names(certificate);
-    item.block = std::move(packed.block);
-    if (*note != '\0') item.data["notes"].push_back(note);
-    if (drawing.simplex_count() < whole.simplex_count()) {
-      item.data["notes"].push_back(
-          fmt::format("To keep this page small, it has {} of the {} simplices: those that share a point with one of "
-                      "the ten worst of each "
-                      "measure, so that their stars are whole, and an even part of the others, whose stars are not. "
-                      "Levels and margins are "
-                      "those of all.",
-                      drawing.simplex_count(), whole.simplex_count()));
-    }
-    if (!drawing.projection.empty()) item.data["notes"].push_back("Drawn by the " + drawing.projection + ".");
-    return;
-  }
+  FittingDrawing fitting = fitting_drawing(whole, exact_coordinates(certificate));
+  item.data["drawing"] = std::move(fitting.packed.description);
+  item.data["drawing"]["exact_names"] = exact_names(certificate);
+  item.block = std::move(fitting.packed.block);
+  for (std::string& note : fitting.notes) item.data["notes"].push_back(std::move(note));
+  if (!whole.projection.empty()) item.data["notes"].push_back("Drawn by the " + whole.projection + ".");
 }
 
 }  // namespace
-
-std::size_t page_budget(std::size_t simplices) { return std::min<std::size_t>(600000 + 9 * simplices, 4800000); }
 
 PageItem certificate_item(const CertificateSummary& certificate, const ShownFile& file,
                           const std::optional<CheckRecord>& check) {

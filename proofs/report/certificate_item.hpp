@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -22,13 +21,9 @@ struct ShownFile {
   std::string sha256;  ///< of its bytes as they are
 };
 
-/// How many bytes the data of one certificate may take in a page: 600 000 and 9 for each simplex, but at most 4 800
-/// 000.
-[[nodiscard]] std::size_t page_budget(std::size_t simplices);
-
 /// A certificate for a page: its header, what the checker said, if it was asked, and a drawing with measures in as much
-/// detail as the budget allows, of at most `most_simplices_of_a_page` simplices. Where something is left out, and where
-/// nothing can be drawn, a note on the page says so. Does not throw for what cannot be drawn.
+/// detail as `PageBudget` allows. Where something is left out, and where nothing can be drawn, a note on the page says
+/// so. Does not throw for what cannot be drawn.
 [[nodiscard]] PageItem certificate_item(const CertificateSummary& certificate, const ShownFile& file,
                                         const std::optional<CheckRecord>& check);
 

@@ -6,9 +6,6 @@
 
 namespace delcert {
 
-/// How many simplices of a certificate a page has at most.
-inline constexpr std::size_t most_simplices_of_a_page = 500000;
-
 /// The part of a drawing that a page has: all of it, if it has at most `most` simplices. Otherwise the
 /// `worst_simplices` worst simplices of each measure, with all simplices that have a label in common with them, so that
 /// these stars are whole; and of the others so many that there are `most` in all, evenly spaced in the order of the

@@ -7,9 +7,12 @@
 
 #include "kernel/number/decimal_bounds.hpp"
 #include "kernel/number/exact_text.hpp"
+#include "proofs/formula/places.hpp"
+#include "proofs/formula/substitution.hpp"
 #include "proofs/publication/latex_table.hpp"
 #include "proofs/tables/hole.hpp"
 #include "support/error.hpp"
+#include "support/latex_text.hpp"
 
 namespace delcert {
 
@@ -65,8 +68,34 @@ std::optional<Rational> provable_by(const ConstantRow& row, const std::vector<Cl
   return result;
 }
 
+/// Where C stands in the pattern, by the numbers of the children.
+std::optional<std::vector<std::size_t>> path_of_hole(const Expression& pattern) {
+  if (pattern.operation == Operation::name && pattern.text == "C") return std::vector<std::size_t>();
+  for (std::size_t at = 0; at < pattern.children.size(); ++at) {
+    if (auto path = path_of_hole(*pattern.children[at])) {
+      path->insert(path->begin(), at);
+      return path;
+    }
+  }
+  return std::nullopt;
+}
+
+/// The power of the least place around the constant.
+std::string power_of_row(const ConstantRow& row, const Statement& statement, const std::vector<PowerOfPlace>& powers) {
+  const auto hole = path_of_hole(*parse_formula(row.pattern));
+  if (!hole || powers.empty()) return "";
+  const auto formula = statement.formula ? without_definitions(statement.formula) : parse_formula(statement.text);
+  std::optional<Place> least;
+  for (Place& place : places_in(*formula)) {
+    if (place.kind == PlaceKind::factor || place.path.size() > hole->size()) continue;
+    if (!std::equal(place.path.begin(), place.path.end(), hole->begin())) continue;
+    if (!least || place.path.size() >= least->path.size()) least = std::move(place);
+  }
+  return least ? power_by_dimension(powers, row.claim, statement.name, least->text, name_of(least->kind)) : "";
+}
+
 ConstantEntry entry_of(const ConstantRow& row, const std::vector<Claim>& claims, const StepSlacks& slacks,
-                       const WorstRatios& ratios) {
+                       const WorstRatios& ratios, const std::vector<PowerOfPlace>& powers) {
   ConstantEntry entry;
   entry.row = row;
   std::optional<Rational> stated;
@@ -75,9 +104,12 @@ ConstantEntry entry_of(const ConstantRow& row, const std::vector<Claim>& claims,
     const auto conclusion = std::find_if(claim.conclusions.begin(), claim.conclusions.end(),
                                          [&](const auto& part) { return part.name == row.conclusion; });
     if (conclusion == claim.conclusions.end()) {
-      stated = constant_of(row, part_named(row, claim.hypotheses, row.conclusion));
+      const Hypothesis& hypothesis = part_named(row, claim.hypotheses, row.conclusion);
+      stated = constant_of(row, hypothesis);
+      entry.power = power_of_row(row, hypothesis, powers);
     } else {
       stated = constant_of(row, *conclusion);
+      entry.power = power_of_row(row, *conclusion, powers);
       if (conclusion->twin) entry.refuted = constant_of(row, *conclusion->twin);
       if (entry.refuted) entry.witness = row.claim + "." + row.conclusion + "-twin.json";
     }
@@ -118,8 +150,12 @@ std::string refuted_text(const ConstantEntry& entry, const char* greater, const 
 }
 
 std::string worst_text(const ConstantEntry& entry) {
-  if (!entry.worst) return "";
-  return entry.worst->is_equality ? "1" : decimal_lower(entry.worst->lower, digits);
+  std::string result;
+  for (const auto& [dimension, worst] : entry.worst) {
+    result += (result.empty() ? "" : ", ") + dimension + ": " +
+              (worst.is_equality ? "1" : decimal_lower(worst.lower, digits));
+  }
+  return result;
 }
 
 /// In a cell of a table, where a bar would end it.
@@ -155,9 +191,10 @@ StepSlacks parse_step_slacks(const std::string& json, const std::string& file) {
 }
 
 std::vector<ConstantEntry> constant_entries(const ConstantRows& rows, const std::vector<Claim>& claims,
-                                            const StepSlacks& slacks, const WorstRatios& ratios) {
+                                            const StepSlacks& slacks, const WorstRatios& ratios,
+                                            const std::vector<PowerOfPlace>& powers) {
   std::vector<ConstantEntry> entries;
-  for (const ConstantRow& row : rows.rows) entries.push_back(entry_of(row, claims, slacks, ratios));
+  for (const ConstantRow& row : rows.rows) entries.push_back(entry_of(row, claims, slacks, ratios, powers));
   return entries;
 }
 
@@ -169,18 +206,22 @@ For each constant of a lemma, c in the statement: what the paper has; the best v
 as `delcert prove --slack` finds it, to 1/1000 (a dash where the constant stands in no step, or in one that is not proved);
 and a value with which the statement is false, as an exact witness in `proofs/claims/witnesses` shows. The best constant
 lies between these two. Where equality occurs, the latter is a value next to the paper's. The worst ratio is what
-[searches](tightness.md) found for the statement with the constant of its claim: the smaller side to the larger one, 1 where
-equality occurs, rounded downwards. This page is what
-`delcert tables --slack docs/tables/slack.json --ratios docs/tables/tightness.json` prints; a test compares them.
+[searches](tightness.md) found for the statement with the constant of its claim: the smaller side to the larger one, or what they
+exceed a declared base by, 1 where equality occurs, rounded downwards, for each dimension. The power is the scale nearest to 1 of
+the term with the constant with which [a search](power.md) refuted the claim: a wrong constant nearer to the paper's than that
+would not have been noticed. This page is what
+`delcert tables --slack docs/tables/slack.json --ratios docs/tables/tightness.json --power docs/tables/power.json` prints; a test
+compares them.
 
-| lemma | statement | paper | provable by the same proof | shown necessary by a witness | worst ratio found | witness |
-|---|---|--:|--:|--:|--:|---|
+| lemma | statement | paper | provable by the same proof | shown necessary by a witness | worst ratio found | power | witness |
+|---|---|--:|--:|--:|---|---|---|
 )";
   std::string notes;
   for (const ConstantEntry& entry : entries) {
-    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", entry.row.label, in_table_cell(entry.row.statement),
-                        paper_text(entry), or_dash(provable_text(entry)), or_dash(refuted_text(entry, "> ", "< ")),
-                        or_dash(worst_text(entry)), or_dash(entry.witness));
+    text +=
+        fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", entry.row.label, in_table_cell(entry.row.statement),
+                    paper_text(entry), or_dash(provable_text(entry)), or_dash(refuted_text(entry, "> ", "< ")),
+                    or_dash(worst_text(entry)), or_dash(entry.power), or_dash(entry.witness));
     if (!entry.row.note.empty())
       notes += fmt::format("* {}, {}: {}\n", entry.row.label, entry.row.statement, entry.row.note);
   }
@@ -195,7 +236,8 @@ std::string constant_table_latex(const std::vector<ConstantEntry>& entries) {
   std::vector<std::vector<std::string>> rows;
   for (const ConstantEntry& entry : entries) {
     rows.push_back({latex_label(entry.row.label), "$" + entry.row.latex + "$", math(paper_text(entry)),
-                    math(provable_text(entry)), math(refuted_text(entry, "> ", "< ")), math(worst_text(entry))});
+                    math(provable_text(entry)), math(refuted_text(entry, "> ", "< ")),
+                    entry.worst.empty() ? "--" : latex_text(worst_text(entry))});
   }
   return latex_table(
       {{"lemma", 62}, {"statement", 106}, {"paper", 26}, {"provable", 34}, {"necessary", 46}, {"ratio", 40}}, rows);

@@ -7,6 +7,7 @@
 
 #include "proofs/formula/claim.hpp"
 #include "proofs/tables/constant_rows.hpp"
+#include "proofs/tables/powers.hpp"
 #include "proofs/tables/worst_ratios.hpp"
 
 namespace delcert {
@@ -32,14 +33,17 @@ struct ConstantEntry {
   std::optional<Rational> refuted;
   std::string witness;  ///< a file of proofs/claims/witnesses, empty unless `refuted`
   /// What a search found for the statement as its claim has it; empty if it says nothing of it.
-  std::optional<WorstRatio> worst;
+  WorstByDimension worst;
+  /// By how much the term with the constant can be scaled before a search refutes the claim; empty if nothing is known.
+  std::string power;
 };
 
 /// The lines, from the claims, their twins, the slack of their steps and what searches found. Throws InputError, naming
 /// the row, for a claim, conclusion or step that there is not, a pattern that does not fit, and, unless the row says
 /// what the paper has, a step that states another constant.
 [[nodiscard]] std::vector<ConstantEntry> constant_entries(const ConstantRows& rows, const std::vector<Claim>& claims,
-                                                          const StepSlacks& slacks, const WorstRatios& ratios = {});
+                                                          const StepSlacks& slacks, const WorstRatios& ratios = {},
+                                                          const std::vector<PowerOfPlace>& powers = {});
 
 /// The page docs/tables/constants.md.
 [[nodiscard]] std::string constant_table_markdown(const std::vector<ConstantEntry>& entries,

@@ -7,6 +7,8 @@
 
 namespace delcert {
 
+std::string dimension_name(int k, int m) { return k > 0 ? "k=" + std::to_string(k) : "m=" + std::to_string(m); }
+
 WorstRatios parse_worst_ratios(const std::string& json, const std::string& file) {
   WorstRatios result;
   try {
@@ -18,7 +20,8 @@ WorstRatios parse_worst_ratios(const std::string& json, const std::string& file)
       const auto lower = one.at("lower").get<double>();
       if (!std::isfinite(lower)) throw InputError(file + ": the ratio of " + name + " is not finite");
       const WorstRatio ratio{Rational::exactly(lower), one.at("note") == "equality, exactly"};
-      const auto [known, is_new] = result.emplace(name, ratio);
+      const auto [known, is_new] =
+          result[name].emplace(dimension_name(one.at("k").get<int>(), one.at("m").get<int>()), ratio);
       if (is_new) continue;
       known->second.is_equality = known->second.is_equality || ratio.is_equality;
       if (ratio.lower > known->second.lower) known->second.lower = ratio.lower;

@@ -2,6 +2,8 @@
 
 #include <mpfr.h>
 
+#include "proofs/formula/substitution.hpp"
+
 namespace delcert {
 
 namespace {
@@ -35,6 +37,10 @@ std::optional<DoubleBounds> ratio_as_sharp_as_needed(const Expression& statement
 
 }  // namespace
 
+ExpressionPointer measured_formula(const Conclusion& conclusion) {
+  return conclusion.base ? less_base(conclusion.formula, conclusion.base->formula) : conclusion.formula;
+}
+
 Attempt attempt(const Claim& claim, const Bindings& bindings, std::span<const double> known) {
   Scene scene(bindings);
   Attempt result;
@@ -59,7 +65,7 @@ std::optional<DoubleBounds> attempted_ratio(const Claim& claim, std::size_t conc
   for (const Hypothesis& hypothesis : claim.hypotheses) {
     if (!is_proved(decide_statement(*hypothesis.formula, scene))) return std::nullopt;
   }
-  return ratio_as_sharp_as_needed(*claim.conclusions.at(conclusion).formula, scene, &known);
+  return ratio_as_sharp_as_needed(*measured_formula(claim.conclusions.at(conclusion)), scene, &known);
 }
 
 }  // namespace delcert

@@ -28,8 +28,12 @@ struct Attempt {
 /// quantity is asked for what it cannot be asked (vertex 7 of a triangle).
 [[nodiscard]] Attempt attempt(const Claim& claim, const Bindings& bindings, std::span<const double> known = {});
 
-/// The ratio of one conclusion, sharp unless it certainly is not above `known`; nothing unless all hypotheses are
-/// proved and it is defined. The conclusion is not decided, which next to equality takes longest.
+/// The formula whose ratio a search measures: the conclusion with its base, if it has one, taken off both sides.
+[[nodiscard]] ExpressionPointer measured_formula(const Conclusion& conclusion);
+
+/// The ratio of one conclusion, or of its excess over its base, sharp unless it certainly is not above `known`; nothing
+/// unless all hypotheses are proved and it is defined. The conclusion is not decided, which next to equality takes
+/// longest.
 [[nodiscard]] std::optional<DoubleBounds> attempted_ratio(const Claim& claim, std::size_t conclusion,
                                                           const Bindings& bindings, double known);
 

@@ -6,6 +6,7 @@
 
 #include "proofs/certificate/sha256.hpp"
 #include "properties/attack/claim_library.hpp"
+#include "properties/attack/claim_shapes.hpp"
 #include "properties/attack/claim_text.hpp"
 #include "support/error.hpp"
 
@@ -163,7 +164,7 @@ CampaignPlan plan_from(const Json& header) {
     Target target{claims[number], shape, json.at("samples").get<std::uint64_t>(),
                   json.at("block").get<std::uint64_t>()};
     if (target.block == 0) throw InputError("a block of no samples");
-    if (!has_shape(instance_class(target.claim.instance), shape)) {
+    if (!has_shape(target.claim, shape)) {
       throw InputError(name_of(target) + ": its class does not have this shape");
     }
     plan.targets.push_back(std::move(target));

@@ -14,8 +14,8 @@ namespace {
 std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
 
 std::string range_text(const ParameterRange& range) {
-  return (range.has_lower ? "[" : "(") + exact_text(range.lower) + ", " + exact_text(range.upper) +
-         (range.has_upper ? "]" : ")");
+  return (range.has_lower ? "[" : "(") + (range.lower ? exact_text(*range.lower) : "-infinity") + ", " +
+         (range.upper ? exact_text(*range.upper) : "infinity") + (range.has_upper ? "]" : ")");
 }
 
 std::string statement_text(const Statement& statement) {
@@ -32,7 +32,13 @@ std::string claim_text(const Claim& claim) {
   result += "instance = " + quoted(claim.instance) + "\n";
   if (!claim.parameters.empty()) result += "\n[forall]\n";
   for (const auto& [name, range] : claim.parameters) result += name + " = " + quoted(range_text(range)) + "\n";
-  for (const Hypothesis& hypothesis : claim.hypotheses) result += "\n[[given]]\n" + statement_text(hypothesis);
+  if (claim.points) result += "\n[points]\n" + point_rules_text(*claim.points);
+  for (const Statement& abbreviation : claim.abbreviations) {
+    result += "\n[[let]]\nname = " + quoted(abbreviation.name) + "\nis = " + quoted(abbreviation.text) + "\n";
+  }
+  for (const Hypothesis& hypothesis : claim.hypotheses) {
+    if (!hypothesis.is_constraint) result += "\n[[given]]\n" + statement_text(hypothesis);
+  }
   for (const Conclusion& conclusion : claim.conclusions) result += "\n[[show]]\n" + statement_text(conclusion);
   return result;
 }

@@ -21,8 +21,11 @@ std::string contents_of(const Claim& claim, const Shape& shape) {
   std::string result =
       claim.name + "\n" + claim.instance + "\n" + std::to_string(shape.k) + " " + std::to_string(shape.m) + "\n";
   for (const auto& [name, range] : claim.parameters) {
-    result += name + (range.has_lower ? " [" : " (") + exact_text(range.lower) + ", " + exact_text(range.upper) +
-              (range.has_upper ? "]\n" : ")\n");
+    result += name + (range.has_lower ? " [" : " (") + (range.lower ? exact_text(*range.lower) : "-infinity") + ", " +
+              (range.upper ? exact_text(*range.upper) : "infinity") + (range.has_upper ? "]\n" : ")\n");
+  }
+  for (const Statement& abbreviation : claim.abbreviations) {
+    result += "let " + abbreviation.name + " " + abbreviation.text + "\n";
   }
   for (const Hypothesis& hypothesis : claim.hypotheses) result += "given " + hypothesis.text + "\n";
   for (const Conclusion& conclusion : claim.conclusions) {

@@ -23,8 +23,9 @@ class Stopped {};
 std::string plan_identity(const SearchPlan& plan) {
   std::string contents;
   for (const SearchTarget& target : plan.targets) {
+    const auto& base = target.claim.conclusions.at(target.conclusion).base;
     contents += contents_of(target.claim, target.shape) + std::to_string(target.conclusion) + " " +
-                std::to_string(target.evaluations) + "\n";
+                std::to_string(target.evaluations) + (base ? " base " + base->text : "") + "\n";
   }
   return identity_of(contents, plan.seed);
 }

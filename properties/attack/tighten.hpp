@@ -10,7 +10,7 @@
 
 namespace delcert {
 
-/// The instance with the largest ratio of a conclusion that a search has found.
+/// The instance with the largest ratio of a conclusion, or of its excess over its base, that a search has found.
 struct Tightest {
   DoubleBounds ratio;                    ///< certified, from 256 bits
   bool is_equality = false;              ///< the conclusion holds on it with equality, decided exactly

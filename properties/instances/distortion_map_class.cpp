@@ -4,6 +4,7 @@
 
 #include "kernel/simplex/circumsphere.hpp"
 #include "kernel/simplex/realisability.hpp"
+#include "properties/instances/flat_groups.hpp"
 #include "properties/instances/map_draw.hpp"
 #include "properties/instances/map_quantities.hpp"
 #include "properties/instances/random_simplex.hpp"
@@ -113,6 +114,37 @@ class DistortionMapClass : public InstanceClass {
     if (!std::holds_alternative<LinearMap>(map->form()) && !map->has_distortion(xi)) return std::nullopt;
     if (!bind(instance.bindings, simplex, centred->centre, map, xi)) return std::nullopt;
     if (limit && xi >= greatest * (Rational(1) - Rational::power_of_two(-40))) instance.traits.insert(Trait::boundary);
+    return instance;
+  }
+
+  bool has_structure(const Shape&) const override { return true; }
+
+  /// Two flat groups, and the centre drawn from one to the other.
+  std::optional<Instance> draw_structured(const Shape& shape, const Bindings& given, const Limits& limits,
+                                          Choices& choices) const override {
+    const Rational share = (Rational(1) + choices.fraction(16)) / Rational(2);
+    const bool is_smaller = choices.happens(0.5);
+    const long depth = choices.between(1, 24);
+    auto groups = flat_groups(shape, choices);
+    if (!groups) return std::nullopt;
+    const auto simplex = std::make_shared<SimplexObject>(groups->points);
+    Instance instance{given, traits_of(*simplex)};
+    instance.bindings["s"] = ObjectPointer(simplex);
+    instance.bindings["k"] = static_cast<long>(shape.k);
+    instance.bindings["m"] = static_cast<long>(shape.m);
+    const bool wants_circumcentre = choices.happens(0.7);
+    const auto most_offset = limits.most("offset", instance.bindings, true);
+    const bool at_circumcentre = wants_circumcentre || (most_offset && *most_offset <= Rational(0));
+    const auto centred = with_centre(*simplex, at_circumcentre, choices);
+    if (!centred) return std::nullopt;
+    const Rational greatest = limits.most("xi", instance.bindings, false).value_or(Rational(1) / Rational(16));
+    if (greatest <= Rational(0)) return std::nullopt;
+    const Rational aim = greatest * share * (is_smaller ? Rational::power_of_two(-depth) : Rational(1));
+    const auto map =
+        std::make_shared<MapObject>(MapObject::Form(centre_between_groups(*centred, *groups, aim, choices)));
+    const Rational xi = certified_distortion(*map, aim);
+    if (xi > greatest || xi == Rational(0) || !map->has_distortion(xi)) return std::nullopt;
+    if (!bind(instance.bindings, simplex, centred->centre, map, xi)) return std::nullopt;
     return instance;
   }
 

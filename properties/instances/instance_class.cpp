@@ -4,6 +4,7 @@
 
 #include "kernel/formula/formula_error.hpp"
 #include "proofs/formula/arithmetic_vocabulary.hpp"
+#include "proofs/formula/measure_vocabulary.hpp"
 #include "proofs/formula/simplex_vocabulary.hpp"
 #include "support/error.hpp"
 
@@ -12,6 +13,12 @@ namespace delcert {
 void InstanceClass::extend(Vocabulary&) const {}
 
 std::uint64_t InstanceClass::cost(const Shape&) const { return 1; }
+
+bool InstanceClass::has_structure(const Shape&) const { return false; }
+
+std::optional<Instance> InstanceClass::draw_structured(const Shape&, const Bindings&, const Limits&, Choices&) const {
+  return std::nullopt;
+}
 
 const InstanceClass& instance_class(const std::string& name) {
   std::vector<std::string> known;
@@ -28,17 +35,18 @@ const Vocabulary& full_vocabulary() {
     add_arithmetic(result);
     add_constants_of_the_paper(result);
     add_simplex_quantities(result);
+    add_simplex_measures(result);
     for (const InstanceClass* each : instance_classes()) each->extend(result);
     return result;
   }();
   return vocabulary;
 }
 
-bool has_shape(const InstanceClass& instance_class, const Shape& shape) {
+bool InstanceClass::has(const Shape& shape) const {
   constexpr int highest = 8;
   int highest_listed = 0;
   bool can_spare = false;
-  for (const Shape& listed : instance_class.shapes()) {
+  for (const Shape& listed : shapes()) {
     if (listed == shape) return true;
     highest_listed = std::max(highest_listed, listed.k);
     can_spare = can_spare || (listed.k > 0 && listed.m - listed.k == shape.m - shape.k);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "proofs/formula/point_rules.hpp"
 #include "proofs/formula/vocabulary.hpp"
 #include "properties/instances/choices.hpp"
 
@@ -42,6 +43,11 @@ class Limits {
   /// 2⁻³⁰ of it. Nothing if there is no such hypothesis. 0 if the term has no value.
   [[nodiscard]] virtual std::optional<Rational> most(const std::string& name, const Bindings& bound,
                                                      bool exact) const = 0;
+
+  /// What the points of the claim are, for the class `point-set`; nullptr if the claim does not say.
+  [[nodiscard]] virtual const PointRules* points() const { return nullptr; }
+  /// The constraints of its points, formulas about the names of the class and the claim's parameters.
+  [[nodiscard]] virtual std::vector<ExpressionPointer> constraints() const { return {}; }
 };
 
 /// No limits at all.
@@ -72,6 +78,10 @@ class InstanceClass {
   /// The shapes that an attack goes through unless told otherwise, from small to large.
   [[nodiscard]] virtual std::vector<Shape> shapes() const = 0;
 
+  /// Whether an attack can be told to use a shape: one of `shapes()`, or, for simplices, one of a higher dimension up
+  /// to 8 with as many dimensions to spare as one of these.
+  [[nodiscard]] virtual bool has(const Shape& shape) const;
+
   /// About how many simplices cost as much as one instance of this shape: a campaign of N samples has N/cost of it.
   [[nodiscard]] virtual std::uint64_t cost(const Shape& shape) const;
 
@@ -80,6 +90,13 @@ class InstanceClass {
   /// `limits`, and reached now and then. Nothing if these choices lead to none.
   [[nodiscard]] virtual std::optional<Instance> draw(const Shape& shape, const Bindings& given, const Limits& limits,
                                                      Choices& choices) const = 0;
+
+  /// Whether there are structured instances of this shape: those next to which the known bounds are nearly attained,
+  /// such as two flat groups of vertices. A directed search begins with some of them; an attack does not draw them.
+  [[nodiscard]] virtual bool has_structure(const Shape& shape) const;
+  /// One of them, as `draw`. Nothing where there are none.
+  [[nodiscard]] virtual std::optional<Instance> draw_structured(const Shape& shape, const Bindings& given,
+                                                                const Limits& limits, Choices& choices) const;
 
   /// Simpler instances near this one, the simplest first: fewer, smaller, rounder numbers. Each is an instance of the
   /// class again; that the hypotheses still hold is not asked. Finite descent: what is simpler than itself never ends.
@@ -98,10 +115,6 @@ class InstanceClass {
 
 /// The standard vocabulary and what all the classes add.
 [[nodiscard]] const Vocabulary& full_vocabulary();
-
-/// Whether an attack on the class can be told to use a shape: one of `shapes()`, or, for simplices, one of a higher
-/// dimension up to 8 with as many dimensions to spare as one of these.
-[[nodiscard]] bool has_shape(const InstanceClass& instance_class, const Shape& shape);
 
 /// Throws InputError unless the names of the signature are bound to what it says. What else is bound are parameters of
 /// a claim, which are numbers.

@@ -4,6 +4,7 @@
 #include "properties/instances/forbidden_configuration_class.hpp"
 #include "properties/instances/instance_class.hpp"
 #include "properties/instances/local_net_class.hpp"
+#include "properties/instances/point_set_class.hpp"
 #include "properties/instances/run_class.hpp"
 #include "properties/instances/simplex_class.hpp"
 #include "properties/instances/simplex_pair_class.hpp"
@@ -20,6 +21,7 @@ const std::vector<const InstanceClass*>& instance_classes() {
       &forbidden_configuration_class(),
       &local_net_class(),
       &configuration_point_class(),
+      &point_set_class(),
       &run_class(),
       &simplex_class(),
       &simplex_pair_class(),

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "kernel/number/ladder.hpp"
+#include "kernel/simplex/circumsphere.hpp"
 #include "kernel/simplex/realisability.hpp"
 #include "properties/instances/exact_point.hpp"
 #include "properties/instances/pair_distortion.hpp"
@@ -118,18 +119,17 @@ SimplexPointer displaced_image(const SimplexObject& simplex, const Points& direc
   return std::make_shared<SimplexObject>(std::move(images));
 }
 
-SimplexPointer relengthened_image(const SimplexObject& simplex, const Rational& xi, bool by_star, Choices& choices) {
+namespace {
+
+/// The squares of the lengths d_ij + ξΔ·share(i, j), or pulled towards σ where no simplex has these lengths.
+SimplexPointer image_by_shares(const SimplexObject& simplex, const Rational& xi,
+                               const SymmetricMatrix<Rational>& share) {
   const std::size_t count = simplex.vertex_count();
   const auto& gram = simplex.exact_gram();
   const Rational squared_longest = squared_longest_edge_of(simplex);
-  const Rational way(choices.happens(0.5) ? 1 : -1);
-  SymmetricMatrix<Rational> share(count);
   SymmetricMatrix<Rational> root(count);
   for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      share(i, j) = by_star ? (j == 0 ? way : -way) : random_share(choices);
-      root(i, j) = root_of_product(gram.squared_edge(i, j), squared_longest);
-    }
+    for (std::size_t j = 0; j < i; ++j) root(i, j) = root_of_product(gram.squared_edge(i, j), squared_longest);
   }
   constexpr int tries = 12;
   Rational amount = xi;
@@ -158,6 +158,30 @@ SimplexPointer relengthened_image(const SimplexObject& simplex, const Rational& 
     for (std::size_t j = 0; j < i; ++j) same(i, j) = gram.squared_edge(i, j);
   }
   return std::make_shared<SimplexObject>(same);
+}
+
+}  // namespace
+
+SimplexPointer relengthened_image(const SimplexObject& simplex, const Rational& xi, bool by_star, Choices& choices) {
+  const Rational way(choices.happens(0.5) ? 1 : -1);
+  SymmetricMatrix<Rational> share(simplex.vertex_count());
+  for (std::size_t i = 0; i < share.order(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) share(i, j) = by_star ? (j == 0 ? way : -way) : random_share(choices);
+  }
+  return image_by_shares(simplex, xi, share);
+}
+
+SimplexPointer signed_image(const SimplexObject& simplex, const Rational& xi, Choices& choices) {
+  const Rational way(choices.happens(0.5) ? 1 : -1);
+  const auto sphere = circumsphere(simplex.exact_gram());
+  SymmetricMatrix<Rational> share(simplex.vertex_count());
+  for (std::size_t i = 0; i < share.order(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Rational product = sphere->barycentric[i] * sphere->barycentric[j];
+      share(i, j) = product < Rational(0) ? -way : product > Rational(0) ? way : Rational(0);
+    }
+  }
+  return image_by_shares(simplex, xi, share);
 }
 
 SimplexPointer regular_simplex_by_edges(int k) {

@@ -30,6 +30,11 @@ using SimplexPointer = std::shared_ptr<const SimplexObject>;
 [[nodiscard]] SimplexPointer relengthened_image(const SimplexObject& simplex, const Rational& xi, bool by_star,
                                                 Choices& choices);
 
+/// By changing each squared edge by the same amount relative to its length, up or down by the sign of the product of
+/// the barycentric coordinates λ_iλ_j of the circumcentre: R² is the greatest value of Σ λ_iλ_j|p_i − p_j|², so that to
+/// first order the circumradius changes as much as ξ lets it. Precondition: not degenerate.
+[[nodiscard]] SimplexPointer signed_image(const SimplexObject& simplex, const Rational& xi, Choices& choices);
+
 /// The regular k-simplex with edges of length 1, known by its edges.
 [[nodiscard]] SimplexPointer regular_simplex_by_edges(int k);
 

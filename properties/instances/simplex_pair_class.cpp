@@ -2,6 +2,7 @@
 
 #include "kernel/simplex/realisability.hpp"
 #include "proofs/formula/pair_vocabulary.hpp"
+#include "properties/instances/flat_groups.hpp"
 #include "properties/instances/pair_distortion.hpp"
 #include "properties/instances/pair_image.hpp"
 #include "properties/instances/random_simplex.hpp"
@@ -70,19 +71,30 @@ class SimplexPairClass : public InstanceClass {
     const Aim aim = aim_of(limits, instance.bindings, amount, exactly_at_limit, choices);
     const SimplexPointer image = image_of(simplex, way, shape, aim, choices);
     if (!image) return std::nullopt;
+    return with_image(std::move(instance), simplex, image, aim, choices);
+  }
 
-    const Rational measured = measured_distortion(*simplex, *image);
-    const bool fits = !aim.is_limited || measured <= aim.greatest;
-    // Rounded up, the measured distortion may exceed what the distortion itself does not.
-    if (!fits && !is_distortion_at_most(*simplex, *image, aim.greatest)) return std::nullopt;
-    const bool is_at_limit = !fits || (aim.is_limited && aim.at_limit && choices.happens(0.5));
-    instance.bindings["t"] = ObjectPointer(image);
-    instance.bindings["xi"] = is_at_limit ? aim.greatest : measured;
-    instance.traits = traits_of(*simplex);
-    if (aim.is_limited && std::get<Rational>(instance.bindings["xi"]) >= nearly(aim)) {
-      instance.traits.insert(Trait::boundary);
+  bool has_structure(const Shape&) const override { return true; }
+
+  /// Two flat groups or any simplex, and edges that are changed by the signs of λ_iλ_j.
+  std::optional<Instance> draw_structured(const Shape& shape, const Bindings& given, const Limits& limits,
+                                          Choices& choices) const override {
+    // A little below the limit, mostly: first-order estimates are nearly attained for small xi.
+    const double amount = choices.unit();
+    std::optional<Points> points;
+    if (choices.happens(0.8)) {
+      if (auto groups = flat_groups(shape, choices)) points = std::move(groups->points);
+    } else {
+      points = random_simplex(shape, choices);
     }
-    return instance;
+    if (!points) return std::nullopt;
+    const auto simplex = std::make_shared<SimplexObject>(std::move(*points));
+    Instance instance{given, {}};
+    instance.bindings["s"] = ObjectPointer(simplex);
+    instance.bindings["k"] = static_cast<long>(shape.k);
+    instance.bindings["m"] = static_cast<long>(shape.m);
+    const Aim aim = aim_of(limits, instance.bindings, amount, false, choices);
+    return with_image(std::move(instance), simplex, signed_image(*simplex, aim.xi, choices), aim, choices);
   }
 
   std::vector<Bindings> simpler(const Bindings& bindings) const override {
@@ -166,6 +178,23 @@ class SimplexPairClass : public InstanceClass {
   }
 
  private:
+  /// The pair, with the distortion that it has, or the greatest that is allowed.
+  static std::optional<Instance> with_image(Instance instance, const SimplexPointer& simplex,
+                                            const SimplexPointer& image, const Aim& aim, Choices& choices) {
+    const Rational measured = measured_distortion(*simplex, *image);
+    const bool fits = !aim.is_limited || measured <= aim.greatest;
+    // Rounded up, the measured distortion may exceed what the distortion itself does not.
+    if (!fits && !is_distortion_at_most(*simplex, *image, aim.greatest)) return std::nullopt;
+    const bool is_at_limit = !fits || (aim.is_limited && aim.at_limit && choices.happens(0.5));
+    instance.bindings["t"] = ObjectPointer(image);
+    instance.bindings["xi"] = is_at_limit ? aim.greatest : measured;
+    instance.traits = traits_of(*simplex);
+    if (aim.is_limited && std::get<Rational>(instance.bindings["xi"]) >= nearly(aim)) {
+      instance.traits.insert(Trait::boundary);
+    }
+    return instance;
+  }
+
   static Rational nearly(const Aim& aim) { return aim.greatest * (Rational(1) - Rational::power_of_two(-40)); }
 
   static Aim aim_of(const Limits& limits, const Bindings& bound, double amount, bool exactly, Choices& choices) {

@@ -48,6 +48,11 @@ const std::map<std::string, Setter>& setters() {
          o.choice.mode = one_of<RunMode>({{"theory", RunMode::theory}, {"measured", RunMode::measured}}, v);
          o.mode_is_given = true;
        }},
+      {"hypotheses",
+       [](Options& o, const Value& v) {
+         o.choice.constraints = one_of<ParameterConstraints>(
+             {{"printed", ParameterConstraints::printed}, {"sharper", ParameterConstraints::sharper}}, v);
+       }},
       {"candidates",
        [](Options& o, const Value& v) {
          o.choice.candidates = one_of<CandidateRule>(

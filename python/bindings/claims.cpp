@@ -8,6 +8,7 @@
 #include "proofs/formula/latex.hpp"
 #include "properties/attack/attack_report.hpp"
 #include "properties/attack/claim_library.hpp"
+#include "properties/attack/claim_shapes.hpp"
 #include "properties/attack/refutations.hpp"
 #include "properties/attack/search_plan.hpp"
 #include "properties/attack/twins.hpp"
@@ -115,13 +116,14 @@ class ReadClaim {
   }
 
   [[nodiscard]] std::vector<Shape> checked(const std::vector<std::pair<int, int>>& shapes) const {
-    if (shapes.empty()) return its_class().shapes();
+    (void)its_class();
+    if (shapes.empty()) return usual_shapes(claim_);
     std::vector<Shape> result;
     for (const auto& [k, m] : shapes) {
       const Shape shape{k, m};
-      if (!has_shape(its_class(), shape)) {
+      if (!has_shape(claim_, shape)) {
         std::string known;
-        for (const Shape& one : its_class().shapes()) known += (known.empty() ? "" : "; ") + text_of(one);
+        for (const Shape& one : usual_shapes(claim_)) known += (known.empty() ? "" : "; ") + text_of(one);
         throw InputError("the class " + its_class().name() + " has no shape " + text_of(shape) + ", it has " + known);
       }
       if (std::find(result.begin(), result.end(), shape) == result.end()) result.push_back(shape);

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "kernel/number/exact_text.hpp"
+#include "tests/checker/merge.hpp"
 #include "tests/checker/support/certificate_text.hpp"
 #include "tests/checker/support/forgeries.hpp"
 #include "tests/checker/support/run_checker.hpp"
@@ -49,6 +50,11 @@ TEST(Atlas, runs_are_accepted) {
     const CheckerRun run = run_checker(sealed(*document));
     EXPECT_EQ(run.status, 0) << run.output;
   }
+}
+
+TEST(Atlas, in_parts_says_what_the_whole_says) {
+  expect_the_same_in_parts(sealed(sphere_document()), {3});
+  expect_the_same_in_parts(sealed(torus_document()), {2});
 }
 
 TEST(Atlas, what_it_is_of_is_said) {

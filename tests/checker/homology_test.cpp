@@ -78,10 +78,40 @@ TEST(HomologyOfTheChecker, of_points_and_of_nothing) {
   EXPECT_EQ(FaceComplex(1, {LabelSet{3, 9}}).homology(), (std::vector<std::string>{"Z", "0"}));
 }
 
-TEST(HomologyOfTheChecker, has_the_euler_characteristic) {
-  EXPECT_EQ(faces_of(test::smallest_sphere(4), 0).euler_characteristic(), 2);
-  EXPECT_EQ(faces_of(test::glued_polygon("abABcdCD"), 0).euler_characteristic(), -2);
-  EXPECT_EQ(FaceComplex(2, {}).euler_characteristic(), 0);
+/// In ranges of labels, whose counts add up.
+std::pair<std::int64_t, std::int64_t> counted(LabelComplex complex, checker::Label length) {
+  const auto corners = static_cast<std::ptrdiff_t>(complex.corners());
+  for (auto begin = complex.labels.begin(); begin != complex.labels.end(); begin += corners)
+    std::sort(begin, begin + corners);
+  std::pair<std::int64_t, std::int64_t> sum;
+  checker::Label labels = 0;
+  for (const checker::Label label : complex.labels) labels = std::max(labels, label + 1);
+  for (checker::Label begin = 0; begin < labels; begin += length) {
+    const checker::FaceCount count =
+        checker::count_faces(static_cast<std::size_t>(complex.dimension), complex.labels, begin, begin + length);
+    sum.first += count.simplices;
+    sum.second += count.euler_characteristic;
+  }
+  return sum;
+}
+
+/// By the ranks of its homology.
+TEST(HomologyOfTheChecker, has_the_euler_characteristic_of_the_count_of_faces) {
+  for (const KnownComplex& known : known_complexes()) {
+    std::int64_t euler = 0, sign = 1;
+    for (const std::string& group : known.homology) {
+      const std::int64_t rank = group.starts_with("Z^") ? std::stol(group.substr(2))
+                                                        : (group.starts_with("Z") && !group.starts_with("Z/") ? 1 : 0);
+      euler += sign * rank;
+      sign = -sign;
+    }
+    const auto simplices = static_cast<std::int64_t>(known.complex.labels.size() / known.complex.corners());
+    for (const checker::Label length : {1U, 3U, 100000U})
+      EXPECT_EQ(counted(known.complex, length), std::pair(simplices, euler)) << known.name << " " << length;
+  }
+  EXPECT_EQ(counted(test::smallest_sphere(4), 2).second, 2);
+  EXPECT_EQ(counted(test::glued_polygon("abABcdCD"), 7).second, -2);
+  EXPECT_EQ(counted({2, {}}, 5), std::pair(std::int64_t{0}, std::int64_t{0}));
 }
 
 }  // namespace

@@ -37,21 +37,22 @@ Outcome outcome_of(unsigned parts, std::uint64_t budget, std::size_t thrower, bo
   report.reject("rule.early", [] { return "before"; });
   Outcome outcome;
   try {
-    outcome.counts = checker::in_parts(1000, report, [&](std::size_t begin, std::size_t end, checker::Report& found) {
-      checker::Counts counts{};
-      for (std::size_t k = begin; k < end; ++k) {
-        if (k == thrower) throw checker::Undecided("at " + std::to_string(k));
-        if (k == 700 && dies_elsewhere && ::getpid() != here) std::raise(SIGKILL);
-        checker::decide([]<class N>(checker::In<N>) { return checker::Verdict::proved; });
-        ++counts[0];
-        counts[1] += k;
-        const auto say = [&] { return "number " + std::to_string(k); };
-        if (k % 300 == 299) found.reject("rule.300", say);
-        if (k % 500 == 499) found.reject("rule.500", say);
-        if (k % 400 == 399) found.reject("rule.early", say);
-      }
-      return counts;
-    });
+    outcome.counts =
+        checker::in_parts("rule.300", 1000, report, [&](std::size_t begin, std::size_t end, checker::Report& found) {
+          checker::Counts counts{};
+          for (std::size_t k = begin; k < end; ++k) {
+            if (k == thrower) throw checker::Undecided("at " + std::to_string(k));
+            if (k == 700 && dies_elsewhere && ::getpid() != here) std::raise(SIGKILL);
+            checker::decide([]<class N>(checker::In<N>) { return checker::Verdict::proved; });
+            ++counts[0];
+            counts[1] += static_cast<std::int64_t>(k);
+            const auto say = [&] { return "number " + std::to_string(k); };
+            if (k % 300 == 299) found.reject("rule.300", say);
+            if (k % 500 == 499) found.reject("rule.500", say);
+            if (k % 400 == 399) found.reject("rule.early", say);
+          }
+          return counts;
+        });
   } catch (const checker::Undecided& reason) {
     outcome.exception = reason.what();
   }
@@ -81,6 +82,25 @@ TEST(Parts, have_the_outcome_of_the_whole) {
         EXPECT_EQ(outcome_of(parts, budget, thrower, dies), whole) << parts << " " << budget << " " << thrower;
     }
   }
+}
+
+TEST(Parts, of_any_size_cover_what_there_is_once) {
+  for (const std::uint64_t size :
+       {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{1000}, (std::uint64_t{1} << 40) + 7}) {
+    for (const std::uint64_t of : {1U, 2U, 7U, 1001U, 1000000U}) {
+      std::uint64_t covered = 0, longest = 0;
+      for (std::uint64_t number = 1; number <= of; ++number) {
+        const auto [begin, end] = checker::range_of({number, of}, size);
+        ASSERT_EQ(begin, covered);
+        covered = end;
+        longest = std::max(longest, end - begin);
+      }
+      EXPECT_EQ(covered, size) << of;
+      EXPECT_LE(longest, size / of + 1) << of;
+    }
+  }
+  // Halves of a share are shares.
+  EXPECT_EQ(checker::range_of({2, 3}, 1000).second, checker::range_of({4, 6}, 1000).second);
 }
 
 /// What the checker says, but for how long it took.

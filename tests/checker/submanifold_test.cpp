@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "tests/checker/merge.hpp"
 #include "tests/checker/support/forgeries.hpp"
 #include "tests/checker/support/run_checker.hpp"
 #include "tests/checker/support/submanifold_model.hpp"
@@ -81,6 +82,11 @@ TEST(Submanifold, circles_spheres_and_tori_are_verified) {
   expect_verified(certificate(flat_torus_model(40), {"1", "2", "5"}));
   expect_verified(certificate(given(sphere_model(3)), of_given));
   expect_verified(certificate(torus_model(90, 50, 1), all));
+}
+
+TEST(Submanifold, in_parts_says_what_the_whole_says) {
+  expect_the_same_in_parts(sealed(circle_document()), {3});
+  expect_the_same_in_parts(sealed(certificate(given(sphere_model(3)), of_given)), {2});
 }
 
 SubmanifoldModel by(const std::string& metric, SubmanifoldModel model) {

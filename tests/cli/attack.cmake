@@ -72,3 +72,22 @@ target_include_directories(test_campaign PRIVATE ${PROJECT_SOURCE_DIR})
 target_compile_definitions(test_campaign PRIVATE DELCERT_PROGRAM="$<TARGET_FILE:delcert>" DELCERT_CLAIMS="${claims}")
 add_dependencies(test_campaign delcert)
 gtest_discover_tests(test_campaign DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+
+# Points of one's own: what holds, its twins, and what the draws hardly meet.
+foreach(claim whitney-angle-bound protection-implies-thickness)
+  delcert_cli_test(attack-${claim} STATUS 0 ERROR "^$"
+    OUTPUT "${claim}: not refuted by .*points: ${claim}, [0-9]+ of [0-9]+ draws met the constraints .[0-9.]+ %.\n$|points: ${claim}"
+    COMMAND ${delcert} attack ${claims}/${claim}.toml --samples 200 --least 20)
+  delcert_cli_test(attack-${claim}-twins STATUS 0 ERROR "^$" OUTPUT "^1 of 1 twins refuted\n$"
+    COMMAND ${delcert} attack ${claims}/${claim}.toml --twins --samples 2000)
+endforeach()
+delcert_cli_test(attack-means-of-altitudes STATUS 0 ERROR "^$" OUTPUT "means-of-altitudes / inverse: not refuted"
+  COMMAND ${delcert} attack ${claims}/means-of-altitudes.toml --samples 200 --shape 1,1 --shape 2,2 --shape 3,3)
+delcert_cli_test(attack-means-of-altitudes-twins STATUS 0 ERROR "^$" OUTPUT "^3 of 3 twins refuted\n$"
+  COMMAND ${delcert} attack ${claims}/means-of-altitudes.toml --twins --samples 500 --shape 1,1 --shape 2,2)
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/rare.toml
+  "name = 'rare'\ninstance = 'point-set'\n[points]\nnumber = 2\ndimension = 2\nbox = '[0, 1]'\n"
+  "constraints = ['edge(p, 0, 1) > 2']\n[[show]]\nclaim = 'n = 2'\nno_twin = 'a test'\n")
+delcert_cli_test(attack-points-hardly-drawn STATUS 2 ERROR "^$"
+  OUTPUT "points: rare, 0 of 50 draws met the constraints .0.0 %., hardly any: least_acceptance is 1/20\n"
+  COMMAND ${delcert} attack rare.toml --samples 50 --least 0)

@@ -10,6 +10,8 @@ delcert_cli_test(claims-show STATUS 0 ERROR "^$" OUTPUT "^thickness-and-singular
 delcert_cli_test(claims-show-file STATUS 0 ERROR "^$" OUTPUT "show radius: circumradius.s. <= longest_edge.s.\n"
   COMMAND ${delcert} claims show ${claims}/circumradius-below-edge.toml)
 delcert_cli_test(claims-classes STATUS 0 ERROR "^$" OUTPUT "simplex: a non-degenerate.*s, a simplex\n" COMMAND ${delcert} claims classes)
+delcert_cli_test(claims-functions STATUS 0 ERROR "^$"
+  OUTPUT "`volume.simplex. -> number` .*`sum.x in set: number. -> number` .*`constant_c.m, mu0.`" COMMAND ${delcert} claims functions)
 delcert_cli_test(claims-unknown STATUS 3 OUTPUT "^$" ERROR "no claim is called nothing" COMMAND ${delcert} claims show nothing)
 delcert_cli_test(claims-unknown-subcommand STATUS 64 OUTPUT "^$" ERROR "^delcert: error: " COMMAND ${delcert} claims shwo)
 delcert_cli_test(claims-malformed STATUS 3 OUTPUT "^$" ERROR "malformed-claim.toml:4:[0-9]+: "

@@ -23,16 +23,19 @@ delcert_cli_test(constants-printed STATUS 0 ERROR "^$" COMMAND ${constants} ${su
   OUTPUT "2.[(]-509[)] [^\n]*hyps:param.bnds\n\nHypotheses 2 .hyps:param.bnds. hold for")
 delcert_cli_test(constants-sharper-sweep STATUS 0 ERROR "^$" COMMAND ${constants} --dim 2,3 --separation 1 --hypotheses sharper
   OUTPUT "The sharper Hypotheses 2 .* hold for all of these parameters")
-# What has one value only under the printed hypotheses: too much distortion, a constant of Theorem 3.
+# What has one value only under the printed hypotheses: too much distortion; Theorem 3 under both.
 delcert_cli_test(constants-sharper-distortion STATUS 0 ERROR "^$"
   COMMAND ${constants} --dim 2 --separation 1 --perturbation 1/5 --distortion 0x1p-310 --only distortion_bound --hypotheses sharper
   OUTPUT "The sharper Hypotheses 2 .* hold for these")
 delcert_cli_test(constants-printed-distortion STATUS 0 ERROR "^$"
   COMMAND ${constants} --dim 2 --separation 1 --perturbation 1/5 --distortion 0x1p-310 --only distortion_bound
   OUTPUT "Hypotheses 2 .* do not hold: the distortion")
-delcert_cli_test(constants-sharper-theorem-3 STATUS 3 OUTPUT "^$"
-  COMMAND ${constants} ${surface} --hypotheses sharper --only tolerance,riemannian_sampling_radius
-  ERROR "riemannian_sampling_radius is a constant of Theorem 3, which is not worked out")
+delcert_cli_test(constants-sharper-theorem-3 STATUS 0 ERROR "^$"
+  COMMAND ${constants} ${surface} --hypotheses sharper --only riemannian_sampling_radius,self_delaunay_sampling_radius
+  OUTPUT "2.[(]-146[)].5.[(]-3[)] .*2.[(]-240[)].5.[(]-5[)] ")
+delcert_cli_test(constants-printed-self-delaunay STATUS 3 OUTPUT "^$"
+  COMMAND ${constants} ${surface} --only tolerance,self_delaunay_sampling_radius
+  ERROR "self_delaunay_sampling_radius is a constant of the sharper hypotheses only")
 delcert_cli_test(constants-unknown-hypotheses STATUS 64 OUTPUT "^$" COMMAND ${constants} ${surface} --hypotheses sharp
   ERROR "no hypotheses are called sharp, did you mean sharper")
 

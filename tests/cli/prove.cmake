@@ -3,7 +3,7 @@ set(delcert $<TARGET_FILE:delcert>)
 set(replay $<TARGET_FILE:delcert-replay>)
 set(folder ${CMAKE_CURRENT_BINARY_DIR}/prove)
 file(MAKE_DIRECTORY ${folder}/logs)
-foreach(step "right;x*(1 - x) <= 1/4" "wrong;x*(1 - x) <= 1/5" "open;(3*x - 1)^2 + (3*y - 1)^2 >= 0")
+foreach(step "right;x*(1 - x) <= 1/4" "wrong;x*(1 - x) <= 1/5" "open;9*x^2 - 6*x + 1 + (3*y - 1)^2 + log2(1) >= 0")
   list(GET step 0 name)
   list(GET step 1 claim)
   file(WRITE ${folder}/${name}.toml "name = '${name}'\n[[step]]\nname = 'only'\nforall = { x = '[0, 1]', y = '[0, 1]' }\nclaim = '${claim}'\n")
@@ -114,3 +114,13 @@ delcert_cli_test(prove-all-refutes-nothing-else STATUS 0 ERROR "^$" OUTPUT "refu
   COMMAND sh -c "$<TARGET_FILE:delcert> prove --all | grep 'refuted: ' > prove/refuted.txt && sed -n 's|^ *refuted: \\(.*\\) (user)$|\\1|p' prove/refuted.txt | diff - ${CMAKE_CURRENT_SOURCE_DIR}/refuted_readings.txt && ! grep -v -e '(paper)$' -e '(user)$' prove/refuted.txt && cat prove/refuted.txt")
 delcert_cli_test(replay-all STATUS 0 ERROR "^$" OUTPUT "^(accepted [^\n]* steps of proofs/claims/[^\n]*\n)+$" FIXTURES proof-logs
   COMMAND sh -c "$<TARGET_FILE:delcert-replay> prove/all/*.jsonl")
+
+# By sums of squares: proved, checked by the other program, and refuted with a factor that is 1 % larger.
+file(MAKE_DIRECTORY ${folder}/means)
+delcert_cli_test(prove-means STATUS 0 ERROR "^$" FIXTURE_SETUP prove-means
+  OUTPUT "means / three .* squares . proved .*means / four .* squares . proved .*5 proved, 0 refuted, 0 undecided"
+  COMMAND ${delcert} prove ${PROJECT_SOURCE_DIR}/examples/claims/means.toml --log prove/means)
+delcert_cli_test(prove-means-replay STATUS 0 ERROR "^$" FIXTURES prove-means OUTPUT "means"
+  COMMAND ${replay} --claims ${PROJECT_SOURCE_DIR}/examples/claims/means.toml prove/means/means.jsonl)
+delcert_cli_test(prove-means-too-strong STATUS 1 ERROR "^$" OUTPUT "0 proved, 2 refuted, 0 undecided"
+  COMMAND ${delcert} prove ${PROJECT_SOURCE_DIR}/examples/claims/means-too-strong.toml)

@@ -15,6 +15,12 @@ set(all "levels\n  0 .*\n  1 .*\n  2 .*\n  2s .*\n  3 .*\n  4 .*\n  5 .*\n  6 ")
 set(ball "levels\n  0 .*\n  1 .*\n  2 .*\n  2s .*\n  3 .*\n  4 .*\n  not reached: levels 5 and 6")
 delcert_run_test(circle --manifold circle --radius 1/30 LEVELS "${all}")
 delcert_run_test(square --manifold torus-2 --radius 1/24 --seed 1 LEVELS "${all}")
+delcert_run_test(square-sharper --manifold torus-2 --radius 1/24 --seed 1 --hypotheses sharper
+  LEVELS "tolerance 0x2201p-47 = .*levels\n  0   input: net, Hypotheses 1, the sharper Hypotheses 2\n  1 .*\n  6 ")
+delcert_run_test(space-sharper --manifold torus-3 --radius 1/24 --seed 1 --hypotheses sharper
+  LEVELS "input: net, Hypotheses 1, the sharper Hypotheses 2\n  1 .*\n  6 ")
+delcert_run_test(space-printed --manifold torus-3 --radius 1/24 --seed 1 --hypotheses printed
+  LEVELS "input: net, Hypotheses 1, Hypotheses 2\n  1 .*\n  6 ")
 delcert_run_test(skewed --manifold torus-2-skewed --radius 1/30 --seed 2 LEVELS "${all}")
 delcert_run_test(measured --manifold torus-2 --radius 1/24 --mode measured --required-protection 1/50 --seed 3 LEVELS "${all}")
 delcert_run_test(square-with-sizing --manifold torus-2 --radius 1/32 --sizing ${PROJECT_SOURCE_DIR}/examples/sizings/torus-2.txt --seed 1
@@ -63,6 +69,10 @@ delcert_cli_test(certify-impossible-tolerance STATUS 1 OUTPUT "^$" ERROR "no goo
   COMMAND ${delcert} certify --manifold torus-2 --radius 1/24 --mode measured --tolerance 31/128 --output never.json)
 delcert_cli_test(certify-tolerance-in-theory STATUS 3 OUTPUT "^$" ERROR "tolerance"
   COMMAND ${delcert} certify --manifold torus-2 --radius 1/24 --tolerance 1/64 --output never.json)
+delcert_cli_test(certify-hypotheses-in-measured-mode STATUS 3 OUTPUT "^$" ERROR "the hypotheses can be chosen in theory mode only; mode is measured"
+  COMMAND ${delcert} certify --manifold torus-2 --radius 1/24 --mode measured --hypotheses sharper --output never.json)
+delcert_cli_test(certify-unknown-hypotheses STATUS 64 OUTPUT "^$" ERROR "--hypotheses"
+  COMMAND ${delcert} certify --manifold torus-2 --radius 1/24 --hypotheses sharp --output never.json)
 delcert_cli_test(certify-perturbation-too-large STATUS 3 OUTPUT "^$" ERROR "perturbation 1/2"
   COMMAND ${delcert} certify --manifold torus-2 --radius 1/24 --perturbation 1/2 --output never.json)
 delcert_cli_test(certify-without-net STATUS 3 OUTPUT "^$" ERROR "give --radius, --lattice or --points"

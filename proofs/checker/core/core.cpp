@@ -2,6 +2,7 @@
 
 #include "proofs/checker/core/reader.hpp"
 #include "proofs/checker/core/rules.hpp"
+#include "proofs/checker/parts.hpp"
 
 namespace delcert::checker::core {
 namespace {
@@ -39,6 +40,8 @@ void Core::check_quotient(Report& report) {
 bool Core::is_delaunay() {
   if (!hinges_) {
     Report found;
+    std::optional<Undivided> undivided;
+    if (!c_.claimed[level_4]) undivided.emplace();  // no level says in which parts it holds
     check_hinges(*complex_, found);
     hinges_ = std::move(found);
   }
@@ -47,8 +50,9 @@ bool Core::is_delaunay() {
 
 std::string Core::check_delaunay(Report& report) {
   check_quotient(report);
-  if (!is_delaunay()) report.add(*hinges_);
-  std::string text = std::to_string(complex_->hinges.size()) + " facets locally Delaunay";
+  is_delaunay();
+  report.add(*hinges_);
+  const std::string text = "{facets} facets locally Delaunay";
   if (!c_.space_form) return text;
   check_margins(*complex_, c_.ball_radius, c_.empty_margin, report);
   return text + ", circumradius <= " + rounded_up(c_.ball_radius.exact) + ", all other points farther than " +

@@ -104,12 +104,12 @@ bool is_below_quarter(int K, const Quantity& circumradius, const Quantity& prote
 
 void check_hinges(Complex& complex, Report& report) {
   Circumballs balls(complex);
-  for (std::size_t s = 0; complex.data.K < 0 && s < complex.data.simplices(); ++s) {
-    if (complex.sign[s] == 0) continue;  // core.sign
+  const auto check_ball = [&](std::size_t s, Report& found) {
+    if (complex.sign[s] == 0) return;  // core.sign
     if (!balls.decide(s, balls.filter(s),
                       []<class N>(const Circumball<N>& ball) { return less(ball.tangent_squared(), N(1)); }))
-      report.reject("core.hinges", [&] { return complex.name(s) + " has no circumball"; });
-  }
+      found.reject("core.hinges", [&] { return complex.name(s) + " has no circumball"; });
+  };
   const auto check = [&](const Hinge& hinge, Report& found) {
     const auto [s, t] = hinge.simplex;
     if (complex.sign[s] == 0 || complex.sign[t] == 0) return;
@@ -121,10 +121,18 @@ void check_hinges(Complex& complex, Report& report) {
       return complex.name(first) + " and " + complex.name(second) + " are not locally Delaunay";
     });
   };
-  in_parts(complex.hinges.size(), report, [&](std::size_t begin, std::size_t end, Report& found) {
+  if (complex.data.K < 0) {
+    in_parts("core.hinges, balls", complex.data.simplices(), report,
+             [&](std::size_t begin, std::size_t end, Report& found) {
+               for (std::size_t s = begin; s < end; ++s) check_ball(s, found);
+               return Counts{};
+             });
+  }
+  const auto check_all = [&](std::size_t begin, std::size_t end, Report& found) {
     for (std::size_t at = begin; at < end; ++at) check(complex.hinges[at], found);
-    return Counts{};
-  });
+    return Counts{static_cast<std::int64_t>(end - begin)};
+  };
+  in_parts("core.hinges", complex.hinges.size(), report, check_all, {"facets"});
 }
 
 void check_margins(Complex& complex, const Quantity& circumradius, const Quantity& protection, Report& report) {
@@ -132,7 +140,7 @@ void check_margins(Complex& complex, const Quantity& circumradius, const Quantit
     report.reject("4.ball", [] { return "circumradius + protection is not below a quarter of a great circle"; });
     return;
   }
-  in_parts(complex.data.simplices(), report, [&](std::size_t begin, std::size_t end, Report& found) {
+  in_parts("4.ball, 4.empty", complex.data.simplices(), report, [&](std::size_t begin, std::size_t end, Report& found) {
     Margins margins(complex, circumradius, protection, found);
     for (auto s = static_cast<std::uint32_t>(begin); s < end; ++s) {
       if (complex.sign[s] != 0) margins.check(s);

@@ -163,7 +163,7 @@ void check_manifold(Complex& complex, Report& report) {
   check_signs(complex, report);
   check_edges(complex, report);
   check_facets(complex, report);
-  in_parts(complex.size(), report, [&](std::size_t begin, std::size_t end, Report& found) {
+  in_parts("core.stars", complex.size(), report, [&](std::size_t begin, std::size_t end, Report& found) {
     for (auto i = static_cast<Label>(begin); i < end; ++i) check_star(complex, i, found);
     return Counts{};
   });

@@ -1,5 +1,6 @@
 #include "proofs/checker/core/circumball.hpp"
 #include "proofs/checker/core/rules.hpp"
+#include "proofs/checker/parts.hpp"
 
 namespace delcert::checker::core {
 namespace {
@@ -62,7 +63,7 @@ class TangentSpace {
 
 void check_riemannian_simplices(Complex& complex, const Quantity& thickness, const Quantity& radius, Report& report) {
   const Circumballs balls(complex);
-  for (std::size_t s = 0; s < complex.data.simplices(); ++s) {
+  const auto check = [&](std::size_t s, Report& found) {
     for (std::size_t k = 0; k < complex.vertices(); ++k) {
       const auto holds = [&](const auto& predicate) {
         return decide_enclosed([&]<class N>(In<N>) {
@@ -86,13 +87,18 @@ void check_riemannian_simplices(Complex& complex, const Quantity& thickness, con
       });
       if (both) continue;
       if (!holds(is_thick)) {
-        report.reject("5.thickness", [&] {
+        found.reject("5.thickness", [&] {
           return complex.name(s) + " is thinner than " + about(thickness.filter) + " in the chart of one of its labels";
         });
       }
-      if (!holds(is_near)) report.reject("5.radius", [&] { return complex.name(s) + " is larger than radius"; });
+      if (!holds(is_near)) found.reject("5.radius", [&] { return complex.name(s) + " is larger than radius"; });
     }
-  }
+  };
+  in_parts("5.thickness, 5.radius", complex.data.simplices(), report,
+           [&](std::size_t begin, std::size_t end, Report& found) {
+             for (std::size_t s = begin; s < end; ++s) check(s, found);
+             return Counts{};
+           });
 }
 
 }  // namespace delcert::checker::core

@@ -97,13 +97,23 @@ Json graded_theory() {
   return result;
 }
 
+/// The sharper Hypotheses 2 for mu = 1, rho = 1/4, m = 2: Gamma_0 = 2^-49, 2 alpha~_0 = 34820 Gamma_0 = 17410/2^48.
+Json sharper_theory() {
+  Json result = narrow_torus().claiming({"0"}).document();
+  result["levels"]["0"]["hypotheses"] = "sharper";
+  result["parameters"]["flake_parameter_squared"] = "0x1p-98";
+  result["parameters"]["tolerance"] = "17410/281474976710656";
+  return result;
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> valid_graded_certificates() {
   const Sample sample = graded_torus();
   return {{"radii that vary, with equality", sealed(graded_document(sample))},
           {"radii that vary, without level 0", sealed(graded_stars())},
-          {"radii that vary, in theory mode", sealed(graded_theory())}};
+          {"radii that vary, in theory mode", sealed(graded_theory())},
+          {"the sharper Hypotheses 2, with equality", sealed(sharper_theory())}};
 }
 
 std::vector<Forgery> level_0_forgeries() {
@@ -173,6 +183,12 @@ std::vector<Forgery> level_0_forgeries() {
   });
   forge("hypotheses of theory mode in measured mode", "0.hypotheses-2", narrow,
         [](Json& d) { d["parameters"]["mode"] = "measured"; });
+  forge("the printed constants under the sharper hypotheses", "0.hypotheses-2",
+        narrow_torus().claiming({"0"}).document(), [](Json& d) { d["levels"]["0"]["hypotheses"] = "sharper"; });
+  forge("the sharper constants under the printed hypotheses", "0.hypotheses-2", sharper_theory(),
+        [](Json& d) { d["levels"]["0"].erase("hypotheses"); });
+  forge("tolerance a little too small for the sharper hypotheses", "0.hypotheses-2", sharper_theory(),
+        [](Json& d) { d["parameters"]["tolerance"] = "17409/281474976710656"; });
   forge("radii of which some are more than twice others", "0.hypotheses-2", graded_theory(),
         [](Json& d) { d["parameters"]["radius_variation"] = "5/4"; });
   return result;

@@ -57,6 +57,9 @@ std::string temporary_file(const std::string& bytes) {
 }
 
 CheckerRun run_checker_with(const std::string& arguments) { return run(std::string(DELCERT_CHECK) + " " + arguments); }
+CheckerRun run_crippled_checker_with(const std::string& arguments) {
+  return run(std::string(DELCERT_CHECK_CRIPPLED) + " " + arguments);
+}
 
 CheckerRun run_checker(const std::string& bytes, const std::string& without_rule) {
   const std::string file = temporary_file(bytes);

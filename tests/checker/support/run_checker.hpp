@@ -20,6 +20,8 @@ CheckerRun run_checker(const std::string& bytes, const std::string& without_rule
 
 /// Runs the checker with the given arguments, in the words of a shell.
 CheckerRun run_checker_with(const std::string& arguments);
+/// The crippled checker likewise.
+CheckerRun run_crippled_checker_with(const std::string& arguments);
 
 /// A file of this process that is removed at its end.
 std::string temporary_file(const std::string& bytes);

@@ -255,9 +255,9 @@ void sort_simplices(SubmanifoldModel& model) {
 
 /// Points on the unit sphere, triangles.
 void divide_icosahedron(int divisions, Rows& points, std::vector<std::vector<int>>& triangles) {
-  const double golden = (1 + std::sqrt(5.0)) / 2;
+  const double golden_ratio = (1 + std::sqrt(5.0)) / 2;
   for (const double a : {-1.0, 1.0}) {
-    for (const double b : {-golden, golden}) {
+    for (const double b : {-golden_ratio, golden_ratio}) {
       points.push_back({0, a, b});
       points.push_back({a, b, 0});
       points.push_back({b, 0, a});

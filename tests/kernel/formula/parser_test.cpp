@@ -152,6 +152,45 @@ TEST(Ranges, ends_belong_to_them_or_not) {
   EXPECT_NO_THROW((void)parse_range("[1, 1]"));
 }
 
+TEST(Ranges, may_have_no_end) {
+  const ParameterRange range = parse_range("[1/2, infinity)");
+  EXPECT_EQ(range.lower, Rational(Integer(1), Integer(2)));
+  EXPECT_FALSE(range.upper.has_value());
+  const ParameterRange all = parse_range("(-infinity, infinity)");
+  EXPECT_FALSE(all.lower.has_value() || all.upper.has_value());
+}
+
+/// The words of a term that runs through a set, as the tree and back as text.
+TEST(TermsOverSets, are_read_and_written) {
+  for (const std::string text : {"sum(p in vertices(s): altitude(s, p))", "max(i in 0 .. k: min(j in 0 .. i: i*j))",
+                                 "1 + product(f in facets(s): volume(f))^2"}) {
+    EXPECT_EQ(formula_text(*parse_formula(text)), text);
+  }
+  const auto both = parse_formula("sum(i in 0 .. k, j in 0 .. i: edge(s, i, j))");
+  EXPECT_EQ(both->operation, Operation::sum_over);
+  EXPECT_EQ(both->text, "i");
+  EXPECT_EQ(both->children.at(1)->operation, Operation::sum_over);
+  EXPECT_EQ(both->children.at(1)->text, "j");
+  EXPECT_EQ(parse_formula("max(a, b)")->operation, Operation::call) << "of two terms it is a function";
+}
+
+TEST(TermsOverSets, are_refused_where_they_are_wrong) {
+  const std::vector<std::pair<std::string, std::pair<std::size_t, std::string>>> cases{
+      {"1 + summ(p in vertices(s): 1)", {4, "no sum, product, min or max is called summ, did you mean sum?"}},
+      {"sum(p in vertices(s), 1)", {22, "'1' where a variable was expected"}},
+      {"sum(p in vertices(s))", {20, "')' where a colon and a term, or a comma and another variable was expected"}},
+      {"sum(p in vertices(s): 1", {23, "the end where an operator or ) was expected"}},
+  };
+  for (const auto& [text, expected] : cases) {
+    try {
+      (void)parse_formula(text);
+      ADD_FAILURE() << text << " was accepted";
+    } catch (const FormulaError& error) {
+      EXPECT_EQ(std::make_pair(error.offset(), std::string(error.what())), expected) << text;
+    }
+  }
+}
+
 TEST(Ranges, what_is_no_interval_is_refused) {
   const std::vector<std::pair<std::string, std::pair<std::size_t, std::string>>> cases{
       {"0, 1", {0, "'0' where an interval such as (0, 1] was expected"}},
@@ -161,6 +200,9 @@ TEST(Ranges, what_is_no_interval_is_refused) {
       {"(0, 1/0)", {6, "a denominator of 0"}},
       {"(1, 0)", {0, "an empty interval"}},
       {"(1, 1]", {0, "an empty interval"}},
+      {"[-infinity, 1]", {0, "infinity is not a number: write (-infinity"}},
+      {"(0, infinity]", {12, "infinity is not a number: write infinity)"}},
+      {"(infinity, 1)", {1, "an empty interval"}},
       {"(0, 1) x", {7, "'x' where an operator or the end was expected"}},
   };
   for (const auto& [text, expected] : cases) {

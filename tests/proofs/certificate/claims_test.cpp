@@ -49,6 +49,14 @@ std::string text_of(const Claims& claims) {
   return result;
 }
 
+TEST(Claims, name_the_hypotheses_unless_they_are_the_printed_ones) {
+  Claims claims;
+  claims.input = InputClaim{true, {}, ParameterConstraints::sharper};
+  EXPECT_EQ(text_of(claims), "0: hypotheses_2=true hypotheses=\"sharper\"\n");
+  claims.input->hypotheses_2 = false;
+  EXPECT_EQ(text_of(claims), "0: hypotheses_2=false\n");
+}
+
 TEST(Claims, are_stated_by_the_keys_of_the_format) {
   const auto all = samples();
   EXPECT_EQ(text_of(all[0]),

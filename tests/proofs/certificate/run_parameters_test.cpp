@@ -92,6 +92,34 @@ TEST(ParametersFor, other_separations_follow_the_formulas) {
   }
 }
 
+TEST(ParametersFor, theory_mode_may_be_those_of_the_sharper_lemmas) {
+  for (const int m : {1, 2, 3, 4}) {
+    auto choice = choice_of(RunMode::theory);
+    const auto printed = parameters_for(Dimension(m), Rational(1), choice);
+    EXPECT_EQ(printed.constraints, ParameterConstraints::printed);
+    choice.constraints = ParameterConstraints::sharper;
+    const auto sharper = parameters_for(Dimension(m), Rational(1), choice);
+    EXPECT_EQ(sharper.constraints, ParameterConstraints::sharper);
+    // Γ₀ = 2^{−E−2} and 2α̃₀ = 34820Γ₀ for μ₀ = 1, ρ₀ = 1/4.
+    const long exponent = 4L * m * m + 5L * m + 23;
+    EXPECT_EQ(sharper.squared_flake_parameter, Rational::power_of_two(-2 * exponent)) << m;
+    EXPECT_EQ(sharper.squared_flake_parameter, Rational(m * m * m) * printed.squared_flake_parameter) << m;
+    EXPECT_EQ(sharper.algorithm.tolerance, Rational(34820) * Rational::power_of_two(-exponent)) << m;
+    EXPECT_EQ(sharper.algorithm.tolerance, ratio(17410, 65536) * printed.algorithm.tolerance) << m;
+  }
+}
+
+TEST(ParametersFor, measured_mode_have_no_choice_of_hypotheses) {
+  auto choice = choice_of(RunMode::measured);
+  choice.constraints = ParameterConstraints::printed;
+  try {
+    (void)parameters_for(Dimension(2), Rational(1), choice);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_TRUE(mentions(error.what(), "the hypotheses can be chosen in theory mode only; mode is measured"));
+  }
+}
+
 TEST(ParametersFor, measured_mode_have_the_flake_parameter_of_their_tolerance) {
   for (int m = 1; m <= 4; ++m) {
     auto choice = choice_of(RunMode::measured);

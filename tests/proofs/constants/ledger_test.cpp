@@ -148,6 +148,28 @@ TEST(Ledger, of_the_sharper_lemmas_admits_more_distortion) {
   }
 }
 
+// docs/claims/riemannian-constants.md
+TEST(Ledger, of_the_sharper_lemmas_asks_less_of_a_manifold) {
+  for (const int m : {2, 3}) {
+    const Ledger printed = constants_for(Dimension{m}, Rational(1), fraction(1, 4));
+    const Ledger sharper = constants_for(Dimension{m}, Rational(1), fraction(1, 4), Rational(0), Rational(0),
+                                         ParameterConstraints::sharper);
+    const PowerProduct two(Rational(2));
+    EXPECT_EQ(sharper.riemannian_flake_divisor, sharper.flake_divisor);
+    EXPECT_EQ(sharper.riemannian_flake_parameter.rational(),
+              Rational::power_of_two(-(4 * m * m + 5 * m + 21)) / Rational(5));
+    EXPECT_EQ(sharper.riemannian_sampling_radius, power(sharper.riemannian_flake_parameter, m + 1) / power(two, 5));
+    EXPECT_EQ(sharper.self_delaunay_sampling_radius,
+              power(sharper.riemannian_flake_parameter, 2 * m + 1) / power(two, 5));
+    EXPECT_EQ(printed.self_delaunay_sampling_radius, printed.riemannian_sampling_radius);
+    EXPECT_LT(printed.riemannian_sampling_radius, sharper.self_delaunay_sampling_radius);
+    EXPECT_LT(sharper.self_delaunay_sampling_radius, sharper.riemannian_sampling_radius);
+    // 320/2¹⁰ Γ²
+    EXPECT_EQ(sharper.piecewise_flat_distortion,
+              PowerProduct(fraction(5, 16)) * power(sharper.riemannian_flake_parameter, 2));
+  }
+}
+
 TEST(Ledger, of_the_sharper_lemmas_is_exact_for_a_surface) {
   const auto with_distortion = [](const Rational& distortion) {
     return constants_for(Dimension{2}, Rational(1), fraction(1, 5), Rational(0), distortion,

@@ -32,6 +32,8 @@ mutated() {
 }
 mutated circumcentres-under-distortion forty-two c 41 '((42 \* ' '((41 * '
 mutated gram-matrix-under-distortion entries c 399/100 '(4 \* ' '((399 / 100) * '
+# By sums of squares.
+mutated "$project/examples/claims/means.toml" three factor 101/100 '((1 \* a) \* b)' '(((101 / 100) * a) * b)'
 mutated thickness-under-distortion longest-edge-ratio c 81/100 '(4 / 5)' '(81 / 100)'
 
 "$project/proofs/formal/check.sh" theorems "$work" >/dev/null || fail "the theory"

@@ -62,6 +62,43 @@ Verdict decided(std::string_view text) {
   return decide_statement(*typed(text, types::truth), scene);
 }
 
+TEST(TermsOverSets, sums_products_least_and_greatest) {
+  EXPECT_EQ(decided("sum(p in vertices(s): altitude(s, p)) = 3 + 4 + 12/5"), Verdict::proved);
+  EXPECT_EQ(decided("sum(p in vertices(s): altitude(s, p)) < 3 + 4 + 12/5"), Verdict::refuted);
+  EXPECT_EQ(decided("product(i in 1 .. 4: i) = 24"), Verdict::proved);
+  EXPECT_EQ(decided("min(e in edges(s): longest_edge(e)) = 3"), Verdict::proved);
+  EXPECT_EQ(decided("max(e in edges(s): longest_edge(e)) = 5"), Verdict::proved);
+  EXPECT_EQ(decided("max(e in edges(s): longest_edge(e)) = 4"), Verdict::refuted);
+  EXPECT_EQ(decided("sum(f in faces_of_dimension(s, 0): 1) = 3"), Verdict::proved);
+  EXPECT_EQ(decided("sum(f in faces_of_dimension(s, 3): 1) = 0"), Verdict::proved);
+}
+
+TEST(TermsOverSets, nest_and_see_the_variables_outside) {
+  EXPECT_EQ(decided("sum(i in 0 .. k, j in 0 .. i - 1: edge(s, i, j)) = 12"), Verdict::proved);
+  EXPECT_EQ(decided("forall i in 1 .. 3: sum(j in 1 .. i: j) = i*(i + 1)/2"), Verdict::proved);
+  EXPECT_EQ(decided("max(i in 0 .. k: min(j in 0 .. k: i + j)) = 2"), Verdict::proved);
+  EXPECT_EQ(decided("forall e in edges(s): longest_edge(e) <= sum(g in edges(s): longest_edge(g))/2"), Verdict::proved);
+}
+
+TEST(TermsOverSets, of_empty_sets_and_of_terms_without_value) {
+  EXPECT_EQ(decided("sum(i in 1 .. 0: i) = 0"), Verdict::proved);
+  EXPECT_EQ(decided("product(i in 1 .. 0: i) = 1"), Verdict::proved);
+  EXPECT_EQ(decided("max(i in 1 .. 0: i) >= 0"), Verdict::undecided);
+  EXPECT_EQ(decided("min(i in 1 .. 0: i) >= 0"), Verdict::undecided);
+  EXPECT_EQ(decided("sum(i in 0 .. 1: 1/i) > 0"), Verdict::undecided) << "no value at 0";
+}
+
+TEST(TermsOverSets, have_ratios) {
+  const auto ratio = [](std::string_view text) {
+    Scene scene(bindings());
+    return ratio_bounds(*typed(text, types::truth), scene, true);
+  };
+  const auto half = ratio("sum(i in 1 .. 3: i) <= 12");
+  ASSERT_TRUE(half.has_value());
+  EXPECT_EQ(half->lower, 0.5);
+  EXPECT_EQ(half->upper, 0.5);
+}
+
 template <class S>
 Verdict on_rung(std::string_view text) {
   const auto statement = typed(text, types::truth);

@@ -58,6 +58,14 @@ TEST(Latex, functions_fill_their_templates) {
   EXPECT_EQ(latex("2*constant_c(m, mu0)"), "2 C(m, \\mu_0)");
 }
 
+TEST(Latex, terms_over_sets) {
+  EXPECT_EQ(latex("sum(p in vertices(s): altitude(s, p))"), "\\sum_{p \\in s} D(p, s)");
+  EXPECT_EQ(latex("k*max(i in 1 .. k: i + xi)"),
+            "k \\cdot \\left(\\max_{i \\in \\{1, \\ldots, k\\}} \\left(i + \\xi\\right)\\right)");
+  EXPECT_EQ(latex("product(i in 1 .. k: i)^2"), "\\left(\\prod_{i \\in \\{1, \\ldots, k\\}} i\\right)^{2}");
+  EXPECT_EQ(latex("min(i in 1 .. k: i) + 1"), "\\min_{i \\in \\{1, \\ldots, k\\}} i + 1");
+}
+
 TEST(Latex, statements) {
   EXPECT_EQ(latex_of_statement("xi <= 1 and k >= 1 or m > 2"), "\\xi \\leq 1 \\land k \\geq 1 \\lor m > 2");
   EXPECT_EQ(latex_of_statement("xi <= 1 and (k >= 1 or m > 2)"),

@@ -52,5 +52,13 @@ TEST(Substitution, numbers_are_written_as_the_parser_reads_them) {
   }
 }
 
+TEST(Substitution, a_base_is_taken_off_both_sides_of_all_comparisons) {
+  const auto base = typed("2*y", types::number);
+  EXPECT_EQ(formula_text(*less_base(typed("x <= y and (k < 1 implies x > sqrt(y))"), base)),
+            "x - 2*y <= y - 2*y and (k - 2*y < 1 - 2*y implies x - 2*y > sqrt(y) - 2*y)");
+  EXPECT_EQ(formula_text(*less_base(typed("forall p in 1 .. k: p < y"), base)),
+            "forall p in 1 .. k: p - 2*y < y - 2*y");
+}
+
 }  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

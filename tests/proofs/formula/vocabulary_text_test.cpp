@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "kernel/formula/parser.hpp"
 #include "proofs/formula/arithmetic_vocabulary.hpp"
 #include "properties/instances/instance_class.hpp"
 #include "tests/proofs/formula/source_folder.hpp"
@@ -28,6 +29,15 @@ TEST(VocabularyText, tables_have_a_line_for_each_function_and_definition) {
   EXPECT_NE(table.find("| `sqrt(number) -> number` | The square root, undefined for negative numbers. |\n"),
             std::string::npos);
   EXPECT_NE(table.find("| `twice(x, k)` | `2*x + k` | A \\| in a cell. |\n"), std::string::npos);
+}
+
+TEST(VocabularyText, tables_have_a_line_for_each_term_over_a_set) {
+  const std::string table = vocabulary_table(full_vocabulary());
+  for (const TermOverSet& term : terms_over_sets()) {
+    EXPECT_TRUE(operation_over_set(term.word).has_value()) << term.word;
+    EXPECT_NE(table.find("| `" + std::string(term.word) + "(x in set: number) -> number` | "), std::string::npos);
+  }
+  EXPECT_EQ(terms_over_sets().size(), 4U);
 }
 
 /// The part of docs/claim-format.md between two comments.

@@ -27,11 +27,16 @@ TEST(Prover, a_tie_at_a_corner_is_decided_and_a_strict_one_by_the_ends) {
   EXPECT_EQ(verdict("forall = { x = '[0, 1]', y = '[0, 1]' }\nclaim = 'x + y > 0'"), Verdict::refuted);
 }
 
-TEST(Prover, a_tie_inside_that_is_no_square_stays_undecided) {
+TEST(Prover, a_tie_inside_is_decided_by_a_sum_of_squares_where_both_sides_are_polynomials) {
   const StepOutcome found =
       outcome("forall = { x = '[0, 1]', y = '[0, 1]' }\nclaim = '(3*x - 1)^2 + (3*y - 1)^2 >= 0'");
-  EXPECT_EQ(found.verdict, Verdict::undecided);
-  EXPECT_FALSE(found.left.empty());
+  EXPECT_EQ(found.verdict, Verdict::proved);
+  EXPECT_EQ(found.method, "squares");
+  EXPECT_TRUE(found.left.empty());
+  const StepOutcome other =
+      outcome("forall = { x = '[0, 1]', y = '[0, 1]' }\nclaim = '9*x^2 - 6*x + 1 + (3*y - 1)^2 + log2(1) >= 0'");
+  EXPECT_EQ(other.verdict, Verdict::undecided);
+  EXPECT_FALSE(other.left.empty());
   EXPECT_EQ(verdict("forall = { x = '[0, 1]', y = '[0, 1]' }\nclaim = '(3*x - y)^2 >= 0'"), Verdict::proved);
   EXPECT_EQ(verdict("forall = { x = '[0, 1]', y = '[0, 1]' }\nclaim = '(3*x - 1)^2 + (3*y - 1)^2 > 0'"),
             Verdict::refuted);

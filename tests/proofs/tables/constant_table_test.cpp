@@ -128,7 +128,8 @@ TEST(ConstantTable, is_printed_with_safe_roundings) {
   const std::string text = constant_table_markdown(
       {entry(row(), slacks(Rational(10) / Rational(300007), Rational(100003) / Rational(30000)))},
       {{"lem:y", "no constant"}});
-  EXPECT_TRUE(mentions(text, "| lem:x | \\|a\\| ≤ c·b | 4 | 3.3335 | > 33/10 | – | lemma.bound-twin.json |\n")) << text;
+  EXPECT_TRUE(mentions(text, "| lem:x | \\|a\\| ≤ c·b | 4 | 3.3335 | > 33/10 | – | – | lemma.bound-twin.json |\n"))
+      << text;
   EXPECT_TRUE(mentions(text, "| lem:y | no constant |\n"));
   EXPECT_TRUE(mentions(constant_table_markdown({entry(row())}, {}), "| 4 | – | > 33/10 |"));
   const std::string latex = constant_table_latex({entry(row())});
@@ -141,12 +142,23 @@ TEST(ConstantTable, is_printed_with_safe_roundings) {
 
 TEST(ConstantTable, has_the_worst_ratio_of_its_conclusion_rounded_downwards) {
   const auto with = [](const WorstRatio& ratio) {
-    return constant_table_markdown({constant_entries({{row()}, {}}, {claim()}, {}, {{"lemma/bound", ratio}}).at(0)},
-                                   {});
+    return constant_table_markdown(
+        {constant_entries({{row()}, {}}, {claim()}, {}, {{"lemma/bound", {{"k=1", ratio}}}}).at(0)}, {});
   };
-  EXPECT_TRUE(mentions(with({fraction(2, 3), false}), "| > 33/10 | 0.66666 | lemma.bound"));
-  EXPECT_TRUE(mentions(with({fraction(999999, 1000000), true}), "| > 33/10 | 1 | lemma.bound"));
-  EXPECT_FALSE(constant_entries({{row()}, {}}, {claim()}, {}, {{"lemma/other", {Rational(1), true}}}).at(0).worst);
+  EXPECT_TRUE(mentions(with({fraction(2, 3), false}), "| > 33/10 | k=1: 0.66666 | – | lemma.bound"));
+  EXPECT_TRUE(mentions(with({fraction(999999, 1000000), true}), "| > 33/10 | k=1: 1 | – | lemma.bound"));
+  EXPECT_FALSE(constant_entries({{row()}, {}}, {claim()}, {}, {{"lemma/other", {{"k=1", {Rational(1), true}}}}})
+                   .at(0)
+                   .worst.contains("k=1"));
+}
+
+TEST(ConstantTable, has_the_power_of_the_term_with_the_constant_for_each_dimension) {
+  const std::vector<PowerOfPlace> powers = {{"lemma", "bound", "k=1", "4*b", "bound", fraction(1, 2), false},
+                                            {"lemma", "bound", "k=1", "4*b", "bound", fraction(2, 3), false},
+                                            {"lemma", "bound", "k=2", "4*b", "bound", std::nullopt, false},
+                                            {"lemma", "bound", "k=3", "b", "factor", std::nullopt, true}};
+  EXPECT_EQ(constant_entries({{row()}, {}}, {claim()}, {}, {}, powers).at(0).power, "k=1: × 0.666, k=2: no power");
+  EXPECT_EQ(constant_entries({{row()}, {}}, {claim()}, {}, {}, {powers[3]}).at(0).power, "");
 }
 
 TEST(ConstantTable, reads_what_the_prover_prints) {

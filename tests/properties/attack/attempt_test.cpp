@@ -60,5 +60,31 @@ TEST(AttemptedRatio, is_nothing_where_a_hypothesis_fails_or_no_ratio_is_defined)
   EXPECT_FALSE(attempted_ratio(no_ratio, 0, test::triangle_bindings(0, 1), -1).has_value());
 }
 
+TEST(AttemptedRatio, is_that_of_the_excess_over_the_base) {
+  // 2R² = 1 and Δ² = 2 for this right triangle: (1 − 1/2)/(2 − 1/2) = 1/3 instead of 1/2.
+  const std::string show = "[[show]]\nclaim = \"2*circumradius(s)^2 <= longest_edge(s)^2\"\n";
+  const Claim plain = test::claim_about_simplices("a", show);
+  const Claim excess = test::claim_about_simplices("a", show + "base = \"k/4\"\n");
+  const Bindings bindings = test::triangle_bindings(Rational(0), Rational(1));
+  EXPECT_DOUBLE_EQ(attempted_ratio(plain, 0, bindings, -1).value().lower, 0.5);
+  const auto ratio = attempted_ratio(excess, 0, bindings, -1).value();
+  EXPECT_LE(ratio.lower, 1.0 / 3);
+  EXPECT_GE(ratio.upper, 1.0 / 3);
+  EXPECT_LT(ratio.upper, 0.34);
+  // What is decided stays the same.
+  EXPECT_EQ(attempt(excess, bindings).conclusions.at(0).verdict, attempt(plain, bindings).conclusions.at(0).verdict);
+  EXPECT_EQ(attempt(excess, bindings).conclusions.at(0).ratio->lower,
+            attempt(plain, bindings).conclusions.at(0).ratio->lower);
+}
+
+TEST(AttemptedRatio, a_base_is_a_number_about_the_names_of_the_class) {
+  for (const char* base : {"k <= 1", "p", "1/4 +"}) {
+    EXPECT_THROW(
+        (void)test::claim_about_simplices("a", "[[show]]\nclaim = \"k <= 3\"\nbase = \"" + std::string(base) + "\"\n"),
+        InputError)
+        << base;
+  }
+}
+
 }  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

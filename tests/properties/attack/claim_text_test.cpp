@@ -34,6 +34,25 @@ TEST(ClaimText, keeps_ranges_and_whatever_stands_in_texts) {
   EXPECT_EQ(back.source, claim.source);
 }
 
+TEST(ClaimText, keeps_points_abbreviations_and_ranges_without_end) {
+  const Claim claim = parse_claim(
+      "name = 'own'\ninstance = 'point-set'\nforall = { t = '[1, infinity)' }\n"
+      "let = { longest = 'max(e in edges(p): longest_edge(e))', half = 'longest/2' }\ngiven = ['half > 0']\n"
+      "[points]\nnumber = '3 .. 4'\ndimension = 2\nbox = ['[0, 1]', '(-1/3, 1)']\nconstraints = ['edge(p, 0, 1) < t']\n"
+      "[[show]]\nclaim = 'longest <= t*longest_edge(p)'\n",
+      "own.toml", full_vocabulary(), all_signatures());
+  const Claim back = read_back(claim);
+  EXPECT_EQ(claim_text(back), claim_text(claim));
+  EXPECT_EQ(contents_of(back, {2, 2}), contents_of(claim, {2, 2}));
+  EXPECT_EQ(back.abbreviations.size(), 2U);
+  EXPECT_EQ(back.hypotheses.size(), claim.hypotheses.size());
+  EXPECT_FALSE(back.parameters.at("t").upper.has_value());
+  Claim changed = claim;
+  changed.abbreviations[1].text = "longest/3";
+  EXPECT_NE(claim_text(changed), claim_text(claim));
+  EXPECT_NE(contents_of(changed, {2, 2}), contents_of(claim, {2, 2}));
+}
+
 TEST(ClaimText, changes_with_whatever_an_attack_depends_on_and_with_nothing_else) {
   const Claim claim = test::right_claim();
   std::set<std::string> texts{claim_text(claim)};

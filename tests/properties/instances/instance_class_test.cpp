@@ -23,7 +23,7 @@ TEST(InstanceClass, classes_are_in_alphabetical_order_and_found_by_name) {
     EXPECT_FALSE(each->meaning().empty()) << each->name();
     for (const Shape& shape : each->shapes()) {
       EXPECT_GE(each->cost(shape), 1U) << each->name();
-      EXPECT_TRUE(has_shape(*each, shape)) << each->name();
+      EXPECT_TRUE(each->has(shape)) << each->name();
     }
   }
 }
@@ -39,21 +39,21 @@ TEST(InstanceClass, an_unknown_class_gets_a_suggestion) {
 
 TEST(InstanceClass, shapes_go_beyond_those_listed_but_not_where_there_is_none) {
   const InstanceClass& simplices = instance_class("simplex");
-  EXPECT_TRUE(has_shape(simplices, {2, 3}));
-  EXPECT_TRUE(has_shape(simplices, {8, 9}));
-  EXPECT_FALSE(has_shape(simplices, {9, 9}));
-  EXPECT_FALSE(has_shape(simplices, {7, 11}));
-  EXPECT_FALSE(has_shape(simplices, {3, 2}));
-  EXPECT_FALSE(has_shape(simplices, {0, 2}));
-  EXPECT_FALSE(has_shape(simplices, {1, 0}));
-  EXPECT_FALSE(has_shape(simplices, {-1, -1}));
+  EXPECT_TRUE(simplices.has({2, 3}));
+  EXPECT_TRUE(simplices.has({8, 9}));
+  EXPECT_FALSE(simplices.has({9, 9}));
+  EXPECT_FALSE(simplices.has({7, 11}));
+  EXPECT_FALSE(simplices.has({3, 2}));
+  EXPECT_FALSE(simplices.has({0, 2}));
+  EXPECT_FALSE(simplices.has({1, 0}));
+  EXPECT_FALSE(simplices.has({-1, -1}));
 }
 
 TEST(InstanceClass, a_shape_beyond_those_listed_can_be_drawn) {
   for (const InstanceClass* each : instance_classes()) {
     const Shape largest = each->shapes().back();
     const Shape beyond{largest.k + 1, largest.m + 1};
-    if (!has_shape(*each, beyond)) continue;
+    if (!each->has(beyond)) continue;
     RandomChoices choices(1, 2, 3);
     const auto instance = each->draw(beyond, {}, NoLimits(), choices);
     if (!instance) continue;
