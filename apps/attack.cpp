@@ -72,6 +72,7 @@ ExitStatus replay_witness(const AttackOptions& options) {
   } catch (const InputError& error) {
     throw InputError(options.replay + ": " + error.what());
   }
+  if (!replay->remark.empty()) std::cout << replay->remark << "\n";
   std::cout << replay->claim.name << ": the hypotheses are " << name_of(replay->hypotheses) << "\n";
   if (const auto& conclusion = replay->conclusion) {
     std::cout << conclusion->text << ": " << name_of(conclusion->verdict) << ", ratio " << ratio_text(conclusion->ratio)

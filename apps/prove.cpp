@@ -13,6 +13,7 @@
 #include "apps/other_programs.hpp"
 #include "apps/proof_report.hpp"
 #include "proofs/prover/proof_log.hpp"
+#include "properties/attack/claim_text.hpp"
 #include "support/atomic_file.hpp"
 #include "support/error.hpp"
 
@@ -44,7 +45,8 @@ class Report {
         if (is_asked_for(step)) prove_one(claim, step, log);
       }
       if (!options_.log.empty() && !log.empty()) {
-        write_file_atomically(std::filesystem::path(options_.log) / (claim.name + ".jsonl"), proof_log_head() + log);
+        write_file_atomically(std::filesystem::path(options_.log) / (claim.name + ".jsonl"),
+                              proof_log_head(claim.name, claim.file, file_text_of(claim)) + log);
       }
     }
     for (const std::string& name : options_.steps) {

@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "proofs/certificate/sha256.hpp"
+
 namespace delcert {
 
 namespace {
@@ -173,6 +175,13 @@ std::string proof_log_line(const std::string& claim, const Step& step, const std
          "\n";
 }
 
-std::string proof_log_head() { return Json{{"format", "delcert-proof-log"}, {"version", 1}}.dump() + "\n"; }
+std::string proof_log_head(const std::string& claim, const std::string& file, const std::string& text) {
+  Sha256 hash;
+  hash.update(text);
+  return Json{{"format", "delcert-proof-log"}, {"version", 2}, {"claim", claim}, {"file", file},
+              {"sha256", hash.digest()},       {"text", text}}
+             .dump() +
+         "\n";
+}
 
 }  // namespace delcert

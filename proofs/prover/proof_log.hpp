@@ -14,7 +14,8 @@ namespace delcert {
 [[nodiscard]] std::string proof_log_line(const std::string& claim, const Step& step,
                                          const std::map<std::string, Rational>& constants, const StepOutcome& outcome);
 
-/// The first line of a log.
-[[nodiscard]] std::string proof_log_head();
+/// The first line of a log: the name of the claim, that of its file, and the file's text with its SHA-256. Without line
+/// breaks in it, whatever the text is.
+[[nodiscard]] std::string proof_log_head(const std::string& claim, const std::string& file, const std::string& text);
 
 }  // namespace delcert

@@ -13,6 +13,14 @@ namespace delcert::replay {
 class Rejected : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+  /// On this line of the log, counted from 1.
+  Rejected(const std::string& what, std::size_t line) : std::runtime_error(what), line_(line) {}
+
+  /// 0 if it is not known.
+  std::size_t line() const { return line_; }
+
+ private:
+  std::size_t line_ = 0;
 };
 
 /// What is no log at all: status 3.

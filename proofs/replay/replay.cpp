@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "proofs/replay/digest.hpp"
 #include "proofs/replay/enclosure.hpp"
 #include "proofs/replay/polynomial.hpp"
 #include "proofs/replay/squares.hpp"
@@ -301,17 +302,19 @@ void require_stated_hypotheses(const Json& step, const StatedStep& stated) {
 }
 
 /// A log proves what its steps say; that this is what the file says is another question.
-void require_stated(const Json& step, const StatedClaims& claims) {
-  const auto claim = claims.find(step.at("claim").get<std::string>());
-  if (claim == claims.end()) throw Rejected("rule claim: no claim of this name is known; --claims names its file");
-  const auto found = claim->second.steps.find(step.at("step").get<std::string>());
-  if (found == claim->second.steps.end())
-    throw Rejected("rule step: " + claim->second.source + " has none of this name");
+void require_stated(const Json& step, const std::string& name, const StatedClaim& claim) {
+  if (step.at("claim").get<std::string>() != name) throw Rejected("rule claim: the log is one of " + name);
+  const auto found = claim.steps.find(step.at("step").get<std::string>());
+  if (found == claim.steps.end()) throw Rejected("rule step: " + claim.source + " has none of this name");
   const StatedStep& stated = found->second;
-  require_stated_ranges(step, stated);
-  require_stated_hypotheses(step, stated);
-  const std::string logged = text_of(*read_statement(step.at("statement").get<std::string>()));
-  if (logged != stated.statement) throw Rejected("rule statement: " + logged + ", stated is " + stated.statement);
+  try {
+    require_stated_ranges(step, stated);
+    require_stated_hypotheses(step, stated);
+    const std::string logged = text_of(*read_statement(step.at("statement").get<std::string>()));
+    if (logged != stated.statement) throw Rejected("rule statement: " + logged + ", stated is " + stated.statement);
+  } catch (const Rejected& rejected) {
+    throw Rejected(std::string(rejected.what()) + " (" + claim.source + ":" + std::to_string(stated.line) + ")");
+  }
 }
 
 Totals replay_step(const Json& step) {
@@ -351,46 +354,82 @@ Totals replay_step(const Json& step) {
   return totals;
 }
 
-}  // namespace
-
-namespace {
+/// The first line: which claim, and its text.
+Totals read_head(const Json& head) {
+  if (head.at("format") != "delcert-proof-log" || head.at("version") != 2) throw Malformed("no log of version 2");
+  Totals totals;
+  totals.claim = head.at("claim").get<std::string>();
+  totals.file = head.at("file").get<std::string>();
+  const auto text = head.at("text").get<std::string>();
+  StatedClaims carried;
+  add_claim(carried, text, "the text in the log");
+  const auto found = carried.find(totals.claim);
+  if (found == carried.end()) throw Rejected("rule claim: the text in the log is not that of " + totals.claim);
+  totals.stated = found->second;
+  totals.by_its_own_text = true;
+  const auto sum = head.at("sha256").get<std::string>();
+  if (sum != totals.stated.sha256)
+    throw Rejected("rule hash: the text in the log has SHA-256 " + totals.stated.sha256 + ", the log says " + sum);
+  return totals;
+}
 
 /// Without claims nothing is said of where the statements come from.
-Totals replay_log(std::istream& log, const StatedClaims* claims) {
-  Totals totals;
+Totals replay_log(std::istream& log, const StatedClaims* claims, UnknownClaim unknown) {
   std::string line;
+  std::size_t number = 1;
   try {
     if (!std::getline(log, line)) throw Malformed("an empty file");
-    const Json head = Json::parse(line);
-    if (head.at("format") != "delcert-proof-log" || head.at("version") != 1) throw Malformed("no log of version 1");
+    Totals totals = read_head(Json::parse(line));
+    const std::string carried = totals.stated.sha256;
+    if (claims != nullptr) {
+      const auto known = claims->find(totals.claim);
+      if (known != claims->end()) {
+        totals.stated = known->second;
+        totals.by_its_own_text = false;
+      } else if (unknown == UnknownClaim::rejected) {
+        throw Rejected("rule claim: no claim " + totals.claim + " is known; --claims names its file");
+      }
+    }
     while (std::getline(log, line)) {
+      ++number;
       const Json step = Json::parse(line);
       const std::string name = step.at("claim").get<std::string>() + " / " + step.at("step").get<std::string>();
       try {
-        if (claims != nullptr) require_stated(step, *claims);
+        if (claims != nullptr) require_stated(step, totals.claim, totals.stated);
         const Totals one = replay_step(step);
         totals.steps += one.steps;
         totals.goals += one.goals;
         totals.leaves += one.leaves;
-        totals.proved[step.at("claim").get<std::string>()].insert(step.at("step").get<std::string>());
+        totals.proved.insert(step.at("step").get<std::string>());
       } catch (const Rejected& rejected) {
         throw Rejected(name + ": " + rejected.what());
       } catch (const Malformed& malformed) {
         throw Malformed(name + ": " + malformed.what());
       }
     }
+    number = 1;
+    if (totals.stated.sha256 != carried) {
+      throw Rejected("rule text: " + totals.stated.source + " has changed since the log was written: its SHA-256 is " +
+                     totals.stated.sha256 + ", that of the text in the log " + carried);
+    }
+    return totals;
   } catch (const Json::exception& error) {
-    throw Malformed(error.what());
+    throw Malformed("line " + std::to_string(number) + ": " + error.what());
+  } catch (const Malformed& malformed) {
+    throw Malformed("line " + std::to_string(number) + ": " + malformed.what());
+  } catch (const Rejected& rejected) {
+    throw Rejected(rejected.what(), number);
   } catch (const std::out_of_range&) {
-    throw Rejected("a number of what is not there");
+    throw Rejected("a number of what is not there", number);
   }
-  return totals;
 }
 
 }  // namespace
 
-Totals replay(std::istream& log, const StatedClaims& claims) { return replay_log(log, &claims); }
+Totals replay(std::istream& log, const StatedClaims& claims, UnknownClaim unknown) {
+  return replay_log(log, &claims, unknown);
+}
 
-Totals replay_as_logged(std::istream& log) { return replay_log(log, nullptr); }
+Totals replay_as_logged(std::istream& log) { return replay_log(log, nullptr, UnknownClaim::by_the_log); }
 
 }  // namespace delcert::replay

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "proofs/replay/builtin_steps.hpp"
+#include "proofs/replay/digest.hpp"
 #include "proofs/replay/formula.hpp"
 
 namespace delcert::replay {
@@ -117,6 +118,7 @@ StatedStep read_step(const toml::table& table) {
     }
   }
   step.statement = expression(table.get("claim"), "the claim of a step");
+  step.line = table.source().begin.line;
   return step;
 }
 
@@ -153,7 +155,7 @@ std::string text_of(const StatedRange& range) {
 void add_claim(StatedClaims& claims, std::string_view text, const std::string& source) {
   try {
     const toml::table table = toml::parse(text);
-    StatedClaim claim{source, {}};
+    StatedClaim claim{source, sha256_of(text), {}};
     if (const toml::node* steps = table.get("step")) {
       if (!steps->is_array()) throw Malformed("the key step is no list of tables");
       for (const toml::node& node : *steps->as_array()) {

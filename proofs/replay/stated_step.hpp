@@ -30,11 +30,13 @@ struct StatedStep {
   std::map<std::string, StatedRange> parameters;
   std::vector<std::string> hypotheses;  ///< S-expressions
   std::string statement;
+  std::size_t line = 0;  ///< of the file, where its table begins
 };
 
 /// The steps of one claim's file by name.
 struct StatedClaim {
   std::string source;  ///< the file
+  std::string sha256;  ///< of its text
   std::map<std::string, StatedStep> steps;
 };
 

@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "kernel/number/exact_text.hpp"
+#include "proofs/certificate/file_text.hpp"
+#include "proofs/formula/builtin_claims.hpp"
 
 namespace delcert {
 
@@ -39,6 +41,13 @@ std::string claim_text(const Claim& claim) {
   }
   for (const Conclusion& conclusion : claim.conclusions) result += "\n[[show]]\n" + statement_text(conclusion);
   return result;
+}
+
+std::string file_text_of(const Claim& claim) {
+  for (const auto& [name, text] : builtin_claims()) {
+    if (claim.file == "proofs/claims/" + name + ".toml") return text;
+  }
+  return read_text(claim.file);
 }
 
 }  // namespace delcert

@@ -11,4 +11,8 @@ namespace delcert {
 /// Precondition: the claim is about a class of instances.
 [[nodiscard]] std::string claim_text(const Claim& claim);
 
+/// The text of the file that the claim was read from: of the library's, or of what is on the disk now. Throws
+/// InputError if it cannot be read.
+[[nodiscard]] std::string file_text_of(const Claim& claim);
+
 }  // namespace delcert

@@ -20,10 +20,14 @@ struct Replay {
     std::optional<DoubleBounds> ratio;  ///< see `Evaluation::ratio`
   };
   std::optional<Outcome> conclusion;
+  /// Whether the claim that the witness names is now what it was then, if the text in the witness was decided; why not
+  /// known, or what has changed, else empty.
+  std::string remark = {};
 };
 
-/// Decides the claim that the witness names, or this one (a name or a file). Nothing of an attack enters. Throws
-/// InputError if there is no such claim, or it is about another class of instances.
+/// Decides the claim whose text the witness carries, in whatever folder; or this one (a name or a file); or, of a
+/// witness without a text, the claim that it names. Nothing of an attack enters. Throws InputError if there is no such
+/// claim, or it is about another class of instances.
 [[nodiscard]] Replay replayed(const Witness& witness, const std::string& claim = "");
 
 }  // namespace delcert

@@ -4,6 +4,7 @@
 
 #include "properties/attack/attempt.hpp"
 #include "properties/attack/claim_library.hpp"
+#include "properties/attack/claim_text.hpp"
 #include "properties/attack/claim_variants.hpp"
 #include "properties/attack/shrink.hpp"
 #include "properties/attack/tally.hpp"
@@ -99,8 +100,9 @@ std::string twin_name(const Claim& claim) {
 }
 
 Witness witness_of(const Claim& claim, std::size_t conclusion, Bindings bindings) {
-  return {reference_of(claim), claim.conclusions.at(conclusion).name, twin_name(claim), claim.instance,
-          std::move(bindings)};
+  return {reference_of(claim), claim.conclusions.at(conclusion).name,
+          twin_name(claim),    claim.instance,
+          std::move(bindings), statement_of(claim)};
 }
 
 std::string witness_file_name(const Claim& claim, const std::string& conclusion) {
@@ -115,6 +117,19 @@ void require_witness_of(const Claim& claim, const Witness& witness) {
   }
   (void)conclusion_called(claim, witness.conclusion);
   require_names_of(claim, witness.bindings);
+}
+
+std::string statement_of(const Claim& claim) {
+  Claim named = claim;
+  named.name = original_name(claim);
+  return claim_text(named);
+}
+
+Claim claim_in(const Witness& witness) {
+  Claim result = parse_claim(witness.text, "the text in the witness", full_vocabulary(), all_signatures());
+  if (!witness.twin.empty()) result.name += "/" + witness.twin;
+  require_witness_of(result, witness);
+  return result;
 }
 
 Claim claim_of(const Witness& witness, const std::string& claim) {

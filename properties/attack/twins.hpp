@@ -33,8 +33,15 @@ namespace delcert {
 /// Throws InputError unless the witness can speak of this claim or twin: its class, its conclusion, its parameters.
 void require_witness_of(const Claim& claim, const Witness& witness);
 
-/// The claim or twin that a witness speaks of; `claim`, if it is not empty, is the claim to take instead of the one
-/// that the witness names. Throws InputError if there is none, or the witness cannot speak of it.
+/// The text of a claim or twin, under the name of the claim, that witnesses carry.
+[[nodiscard]] std::string statement_of(const Claim& claim);
+
+/// The claim or twin whose text the witness carries. Throws InputError if this is no claim, or the witness cannot speak
+/// of it. Precondition: there is a text.
+[[nodiscard]] Claim claim_in(const Witness& witness);
+
+/// The claim or twin that a witness speaks of, as it is now; `claim`, if it is not empty, is the claim to take instead
+/// of the one that the witness names. Throws InputError if there is none, or the witness cannot speak of it.
 [[nodiscard]] Claim claim_of(const Witness& witness, const std::string& claim = "");
 
 /// Refuted: all hypotheses hold and the conclusion does not, decided exactly; proved: a hypothesis does not hold, or

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "kernel/number/exact_text.hpp"
+#include "proofs/certificate/sha256.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
@@ -60,6 +61,12 @@ std::string text_at(const Json& json, const std::string& key) {
   return json.at(key).get<std::string>();
 }
 
+std::string sha256_of(const std::string& text) {
+  Sha256 hash;
+  hash.update(text);
+  return hash.digest();
+}
+
 /// Not twice the same key, which the library would take silently.
 Json parse(const std::string& text) {
   std::vector<std::set<std::string>> open;
@@ -102,11 +109,15 @@ Bindings bindings_from(const Json& json, const Vocabulary& vocabulary, const Sig
 
 std::string witness_text(const Witness& witness) {
   Json json;
-  json["delcert_witness"] = 1;
+  json["delcert_witness"] = witness.text.empty() ? 1 : 2;
   json["claim"] = witness.claim;
   json["conclusion"] = witness.conclusion;
   json["twin"] = witness.twin;
   json["instance"] = witness.instance_class;
+  if (!witness.text.empty()) {
+    json["text"] = witness.text;
+    json["sha256"] = sha256_of(witness.text);
+  }
   json["bindings"] = bindings_json(witness.bindings, instance_class(witness.instance_class).signature());
   return json.dump(1) + "\n";
 }
@@ -114,17 +125,27 @@ std::string witness_text(const Witness& witness) {
 Witness parse_witness(const std::string& text, const std::string& file) {
   try {
     const Json json = parse(text);
-    if (!json.is_object() || !json.contains("delcert_witness") || json.at("delcert_witness") != 1) {
-      throw InputError("not a witness of version 1 (key delcert_witness)");
+    const bool has_version = json.is_object() && json.contains("delcert_witness");
+    const bool has_text = has_version && json.at("delcert_witness") == 2;
+    if (!has_text && !(has_version && json.at("delcert_witness") == 1)) {
+      throw InputError("not a witness of version 1 or 2 (key delcert_witness)");
     }
     for (const auto& [key, value] : json.items()) {
       if (key != "delcert_witness" && key != "claim" && key != "conclusion" && key != "twin" && key != "instance" &&
-          key != "bindings") {
+          key != "bindings" && !(has_text && (key == "text" || key == "sha256"))) {
         throw InputError("unknown key " + key);
       }
     }
     Witness witness{
         text_at(json, "claim"), text_at(json, "conclusion"), text_at(json, "twin"), text_at(json, "instance"), {}};
+    if (has_text) {
+      witness.text = text_at(json, "text");
+      const std::string sum = text_at(json, "sha256");
+      if (witness.text.empty()) throw InputError("the key text expects the text of a claim");
+      if (sum != sha256_of(witness.text)) {
+        throw InputError("the key sha256 is " + sum + ", the SHA-256 of the key text " + sha256_of(witness.text));
+      }
+    }
     if (!json.contains("bindings")) throw InputError("the key bindings is missing");
     const InstanceClass& its_class = instance_class(witness.instance_class);
     witness.bindings = bindings_from(json.at("bindings"), full_vocabulary(), its_class.signature());

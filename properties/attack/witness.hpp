@@ -14,6 +14,8 @@ struct Witness {
   std::string twin;        ///< "" for the claim itself, else the name of the twin's conclusion or dropped hypothesis
   std::string instance_class;  ///< what the bindings are an instance of
   Bindings bindings;
+  /// The claim or twin as it was then (`claim_text`, under the name of the claim); "" in a file of version 1.
+  std::string text = {};
 };
 
 /// The bindings as JSON: {"name": {"number": "p/q"}, …}, kinds by the signature and "number" for parameters.
@@ -23,10 +25,11 @@ struct Witness {
 [[nodiscard]] Bindings bindings_from(const nlohmann::ordered_json& json, const Vocabulary& vocabulary,
                                      const Signature& signature);
 
-/// The text of a witness file (docs/claim-format.md).
+/// The text of a witness file (docs/attacks.md, "Replay it"): of version 2, with the text of the claim and its SHA-256,
+/// or of version 1 if the witness has no such text.
 [[nodiscard]] std::string witness_text(const Witness& witness);
 /// Reads it back, and has the instance class check the instance. Throws InputError, naming `file`, for anything that is
-/// not a witness, or has unknown keys.
+/// not a witness, has unknown keys, or has a text of another SHA-256 than it says.
 [[nodiscard]] Witness parse_witness(const std::string& text, const std::string& file);
 /// The same from a file. Throws InputError also if it cannot be read or is larger than 64 MiB.
 [[nodiscard]] Witness read_witness(const std::string& file);

@@ -23,7 +23,7 @@ delcert_cli_test(attack-replay STATUS 1 ERROR "^$" FIXTURES attack-found
   COMMAND ${delcert} attack --replay attack-found/circumradius-below-edge.radius.json)
 delcert_cli_test(attack-replay-of-another-claim STATUS 0 ERROR "^$" FIXTURES attack-found OUTPUT ": proved, ratio 0[.]"
   COMMAND ${delcert} attack ${claims}/circumradius-by-thickness.toml --replay attack-found/circumradius-below-edge.radius.json)
-delcert_cli_test(attack-json STATUS 1 ERROR "^$" OUTPUT "^{\n \"seed\": 7,\n \"least_instances\": 100,.*\"totals\": .*\"refutations\": .*\"delcert_witness\": 1"
+delcert_cli_test(attack-json STATUS 1 ERROR "^$" OUTPUT "^{\n \"seed\": 7,\n \"least_instances\": 100,.*\"totals\": .*\"refutations\": .*\"delcert_witness\": 2"
   COMMAND ${delcert} attack ${claims}/circumradius-below-edge.toml --samples 50 --shape 2,2 --seed 7 --json)
 delcert_cli_test(attack-never-met STATUS 2 ERROR "^$" OUTPUT "not attacked: never, no sample met its hypotheses"
   COMMAND ${delcert} attack never.toml --samples 5 --shape 1,1)

@@ -18,6 +18,7 @@ foreach(step "vacuous;x > 1;x = 7" "perhaps;x^2 = 1/2;x <= 1")
     "name = '${name}'\n[[step]]\nname = 'only'\nforall = { x = '[0, 1]' }\ngiven = ['${given}']\nclaim = '${claim}'\n")
 endforeach()
 file(WRITE ${folder}/no-log.jsonl "{}\n")
+file(WRITE ${folder}/not-library/claim.toml "name = 'thickness-under-distortion'\n[[step]]\nname = 'longest-edge-ratio'\nforall = { eta = '(0, 1]', u = '(0, 1]', theta = '[0, 1]' }\nlet = { xi = 'theta*(eta*u/2)^2' }\nclaim = '1/(1 + xi) >= 0'\n")
 
 delcert_cli_test(prove-right STATUS 0 ERROR "^$" OUTPUT "right / only .* proved .*1 proved, 0 refuted, 0 undecided"
   COMMAND ${delcert} prove prove/right.toml)
@@ -66,9 +67,22 @@ delcert_cli_test(prove-log STATUS 0 ERROR "^$" OUTPUT "1 proved" FIXTURE_SETUP p
 delcert_cli_test(replay STATUS 0 ERROR "^$" FIXTURES proof-log
   OUTPUT "^accepted prove/logs/right.jsonl: 1 of 1 steps of prove/right.toml, 1 goals, [0-9]+ leaves\n$"
   COMMAND ${replay} --claims prove/right.toml prove/logs/right.jsonl)
-delcert_cli_test(replay-unknown-claim STATUS 1 ERROR "^$" OUTPUT "^rejected .*right / only: rule claim: .*--claims" FIXTURES proof-log
-  COMMAND ${replay} prove/logs/right.jsonl)
-delcert_cli_test(replay-tampered STATUS 1 ERROR "^$" OUTPUT "^rejected .*right / only: rule statement: .*1 5.*, stated is .*1 4" FIXTURES proof-log
+delcert_cli_test(replay-unknown-claim STATUS 1 ERROR "^$" OUTPUT "^rejected prove/logs/right.jsonl:1: rule claim: .*--claims" FIXTURES proof-log
+  COMMAND ${replay} --claims prove/wrong.toml prove/logs/right.jsonl)
+# From another folder, where the file is not.
+delcert_cli_test(replay-by-the-text-in-the-log STATUS 0 ERROR "^$" FIXTURES proof-log
+  OUTPUT "^accepted ../logs/right.jsonl: 1 of 1 steps of right as the text in the log states it .SHA-256 [0-9a-f]+; --claims compares with a file., 1 goals, [0-9]+ leaves\n$"
+  COMMAND sh -c "mkdir -p prove/elsewhere && cd prove/elsewhere && $<TARGET_FILE:delcert-replay> ../logs/right.jsonl")
+# The file, with a comment more, and the same statement.
+delcert_cli_test(replay-changed-file STATUS 1 ERROR "^$" FIXTURES proof-log
+  OUTPUT "prove/right.toml has changed since ../logs/right.jsonl was written\nrejected ../logs/right.jsonl:1: rule text: prove/right.toml has changed since the log was written: its SHA-256 is [0-9a-f]+, that of the text in the log [0-9a-f]+\n$"
+  COMMAND sh -c "mkdir -p prove/changed/prove && cd prove/changed && (cat ../right.toml && echo '# changed') > prove/right.toml && $<TARGET_FILE:delcert-replay> ../logs/right.jsonl && $<TARGET_FILE:delcert-replay> --claims prove/right.toml ../logs/right.jsonl")
+delcert_cli_test(replay-changed-text STATUS 1 ERROR "^$" OUTPUT "^rejected prove/retold.jsonl:1: rule hash: " FIXTURES proof-log
+  COMMAND sh -c "sed '1s|name = |name  = |' prove/logs/right.jsonl > prove/retold.jsonl && $<TARGET_FILE:delcert-replay> --claims prove/right.toml prove/retold.jsonl")
+# Nobody can pass off a text of their own for a claim of the library.
+delcert_cli_test(replay-not-the-library STATUS 1 ERROR "^$" OUTPUT "^rejected prove/not-library/thickness-under-distortion.jsonl:2: thickness-under-distortion / longest-edge-ratio: rule statement: .*proofs/claims/thickness-under-distortion.toml:[0-9]+"
+  COMMAND sh -c "$<TARGET_FILE:delcert> prove prove/not-library/claim.toml --log prove/not-library > prove/not-library/table.txt && $<TARGET_FILE:delcert-replay> prove/not-library/thickness-under-distortion.jsonl")
+delcert_cli_test(replay-tampered STATUS 1 ERROR "^$" OUTPUT "^rejected prove/tampered.jsonl:2: right / only: rule statement: .*1 5.*, stated is .*1 4" FIXTURES proof-log
   COMMAND sh -c "sed 's|(/ 1 4)|(/ 1 5)|' prove/logs/right.jsonl > prove/tampered.jsonl && $<TARGET_FILE:delcert-replay> --claims prove/right.toml prove/tampered.jsonl")
 # Right proofs of something else under the claim's name: another claim, a narrower range, one more hypothesis.
 foreach(forgery "statement;[0, 1];0 <= 1;" "ranges;[0, 1/2];x*(1 - x) <= 1/4;" "hypotheses;[0, 1];x*(1 - x) <= 1/4;given = ['y < x']\n")
@@ -79,7 +93,7 @@ foreach(forgery "statement;[0, 1];0 <= 1;" "ranges;[0, 1/2];x*(1 - x) <= 1/4;" "
   file(WRITE ${folder}/forged-${rule}/right.toml
     "name = 'right'\n[[step]]\nname = 'only'\nforall = { x = '${range}', y = '[0, 1]' }\n${more}claim = '${claim}'\n")
   delcert_cli_test(replay-forged-${rule} STATUS 1 ERROR "^$"
-    OUTPUT "^accepted prove/forged-${rule}/right.jsonl: .*rejected prove/forged-${rule}/right.jsonl: right / only: rule ${rule}: [^\n]*\n$"
+    OUTPUT "^accepted prove/forged-${rule}/right.jsonl: .*rejected prove/forged-${rule}/right.jsonl:2: right / only: rule ${rule}: [^\n]* .prove/right.toml:2.\n$"
     COMMAND sh -c "$<TARGET_FILE:delcert> prove prove/forged-${rule}/right.toml --log prove/forged-${rule} > prove/forged-${rule}/table.txt && $<TARGET_FILE:delcert-replay> --claims prove/forged-${rule}/right.toml prove/forged-${rule}/right.jsonl && $<TARGET_FILE:delcert-replay> --claims prove/right.toml prove/forged-${rule}/right.jsonl")
 endforeach()
 delcert_cli_test(replay-claims-of-a-folder STATUS 3 OUTPUT "^$" ERROR "delcert-replay: error: prove/malformed.toml: step only: no range" FIXTURES proof-log

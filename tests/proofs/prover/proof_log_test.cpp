@@ -41,7 +41,17 @@ TEST(ProofLog, says_what_was_proved_and_how) {
   EXPECT_EQ(goal["statement"], "(implies (> xi 0) (>= (/ 1 (+ 1 xi)) (/ 4 5)))");
   EXPECT_EQ(goal["trees"], Json::array({"leaf"}));
   EXPECT_EQ(goal["atoms"].size(), 2U);
-  EXPECT_EQ(Json::parse(proof_log_head())["version"], 1);
+}
+
+TEST(ProofLog, carries_the_text_of_the_claim_on_one_line) {
+  const std::string head = proof_log_head("c", "folder/c.toml", "name = 'c'\n");
+  EXPECT_EQ(head.find('\n'), head.size() - 1);
+  const Json json = Json::parse(head);
+  EXPECT_EQ(json["version"], 2);
+  EXPECT_EQ(json["file"], "folder/c.toml");
+  EXPECT_EQ(json["text"], "name = 'c'\n");
+  // printf "name = 'c'\n" | sha256sum
+  EXPECT_EQ(json["sha256"], "937b52be88f6233d2b5de2457c4493912812e9603a7679e0c9549bcb292f21be");
 }
 
 TEST(ProofLog, has_the_tree_of_boxes) {

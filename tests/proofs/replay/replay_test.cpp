@@ -26,7 +26,7 @@ Json logged(const std::string& lines) {
 
 /// "accepted", or why not.
 std::string replayed(const Json& step) {
-  std::istringstream log(proof_log_head() + step.dump() + "\n");
+  std::istringstream log(proof_log_head("c", "c.toml", "name = 'c'") + step.dump() + "\n");
   try {
     const replay::Totals totals = replay::replay_as_logged(log);
     EXPECT_EQ(totals.steps, 1U);
@@ -101,8 +101,8 @@ TEST(Replay, rejects_a_divisor_that_is_left_out) {
 }
 
 TEST(Replay, rejects_a_missing_leaf_goal_and_comparison) {
-  EXPECT_EQ(changed(logged(cut), [](Json& step) { step["goals"][0]["trees"][0][4] = nullptr; }).substr(0, 17),
-            "malformed: c / a:");
+  EXPECT_EQ(changed(logged(cut), [](Json& step) { step["goals"][0]["trees"][0][4] = nullptr; }).substr(0, 25),
+            "malformed: line 2: c / a:");
   EXPECT_EQ(changed(logged(cut), [](Json& step) { step["goals"][0]["trees"] = Json::array(); }),
             "c / a: goal 1: as many trees as the ranges have parts not");
   EXPECT_EQ(changed(logged(cut), [](Json& step) { step["goals"][0]["trees"][0] = "leaf"; }).substr(0, 42),
@@ -169,25 +169,37 @@ TEST(Replay, rejects_exponents_without_a_meaning) {
 }
 
 TEST(Replay, refuses_what_is_no_log) {
-  for (const char* text : {"", "{}\n", "{\"format\":\"delcert-proof-log\",\"version\":2}\n", "[1\n",
-                           "{\"format\":\"delcert-proof-log\",\"version\":1}\n{}\n"}) {
+  for (const char* text : {"", "{}\n", "{\"format\":\"delcert-proof-log\",\"version\":1}\n", "[1\n",
+                           "{\"format\":\"delcert-proof-log\",\"version\":2}\n"}) {
     std::istringstream log(text);
     EXPECT_THROW((void)replay::replay_as_logged(log), replay::Malformed) << text;
   }
+  const std::string head = proof_log_head("c", "c.toml", "name = 'c'");
+  std::istringstream empty_step(head + "{}\n");
+  EXPECT_THROW((void)replay::replay_as_logged(empty_step), replay::Malformed);
+  std::istringstream no_toml(proof_log_head("c", "c.toml", "name = "));
+  EXPECT_THROW((void)replay::replay_as_logged(no_toml), replay::Malformed);
 }
 
-/// "accepted", or why the log of a step is not one of what the file states.
-std::string held_to(const std::string& lines, const Json& step) {
-  std::istringstream log(proof_log_head() + step.dump() + "\n");
+std::string file_with(const std::string& lines) { return "name = 'c'\n[[step]]\nname = 'a'\n" + lines; }
+
+/// "accepted", or why not and on which line, of a log of these lines against a file of the claim.
+std::string held_to_file(const std::string& file, const std::string& head, const Json& step) {
+  std::istringstream log(head + step.dump() + "\n");
   replay::StatedClaims claims;
-  replay::add_claim(claims, "name = 'c'\n[[step]]\nname = 'a'\n" + lines, "c.toml");
+  add_claim(claims, file, "c.toml");
   try {
     const replay::Totals totals = replay::replay(log, claims);
-    EXPECT_TRUE(totals.proved.at("c").contains("a"));
+    EXPECT_TRUE(totals.claim == "c" && totals.proved.contains("a") && !totals.by_its_own_text);
     return "accepted";
   } catch (const replay::Rejected& rejected) {
-    return rejected.what();
+    return std::to_string(rejected.line()) + ": " + rejected.what();
   }
+}
+
+/// The same of a log that carries the file's text.
+std::string held_to(const std::string& lines, const Json& step) {
+  return held_to_file(file_with(lines), proof_log_head("c", "c.toml", file_with(lines)), step);
 }
 
 // Each log is a right proof of something else than the file states: only the comparison with the file rejects it.
@@ -195,7 +207,7 @@ void expect_forgery_rejected(const std::string& stated, const std::string& forge
   const Json log = logged(forged);
   EXPECT_EQ(replayed(log), "accepted") << forged;
   EXPECT_EQ(held_to(forged, log), "accepted") << forged;
-  EXPECT_EQ(held_to(stated, log), "c / a: rule " + why) << forged;
+  EXPECT_EQ(held_to(stated, log), "2: c / a: rule " + why + " (c.toml:2)") << forged;
 }
 
 TEST(ReplayedStatements, are_those_of_the_file) {
@@ -247,15 +259,50 @@ TEST(ReplayedStatements, have_the_hypotheses_of_the_file) {
 TEST(ReplayedStatements, are_of_a_claim_and_a_step_that_are_known) {
   Json log = logged(polynomial);
   log["step"] = "b";
-  EXPECT_EQ(held_to(polynomial, log), "c / b: rule step: c.toml has none of this name");
+  EXPECT_EQ(held_to(polynomial, log), "2: c / b: rule step: c.toml has none of this name");
   log["claim"] = "d";
-  EXPECT_EQ(held_to(polynomial, log), "d / b: rule claim: no claim of this name is known; --claims names its file");
+  EXPECT_EQ(held_to(polynomial, log), "2: d / b: rule claim: the log is one of c");
+}
+
+// Each step of these logs is as the file states it, and proved.
+TEST(ReplayedStatements, come_with_the_text_of_the_file) {
+  const std::string file = file_with(cut);
+  const Json step = logged(cut);
+  const std::string head = proof_log_head("c", "c.toml", file);
+  EXPECT_EQ(held_to_file(file, head, step), "accepted");
+  EXPECT_EQ(held_to_file(file + "\n# changed", head, step).substr(0, 70),
+            "1: rule text: c.toml has changed since the log was written: its SHA-25");
+  Json forged = Json::parse(head);
+  forged["text"] = file + "\n# changed";
+  EXPECT_EQ(held_to_file(file, forged.dump() + "\n", step).substr(0, 44),
+            "1: rule hash: the text in the log has SHA-25");
+  EXPECT_EQ(held_to_file(file, proof_log_head("d", "c.toml", file), step),
+            "1: rule claim: the text in the log is not that of d");
+  EXPECT_EQ(held_to_file("name = 'd'", head, step), "1: rule claim: no claim c is known; --claims names its file");
+}
+
+TEST(ReplayedStatements, of_a_claim_without_a_file_are_those_of_the_text_in_the_log) {
+  const auto alone = [](const std::string& lines, const Json& step) -> std::string {
+    std::istringstream log(proof_log_head("c", "there/c.toml", file_with(lines)) + step.dump() + "\n");
+    try {
+      const replay::Totals totals = replay::replay(log, {}, replay::UnknownClaim::by_the_log);
+      EXPECT_TRUE(totals.by_its_own_text && totals.file == "there/c.toml");
+      return "accepted";
+    } catch (const replay::Rejected& rejected) {
+      return rejected.what();
+    }
+  };
+  EXPECT_EQ(alone(cut, logged(cut)), "accepted");
+  EXPECT_EQ(
+      alone("forall = { x = '[0, 1]' }\nclaim = 'x*(1 - x) <= 1/5'",
+            logged("forall = { x = '[0, 1]' }\nclaim = 'x*(1 - x) <= 1'")),
+      "c / a: rule statement: (<= (* x (- 1 x)) 1), stated is (<= (* x (- 1 x)) (/ 1 5)) (the text in the log:2)");
 }
 
 TEST(ReplayedStatements, of_a_claim_as_stated_need_a_proof_all_the_same) {
   Json log = logged(cut);
   log["goals"][0]["trees"][0] = "leaf";
-  EXPECT_EQ(held_to(cut, log).substr(0, 42), "c / a: goal 1: a leaf that is not proved: ");
+  EXPECT_EQ(held_to(cut, log).substr(0, 45), "2: c / a: goal 1: a leaf that is not proved: ");
 }
 
 }  // namespace DELCERT_THIS_FILE

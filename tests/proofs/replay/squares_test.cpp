@@ -35,7 +35,7 @@ Json logged(const std::string& lines) {
 }
 
 std::string replayed(const Json& step) {
-  std::istringstream log(proof_log_head() + step.dump() + "\n");
+  std::istringstream log(proof_log_head("c", "c.toml", "name = 'c'") + step.dump() + "\n");
   try {
     (void)replay::replay_as_logged(log);
     return "accepted";

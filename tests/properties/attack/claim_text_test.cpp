@@ -5,6 +5,7 @@
 #include <set>
 
 #include "properties/attack/identity.hpp"
+#include "support/error.hpp"
 #include "tests/properties/attack/small_claims.hpp"
 
 namespace delcert {
@@ -67,6 +68,17 @@ TEST(ClaimText, changes_with_whatever_an_attack_depends_on_and_with_nothing_else
   add([](Claim& changed) { changed.source += "s"; });
   for (const Claim& changed : test::changes_of_right_claim()) texts.insert(claim_text(changed));
   EXPECT_EQ(texts.size(), 9U);
+}
+
+TEST(FileText, is_that_of_the_library_or_of_the_disk) {
+  const Claim of_the_library = find_claim("thickness-and-singular-value");
+  EXPECT_NE(file_text_of(of_the_library).find("name = \"thickness-and-singular-value\""), std::string::npos);
+  const std::string file = DELCERT_SOURCE_DIR "/examples/claims/circumradius-below-edge.toml";
+  EXPECT_EQ(read_claim(file, full_vocabulary(), all_signatures()).name,
+            parse_claim(file_text_of(find_claim(file)), file, full_vocabulary(), all_signatures()).name);
+  Claim gone = of_the_library;
+  gone.file = "no-such-file.toml";
+  EXPECT_THROW((void)file_text_of(gone), InputError);
 }
 
 }  // namespace DELCERT_THIS_FILE

@@ -44,5 +44,43 @@ TEST(Replay, of_another_claim_decides_that_one) {
   EXPECT_THROW((void)replayed(witness_on(R"(["0","1"])"), "no-such-claim"), InputError);
 }
 
+TEST(Replay, needs_no_file_if_the_witness_carries_the_text) {
+  Witness witness = witness_on(R"(["1/2","1/100"])");
+  EXPECT_EQ(replayed(witness).remark, "");
+  witness = witness_of(find_claim(witness.claim), 0, witness.bindings);
+  EXPECT_EQ(replayed(parse_witness(witness_text(witness), "witness")).remark, "");
+  witness.claim = "moved-away.toml";
+  const Replay replay = replayed(parse_witness(witness_text(witness), "witness"));
+  ASSERT_TRUE(replay.conclusion);
+  EXPECT_TRUE(is_refuted(replay.conclusion->verdict));
+  EXPECT_EQ(replay.remark.substr(0, 41), "moved-away.toml cannot be compared with t");
+  witness.text.clear();
+  EXPECT_THROW((void)replayed(witness), InputError);
+}
+
+TEST(Replay, decides_what_was_witnessed_and_says_that_the_file_has_changed) {
+  const Witness before = witness_on(R"(["1/2","1/100"])");
+  Claim other = find_claim(before.claim);
+  other.conclusions[0] =
+      find_claim(DELCERT_SOURCE_DIR "/examples/claims/circumradius-by-thickness.toml").conclusions[0];
+  other.conclusions[0].name = "radius";
+  const Replay replay = replayed(witness_of(other, 0, before.bindings));
+  EXPECT_TRUE(is_proved(replay.conclusion->verdict));
+  EXPECT_EQ(replay.remark,
+            before.claim + " has changed since the witness was written; decided is the text in the witness");
+}
+
+TEST(Replay, of_a_twin_decides_the_twin_in_the_text) {
+  const Claim twin = twins_of(test::right_claim()).at(0);
+  Bindings bindings = test::triangle_bindings(0, 1);
+  bindings["eta"] = Rational(1);
+  const Witness witness = witness_of(twin, 0, bindings);
+  EXPECT_EQ(claim_in(witness).name, twin.name);
+  EXPECT_EQ(statement_of(claim_in(witness)), statement_of(twin));
+  Witness forged = witness;
+  forged.conclusion = "another";
+  EXPECT_THROW((void)claim_in(forged), InputError);
+}
+
 }  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

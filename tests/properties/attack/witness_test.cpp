@@ -21,6 +21,7 @@ Witness good_witness() {
   Witness witness{"thickness-and-singular-value", "dual-basis", "", "simplex",
                   triangle_bindings(Rational(1) / Rational(3), 1)};
   witness.bindings["eta"] = Rational::power_of_two(-100);
+  witness.text = "name = \"thickness-and-singular-value\"\n";
   return witness;
 }
 
@@ -41,6 +42,25 @@ TEST(Witness, a_file_reads_back_to_the_same_file) {
   EXPECT_EQ(witness_text(back), text);
   EXPECT_EQ(back.claim, "thickness-and-singular-value");
   EXPECT_TRUE(std::get<Rational>(back.bindings.at("eta")) == Rational::power_of_two(-100));
+}
+
+TEST(Witness, of_version_1_has_no_text) {
+  Witness witness = good_witness();
+  witness.text.clear();
+  Json json = Json::parse(witness_text(witness));
+  EXPECT_EQ(json["delcert_witness"], 1);
+  EXPECT_FALSE(json.contains("sha256"));
+  EXPECT_EQ(parse_witness(json.dump(), "some.json").text, "");
+  json["text"] = "name = \"a\"";
+  EXPECT_EQ(error_of(json.dump()), "some.json: unknown key text");
+}
+
+TEST(Witness, with_another_text_than_its_hash_says_is_an_error) {
+  Json json = good_json();
+  EXPECT_EQ(json["delcert_witness"], 2);
+  EXPECT_EQ(error_of(json.dump()), "no error");
+  json["text"] = json["text"].get<std::string>() + " ";
+  EXPECT_TRUE(error_of(json.dump()).starts_with("some.json: the key sha256 is ")) << error_of(json.dump());
 }
 
 TEST(Witness, drawn_instances_of_every_class_read_back) {

@@ -49,6 +49,14 @@ void compare_stars(std::uint32_t number, std::size_t count) {
   EXPECT_EQ(*cells, independent_cells<m>(points));
 }
 
+TEST(StarCells, of_a_point_in_one_triangle_of_either_orientation_are_three) {
+  for (const int side : {1, -1}) {
+    const auto at = [side](int x, int y) { return Vector<Rational, 2>{Rational(x), Rational(side * y)}; };
+    const auto cells = star_cells<2>({at(0, 0), at(1, 0), at(-1, 2), at(-1, -3)}, Rational(1));
+    EXPECT_EQ(cells, (StarCells{{0, 1, 2}, {0, 1, 3}, {0, 2, 3}})) << side;
+  }
+}
+
 TEST(StarCells, of_the_square_lattice_are_four_squares) {
   const auto points = square_vectors(3);
   const auto cells = star_cells<2>(points, Rational(2));
