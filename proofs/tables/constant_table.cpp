@@ -240,7 +240,7 @@ std::string constant_table_latex(const std::vector<ConstantEntry>& entries) {
                     entry.worst.empty() ? "--" : latex_text(worst_text(entry))});
   }
   return latex_table(
-      {{"lemma", 62}, {"statement", 106}, {"paper", 26}, {"provable", 34}, {"necessary", 46}, {"ratio", 40}}, rows);
+      {{"lemma", 60}, {"statement", 104}, {"paper", 26}, {"provable", 34}, {"necessary", 46}, {"ratio", 44}}, rows);
 }
 
 }  // namespace delcert
