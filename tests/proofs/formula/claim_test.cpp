@@ -100,9 +100,9 @@ TEST(Claims, errors_in_formulas_point_into_the_file) {
 }
 
 TEST(Claims, texts_of_the_user_are_shown_on_one_line) {
-  EXPECT_EQ(
-      error_of("\"a\\nb\" = 1"),
-      "a.toml:1:1: unknown key a?b, expected: name, title, source, status, instance, note, points, forall, let, given, show, step");
+  EXPECT_EQ(error_of("\"a\\nb\" = 1"),
+            "a.toml:1:1: unknown key a?b, expected: name, title, source, status, instance, note, points, forall, let, "
+            "given, show, step");
   EXPECT_EQ(error_of("name = \"n\"\ninstance = \"a\\nb\"\n"), "a.toml:2:12: no instance class is called a?b");
 }
 
