@@ -432,7 +432,7 @@ class Tables:
             if one and "zero set" in one["counts"]:
                 counted = one["counts"]
                 found = counted["zero set"]
-                radius = " ".join([run.radius, *(option for option in run.options if not option.startswith("--"))])
+                radius = " ".join([run.radius, *(option for key, option in zip(run.options[::2], run.options[1::2]) if key != "--levels")])
                 rows.append([run.manifold + self.mark(run), radius, thousands(counted["points"]),
                              thousands(found["uniformly"]) if found.get("uniformly") else "–",
                              thousands(counted["simplices"]), " ".join(counted["levels"]),
