@@ -5,35 +5,23 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <thread>
 
-#include "apps/claim_options.hpp"
 #include "apps/interruption.hpp"
 #include "apps/other_programs.hpp"
 #include "apps/progress_line.hpp"
+#include "apps/search_options.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "proofs/tables/powers.hpp"
 #include "properties/attack/job_pool.hpp"
 #include "properties/attack/twins.hpp"
-#include "support/atomic_file.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
 
 namespace {
-
-struct PowerOptions {
-  ClaimOptions claims;
-  std::uint64_t evaluations = 2000;
-  std::uint64_t seed = 0;
-  unsigned threads = 0;
-  std::string witnesses;
-  bool json = false;
-};
 
 /// Ends a job of a pool that is told to stop; seen by nobody.
 struct Stopped {};
@@ -101,25 +89,17 @@ void print_json(const std::vector<PowerTarget>& targets, const std::vector<Power
   std::cout << list.dump(1) << "\n";
 }
 
-void write_witness(const PowerTarget& target, const Power& power, std::size_t number, const std::string& folder) {
-  if (!power.witness) return;
-  const std::string& conclusion = target.claim.conclusions[target.conclusion].name;
-  const std::string name =
-      fmt::format("{}.{}.{}-{}.place-{}.json", target.claim.name, conclusion, target.shape.k, target.shape.m, number);
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (failure) throw InputError("--witnesses " + folder + ": " + failure.message());
-  write_file_atomically(std::filesystem::path(folder) / name,
-                        witness_text(witness_of(target.claim, target.conclusion, *power.witness)));
+std::string witness_name(const PowerTarget& target, std::size_t number) {
+  return fmt::format("{}.{}.{}-{}.place-{}.json", target.claim.name, target.claim.conclusions[target.conclusion].name,
+                     target.shape.k, target.shape.m, number);
 }
 
-std::vector<PowerTarget> targets_of(const PowerOptions& options) {
+std::vector<PowerTarget> targets_of(const SearchOptions& options) {
   std::vector<PowerTarget> result;
   for (const Claim& claim : claims_about_instances(options.claims)) {
     const auto places = power_places(claim);
     for (const Shape& shape : shapes_of(options.claims, claim)) {
-      const std::uint64_t cost = std::max<std::uint64_t>(1, instance_class(claim.instance).cost(shape));
-      const std::uint64_t evaluations = std::max<std::uint64_t>(1, options.evaluations / cost);
+      const std::uint64_t evaluations = evaluations_of(options, claim, shape);
       for (const PowerPlace& place : places) {
         if (!place.is_hypothesis) {
           result.push_back({claim, place, place.part, shape, evaluations});
@@ -135,7 +115,7 @@ std::vector<PowerTarget> targets_of(const PowerOptions& options) {
   return result;
 }
 
-std::vector<Power> searched(const std::vector<PowerTarget>& targets, const PowerOptions& options,
+std::vector<Power> searched(const std::vector<PowerTarget>& targets, const SearchOptions& options,
                             const Progress& progress) {
   // The claims' functions live in it: made before the threads ask for it.
   (void)full_vocabulary();
@@ -147,14 +127,12 @@ std::vector<Power> searched(const std::vector<PowerTarget>& targets, const Power
     });
     ++done;
   };
-  const unsigned threads = options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
-  run_jobs(targets.size(), threads, job, [&] { progress("power", done, targets.size()); });
+  run_jobs(targets.size(), threads_of(options), job, [&] { progress("power", done, targets.size()); });
   return results;
 }
 
-ExitStatus run_power(const PowerOptions& options) {
-  constexpr std::uint64_t most = 1000000000000;
-  if (options.evaluations == 0 || options.evaluations > most) throw InputError("--evaluations takes 1 to 10^12");
+ExitStatus run_power(const SearchOptions& options) {
+  require_evaluations(options);
   const std::vector<PowerTarget> targets = targets_of(options);
   std::vector<Power> results;
   {
@@ -164,7 +142,10 @@ ExitStatus run_power(const PowerOptions& options) {
   }
   ExitStatus status = ExitStatus::verified;
   for (std::size_t at = 0; at < results.size(); ++at) {
-    if (!options.witnesses.empty()) write_witness(targets[at], results[at], at + 1, options.witnesses);
+    if (!options.witnesses.empty() && results[at].witness) {
+      write_witness(options, witness_name(targets[at], at + 1),
+                    witness_of(targets[at].claim, targets[at].conclusion, *results[at].witness));
+    }
     if (results[at].scale == Rational(1)) status = ExitStatus::rejected;
     if (!has_power(results[at]) && !results[at].is_weaker && status == ExitStatus::verified) {
       status = ExitStatus::undecided;
@@ -177,15 +158,9 @@ ExitStatus run_power(const PowerOptions& options) {
 }  // namespace
 
 void add_power(CLI::App& program, Action& chosen) {
-  const auto options = std::make_shared<PowerOptions>();
+  const auto options = std::make_shared<SearchOptions>(2000);
   CLI::App* command = add_named(program, about_power);
-  add_claim_options(*command, options->claims);
-  command->add_option("--evaluations", options->evaluations,
-                      "Instances to try for each place and shape (default 2000; fewer where one is costly)");
-  command->add_option("--seed", options->seed, "Seed of the search (default 0)");
-  command->add_option("--threads", options->threads, "Threads (default: all; the result does not depend on it)");
-  command->add_option("--witnesses", options->witnesses, "Folder for the instances that refute the changed claims");
-  command->add_flag("--json", options->json, "Print JSON");
+  add_search_options(*command, *options, "place", "the instances that refute the changed claims");
   command->footer(
       "A place is a bound, a term of a sum, a constant within, or a factor. It is scaled by steps of 1/64 of a power "
       "of\n"

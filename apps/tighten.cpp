@@ -2,21 +2,18 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <thread>
 
-#include "apps/claim_options.hpp"
 #include "apps/interruption.hpp"
 #include "apps/other_programs.hpp"
 #include "apps/progress_line.hpp"
+#include "apps/search_options.hpp"
 #include "proofs/publication/latex_table.hpp"
 #include "properties/attack/attack_report.hpp"
 #include "properties/attack/search_plan.hpp"
 #include "properties/attack/twins.hpp"
-#include "support/atomic_file.hpp"
 #include "support/error.hpp"
 #include "support/latex_text.hpp"
 
@@ -25,28 +22,13 @@ namespace delcert {
 namespace {
 
 struct TightenOptions {
-  ClaimOptions claims;
-  std::uint64_t evaluations = 4000;
-  std::uint64_t seed = 0;
-  unsigned threads = 0;
+  SearchOptions search{4000};
   std::string log;
-  std::string witnesses;
-  bool json = false;
   bool latex = false;
 };
 
 const std::string& conclusion_of(const SearchTarget& target) {
   return target.claim.conclusions[target.conclusion].name;
-}
-
-void write_witness(const SearchTarget& target, const Tightest& found, const std::string& folder) {
-  const Witness witness = witness_of(target.claim, target.conclusion, found.bindings);
-  const std::string name =
-      fmt::format("{}.{}.{}-{}.json", target.claim.name, conclusion_of(target), target.shape.k, target.shape.m);
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (failure) throw InputError("--witnesses " + folder + ": " + failure.message());
-  write_file_atomically(std::filesystem::path(folder) / name, witness_text(witness));
 }
 
 std::string note_of(const Tightest& found) {
@@ -96,12 +78,11 @@ void print_json(const std::vector<SearchTarget>& targets, const std::vector<std:
   std::cout << list.dump(1) << "\n";
 }
 
-std::vector<SearchTarget> targets_of(const TightenOptions& options) {
+std::vector<SearchTarget> targets_of(const SearchOptions& options) {
   std::vector<SearchTarget> result;
   for (const Claim& claim : claims_about_instances(options.claims)) {
     for (const Shape& shape : shapes_of(options.claims, claim)) {
-      const std::uint64_t cost = std::max<std::uint64_t>(1, instance_class(claim.instance).cost(shape));
-      const std::uint64_t evaluations = std::max<std::uint64_t>(1, options.evaluations / cost);
+      const std::uint64_t evaluations = evaluations_of(options, claim, shape);
       for (std::size_t at = 0; at < claim.conclusions.size(); ++at) result.push_back({claim, at, shape, evaluations});
     }
   }
@@ -110,12 +91,11 @@ std::vector<SearchTarget> targets_of(const TightenOptions& options) {
 }
 
 ExitStatus run_tighten(const TightenOptions& options) {
-  constexpr std::uint64_t most = 1000000000000;
-  if (options.evaluations == 0 || options.evaluations > most) throw InputError("--evaluations takes 1 to 10^12");
+  require_evaluations(options.search);
   SearchPlan plan;
-  plan.targets = targets_of(options);
-  plan.seed = options.seed;
-  plan.threads = options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
+  plan.targets = targets_of(options.search);
+  plan.seed = options.search.seed;
+  plan.threads = threads_of(options.search);
   plan.log = options.log;
   std::vector<std::optional<Tightest>> results;
   const InterruptionDeadline deadline(options.log.empty() ? Interrupted().what()
@@ -131,12 +111,17 @@ ExitStatus run_tighten(const TightenOptions& options) {
   for (std::size_t at = 0; at < results.size(); ++at) {
     if (!results[at]) continue;
     refuted = refuted || is_refuted(results[at]->verdict);
-    if (!options.witnesses.empty()) write_witness(plan.targets[at], *results[at], options.witnesses);
+    if (options.search.witnesses.empty()) continue;
+    const SearchTarget& target = plan.targets[at];
+    write_witness(
+        options.search,
+        fmt::format("{}.{}.{}-{}.json", target.claim.name, conclusion_of(target), target.shape.k, target.shape.m),
+        witness_of(target.claim, target.conclusion, results[at]->bindings));
   }
   if (options.latex) {
     print_latex(plan.targets, results);
   } else {
-    options.json ? print_json(plan.targets, results) : print_table(plan.targets, results);
+    options.search.json ? print_json(plan.targets, results) : print_table(plan.targets, results);
   }
   return refuted ? ExitStatus::rejected : ExitStatus::verified;
 }
@@ -146,15 +131,10 @@ ExitStatus run_tighten(const TightenOptions& options) {
 void add_tighten(CLI::App& program, Action& chosen) {
   const auto options = std::make_shared<TightenOptions>();
   CLI::App* command = add_named(program, about_tighten);
-  add_claim_options(*command, options->claims);
-  command->add_option("--evaluations", options->evaluations,
-                      "Instances to try for each conclusion and shape (default 4000; fewer where one is costly)");
-  command->add_option("--seed", options->seed, "Seed of the search (default 0)");
-  command->add_option("--threads", options->threads, "Threads (default: all; the result does not depend on it)");
+  CLI::Option* json =
+      add_search_options(*command, options->search, "conclusion", "witness files of the worst instances");
   command->add_option("--log", options->log,
                       "JSON lines, one for each finished search; the same command goes on from there");
-  command->add_option("--witnesses", options->witnesses, "Folder for witness files of the worst instances");
-  CLI::Option* json = command->add_flag("--json", options->json, "Print JSON");
   command->add_flag("--latex", options->latex, "Print the table in LaTeX (longtable, booktabs)")->excludes(json);
   command->footer(
       "The ratio is that of the side which the conclusion calls smaller to the other side. It is certified; above 1\n"

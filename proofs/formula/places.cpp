@@ -159,7 +159,7 @@ ExpressionPointer changed_at(const ExpressionPointer& node, const std::vector<st
   auto result = std::make_shared<Expression>(*node);
   auto& child = result->children.at(path[depth]);
   child = changed_at(child, path, depth + 1, change);
-  // 3/4 of an integer is none.
+  // 3/4 of an integer need not be an integer.
   if (result->type == types::integer && child->type == types::number) result->type = types::number;
   return result;
 }

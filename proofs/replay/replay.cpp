@@ -186,13 +186,18 @@ class GoalReplay {
   void require_proved(const Box& box) {
     std::vector<Side> sides;
     for (const Side& side : box) sides.push_back(variable_side(side));
-    std::vector<std::optional<std::optional<int>>> signs(factors_.size());
+    std::vector<std::optional<Sign>> signs(factors_.size());
+    const auto sign_of_factor = [&](std::size_t factor) {
+      auto& known = signs.at(factor);
+      if (!known) known = factors_.at(factor).sign_on(sides);
+      return *known;
+    };
     Encloser encloser(names_, box, precision_);
     std::vector<int> truths;
     for (std::size_t i = 0; i < comparisons_.size(); ++i) {
       const Node& comparison = *comparisons_[i];
       if (products_[i]) {
-        const auto sign = sign_of(*products_[i], sides, signs);
+        const Sign sign = sign_of(*products_[i], sign_of_factor);
         truths.push_back(sign ? truth(comparison.head, *sign) : 0);
       } else if (comparison.head == "=" && text_of(*comparison.parts[0]) == text_of(*comparison.parts[1])) {
         truths.push_back(encloser.has_value(comparison.parts[0]) ? 1 : 0);
@@ -202,30 +207,6 @@ class GoalReplay {
       }
     }
     if (truth_of(*statement_, truths) != 1) throw Rejected("a leaf that is not proved: " + text_of_box(box, names_));
-  }
-
-  std::optional<int> sign_of(const Product& product, const std::vector<Side>& sides,
-                             std::vector<std::optional<std::optional<int>>>& signs) const {
-    const auto of_factor = [&](std::size_t factor) {
-      auto& known = signs.at(factor);
-      if (!known) known = factors_.at(factor).sign_on(sides);
-      return *known;
-    };
-    for (const std::size_t divisor : product.divisors) {
-      const auto sign = of_factor(divisor);
-      if (!sign || (*sign != 2 && *sign != -2)) return std::nullopt;
-    }
-    int result = 2 * product.constant.sign();
-    for (const auto& [factor, exponent] : product.powers) {
-      if (result == 0) break;
-      auto sign = of_factor(factor);
-      if (exponent % 2 == 0) sign = sign ? std::abs(*sign) : 1;
-      if (!sign) return std::nullopt;
-      const bool negative = (result < 0) != (*sign < 0);
-      const int size = *sign == 0 ? 0 : std::min(std::abs(result), std::abs(*sign));
-      result = negative ? -size : size;
-    }
-    return result;
   }
 
   const Json& json_;

@@ -37,7 +37,7 @@ class SquaresReplay {
     for (const Json& constraint : json_.at("constraints")) constraints_.push_back(read_constraint(constraint));
     for (const Json& sign : json_.at("signs")) read_sign(sign);
     if (!goal_.products[at]) throw Rejected("squares for a comparison that is no quotient of polynomials");
-    const auto sign = sign_of(*goal_.products[at]);
+    const Sign sign = sign_of(*goal_.products[at], [this](std::size_t factor) { return known_sign(factor); });
     if (!sign || truth(claim->head, *sign) != 1) throw Rejected("squares that do not show the conclusion");
   }
 
@@ -89,7 +89,7 @@ class SquaresReplay {
   void read_sign(const Json& json) {
     const auto factor = json.at("factor").get<std::size_t>();
     const int sign = json.at("sign").get<int>();
-    if (sign < -2 || sign > 2) throw Malformed("a sign that is none");
+    if (sign < -2 || sign > 2) throw Malformed("the sign is not in -2 to 2");
     const Polynomial& polynomial = goal_.factors.at(factor);
     if (!json.contains("terms")) {
       require_on_boxes(polynomial, sign);
@@ -134,27 +134,9 @@ class SquaresReplay {
     if (strict && !has_constant) throw Rejected("squares that may vanish together");
   }
 
-  [[nodiscard]] std::optional<int> known_sign(std::size_t factor) const {
+  [[nodiscard]] Sign known_sign(std::size_t factor) const {
     const auto found = signs_.find(factor);
     return found == signs_.end() ? std::nullopt : std::optional(found->second);
-  }
-
-  [[nodiscard]] std::optional<int> sign_of(const Product& product) const {
-    for (const std::size_t divisor : product.divisors) {
-      const auto sign = known_sign(divisor);
-      if (!sign || std::abs(*sign) != 2) return std::nullopt;
-    }
-    int result = 2 * product.constant.sign();
-    for (const auto& [factor, exponent] : product.powers) {
-      auto sign = known_sign(factor);
-      if (exponent < 0 && (!sign || std::abs(*sign) != 2)) return std::nullopt;
-      if (exponent % 2 == 0) sign = sign ? std::abs(*sign) : 1;
-      if (!sign) return std::nullopt;
-      const bool negative = (result < 0) != (*sign < 0);
-      const int size = *sign == 0 ? 0 : std::min(std::abs(result), std::abs(*sign));
-      result = negative ? -size : size;
-    }
-    return result;
   }
 
   const Json& json_;

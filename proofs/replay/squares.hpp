@@ -3,20 +3,13 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "proofs/replay/polynomial.hpp"
+#include "proofs/replay/product.hpp"
 #include "proofs/replay/statement.hpp"
 
 namespace delcert::replay {
-
-/// left − right of a comparison = constant·Π factor^exponent, where no divisor vanishes.
-struct Product {
-  Number constant;
-  std::vector<std::pair<std::size_t, long>> powers;
-  std::vector<std::size_t> divisors;
-};
 
 /// A comparison, given the sign of left − right: 1 true, −1 false, 0 unknown.
 int truth(const std::string& relation, int sign);

@@ -4,12 +4,13 @@
 #include "proofs/checker/input.hpp"
 #include "proofs/checker/run.hpp"
 #include "properties/fuzz/fuzz_target.hpp"
+#include "properties/fuzz/sealed.hpp"
 
 namespace {
 
 using namespace delcert;
 
-void read(const std::string& bytes) {
+void read_certificate(const std::string& bytes) {
   try {
     const std::string text = checker::decompressed(bytes);
     const checker::Certificate certificate(text);
@@ -24,14 +25,7 @@ void read(const std::string& bytes) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const int rounding = std::fegetround();
   std::fesetround(FE_UPWARD);
-  const std::string bytes = fuzz::text_of(data, size);
-  read(bytes);
-  const std::string key = ",\"sha256\":\"";
-  const std::size_t seal = bytes.rfind(key);
-  if (seal != std::string::npos) {
-    const std::string content = bytes.substr(0, seal);
-    read(content + key + checker::sha256(content) + "\"}\n");
-  }
+  fuzz::read_with_both_seals(fuzz::text_of(data, size), read_certificate);
   std::fesetround(rounding);
   return 0;
 }

@@ -52,7 +52,7 @@ refused "a step that is listed but compiles" \
 # A budget that is spent before the first of them.
 FORMAL_BUDGET=-1 refused "changed steps that were not compiled" "sed -i '/adaptive-sampling.density/d' steps.txt" "were not compiled: run check.sh record"
 
-# Another lemma in the place of a step, compiled, with the hash of the step: the sample trusts the hash, all-steps none.
+# Another lemma in the place of a step, compiled, with the hash of the step: the sample trusts the hash, all-steps does not.
 # With what the exported steps use, and one step only.
 rm -rf "$copy/formal" "$copy/work"
 mkdir "$copy/formal"

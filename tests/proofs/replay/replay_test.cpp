@@ -10,33 +10,14 @@
 
 #include "proofs/prover/proof_log.hpp"
 #include "proofs/replay/number.hpp"
-#include "tests/proofs/prover/prove_text.hpp"
+#include "tests/proofs/replay/replayed_step.hpp"
 
 namespace delcert {
 namespace DELCERT_THIS_FILE {
 
 using Json = nlohmann::ordered_json;
-
-Json logged(const std::string& lines) {
-  const Step of = test::step(lines);
-  const StepOutcome outcome = prove(of);
-  EXPECT_EQ(outcome.verdict, Verdict::proved);
-  return Json::parse(proof_log_line("c", of, of.constants, outcome));
-}
-
-/// "accepted", or why not.
-std::string replayed(const Json& step) {
-  std::istringstream log(proof_log_head("c", "c.toml", "name = 'c'") + step.dump() + "\n");
-  try {
-    const replay::Totals totals = replay::replay_as_logged(log);
-    EXPECT_EQ(totals.steps, 1U);
-    return "accepted";
-  } catch (const replay::Rejected& rejected) {
-    return rejected.what();
-  } catch (const replay::Malformed& malformed) {
-    return std::string("malformed: ") + malformed.what();
-  }
-}
+using test::logged;
+using test::replayed;
 
 std::string changed(Json step, const std::function<void(Json&)>& change) {
   EXPECT_EQ(replayed(step), "accepted");

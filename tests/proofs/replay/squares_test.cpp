@@ -6,16 +6,15 @@
 
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "proofs/prover/proof_log.hpp"
-#include "proofs/replay/replay.hpp"
-#include "tests/proofs/prover/prove_text.hpp"
+#include "tests/proofs/replay/replayed_step.hpp"
 
 namespace delcert {
 namespace DELCERT_THIS_FILE {
 
 using Json = nlohmann::ordered_json;
+using test::logged;
+using test::replayed;
 
 const char* const means =
     "forall = { a = '[0, infinity)', b = '[0, infinity)', c = '[0, infinity)' }\n"
@@ -26,25 +25,6 @@ const char* const line =
 const char* const strict =
     "forall = { x = '(-infinity, infinity)', y = '(-infinity, infinity)' }\ngiven = ['x + y >= 1']\n"
     "claim = 'x^2 + y^2 > 1/2 - 1/2^30'";
-
-Json logged(const std::string& lines) {
-  const Step of = test::step(lines);
-  const StepOutcome outcome = prove(of);
-  EXPECT_EQ(outcome.verdict, Verdict::proved);
-  return Json::parse(proof_log_line("c", of, of.constants, outcome));
-}
-
-std::string replayed(const Json& step) {
-  std::istringstream log(proof_log_head("c", "c.toml", "name = 'c'") + step.dump() + "\n");
-  try {
-    (void)replay::replay_as_logged(log);
-    return "accepted";
-  } catch (const replay::Rejected& rejected) {
-    return rejected.what();
-  } catch (const replay::Malformed& malformed) {
-    return std::string("malformed: ") + malformed.what();
-  }
-}
 
 std::string changed(const char* lines, const std::function<void(Json&)>& change) {
   Json step = logged(lines);
