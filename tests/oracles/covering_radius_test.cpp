@@ -3,6 +3,7 @@
 
 #include <CGAL/Gmpq.h>
 #include <CGAL/Simple_cartesian.h>
+#include <gtest/gtest.h>
 
 #include "kernel/manifold/any_manifold.hpp"
 #include "kernel/manifold/flat_space.hpp"
@@ -27,18 +28,16 @@ CGAL::Gmpq squared_circumradius(const std::array<Vector<CGAL::Gmpq, 3>, 4>& v) {
 /// The square of the covering radius of points of the unit cell that are doubles.
 template <int m>
 Rational squared_covering_radius(const Doubles<m>& points) {
-  const CgalTorus<m> torus(points);
   CGAL::Gmpq largest(0);
-  torus.for_each_cell([&largest](const auto& cell) {
-    std::array<Vector<CGAL::Gmpq, m>, static_cast<std::size_t>(m) + 1> vertices;
+  for (const auto& cell : CgalTorus<m>(points).cells()) {
+    std::array<Vector<CGAL::Gmpq, m>, corner_count<m>> vertices;
     for (std::size_t corner = 0; corner <= m; ++corner) {
-      for (int axis = 0; axis < m; ++axis) {
-        vertices[corner][static_cast<std::size_t>(axis)] =
-            CGAL::Gmpq(cell[corner].first[axis]) + CGAL::Gmpq(cell[corner].second[axis]);
-      }
+      const auto& [point, shift] = cell[corner];
+      for (std::size_t axis = 0; axis < m; ++axis)
+        vertices[corner][axis] = CGAL::Gmpq(point[axis]) + CGAL::Gmpq(shift[axis]);
     }
     largest = std::max(largest, squared_circumradius(vertices));
-  });
+  }
   return Rational(Rational::Wrapped(largest.mpq()));
 }
 

@@ -3,6 +3,11 @@
 // in tangent charts. An edge that meets the surface an odd number of times has values of different signs at its ends;
 // one that meets it twice would be overlooked, and the complexes would differ.
 
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+
+#include <map>
 #include <optional>
 
 #include "tests/kernel/manifold/submanifold/samples.hpp"
