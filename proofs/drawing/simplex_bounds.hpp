@@ -13,24 +13,23 @@ struct MeasureEnclosures {
   std::vector<double> upper;
 };
 
+/// Lengths are in units of ε. Charts of flat tori are isometric, so one is enough; on space forms it is the charts of
+/// the vertices of the simplex in which it is measured.
 struct SimplexBounds {
-  /// The distance from the circumcentre to the nearest other point, less the circumradius, in units of ε.
+  /// The distance from the circumcentre to the nearest other point, less the circumradius: the least in the charts.
   MeasureEnclosures protection;
-  MeasureEnclosures thickness;
-  MeasureEnclosures circumradius;  ///< in units of ε
+  MeasureEnclosures thickness;     ///< the least in the charts
+  MeasureEnclosures circumradius;  ///< the greatest in the charts
 };
 
-/// Bounds of each simplex of a flat torus, by intervals of doubles that are rounded outwards, from the exact points of
-/// the certificate. Thickness, circumradius and the upper bound of the protection hold for these points and rows of
-/// labels whatever else the certificate claims. The lower bound of the protection holds if the complex is the Delaunay
-/// complex of the points, which is level 4: then it is enough to look at the neighbours of the vertices, as follows.
-/// Let c be the circumcentre of a simplex and p the nearest point that is not a vertex of it. The balls through p with
-/// centres on the segment from p to c lie in the ball around c through p, in whose interior are only vertices of the
-/// simplex. The smallest of them that reaches another point than p reaches a vertex, and is empty inside: so p and this
-/// vertex are on an edge of the Delaunay complex. Where an interval cannot tell a simplex from a degenerate one, the
-/// bounds are 0 and infinity.
+/// Bounds of each simplex, by intervals of doubles that are rounded outwards, from the exact points of the certificate
+/// and its rows of labels and group elements. They hold whatever else the certificate claims, with one exception: on
+/// flat tori the lower bound of the protection rests on level 4 (`torus_bounds`). Where an interval cannot tell a
+/// simplex from a degenerate one, nothing is known: −∞ or 0, and ∞.
 ///
-/// Throws InputError for other families, where ε varies, and where the certificate is not as its format says.
+/// Throws InputError for families other than flat tori and space forms, where ε varies, and where the certificate is
+/// not as its format says; Rejection where the group of a space form is not as the certificate says, or patches are too
+/// large for it.
 [[nodiscard]] SimplexBounds simplex_bounds(const CertificateSummary& certificate);
 
 }  // namespace delcert

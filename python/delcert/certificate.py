@@ -51,7 +51,7 @@ class Picture:
 class Margin:
     """A measure of all simplices: `lower` or `upper` is the bound that the certificate states, exactly (the other is
     None), `approximate` what is computed for each simplex in floats, without error bounds, and `bounds` what is proved of
-    each simplex, on flat tori."""
+    each simplex, on flat tori and space forms."""
 
     def __init__(self, name, approximate, lower=None, upper=None, bounds=None):
         self.name, self.approximate, self.lower, self.upper = name, approximate, lower, upper
@@ -59,9 +59,9 @@ class Margin:
 
     @property
     def bounds(self):
-        """float64, a row (lower, upper) for each simplex, by intervals that are rounded outwards, from the exact points. The
-        lower bound of the protection rests on level 4, which `check()` verifies; the others rest on nothing. Flat tori only:
-        MalformedInput elsewhere."""
+        """float64, a row (lower, upper) for each simplex, by intervals that are rounded outwards, from the exact points, in
+        the charts of the vertices. On flat tori the lower bound of the protection rests on level 4, which `check()` verifies; all
+        others rest on nothing. For flat tori and space forms only: MalformedInput elsewhere."""
         rows = self._bounds()[self.name]
         rows.flags.writeable = False
         return rows

@@ -98,7 +98,11 @@ class Read(Case):
         self.assertIsNone(margins.protection.upper)
 
     def test_bounds_of_each_simplex_hold_and_are_narrow(self):
-        certificate = delcert.certify("torus-2", radius="1/24", seed=1)
+        for manifold, radius in (("torus-2", "1/24"), ("bolza-surface", "1/8"), ("lens-space-5-2", "13/250")):
+            with self.subTest(manifold=manifold):
+                self.check_bounds_of_each_simplex(delcert.certify(manifold, radius=radius, seed=1))
+
+    def check_bounds_of_each_simplex(self, certificate):
         for name in ("protection", "thickness", "circumradius"):
             margin = getattr(certificate.margins, name)
             lower, upper = margin.bounds.T
@@ -119,9 +123,9 @@ class Read(Case):
         with self.assertRaises(ValueError):
             thickness.bounds[0, 0] = 1
 
-    def test_bounds_of_each_simplex_are_of_flat_tori_only(self):
-        bolza = delcert.certify("bolza-surface", radius="1/8", seed=1)
-        self.assertIn("flat tori", self.message_of(delcert.MalformedInput, lambda: bolza.margins.thickness.bounds))
+    def test_bounds_of_each_simplex_are_of_constant_curvature_only(self):
+        ellipsoid = delcert.certify("ellipsoid", radius="1/10", seed=1)
+        self.assertIn("submanifold", self.message_of(delcert.MalformedInput, lambda: ellipsoid.margins.thickness.bounds))
 
     def test_of_a_file_that_is_none_is_refused(self):
         path = self.folder / "c.json"
