@@ -11,7 +11,7 @@ namespace delcert {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 Interval squared_distance(const SymmetricMatrix<Interval>& metric, const std::vector<Interval>& a,
                           const std::vector<Interval>& b) {
@@ -28,7 +28,7 @@ struct Measure {
   enum class Extremum { least, greatest } extremum;
   double floor;
 };
-constexpr Measure protection_measure{Measure::Extremum::least, -infinity};
+constexpr Measure protection_measure{Measure::Extremum::least, -unlimited};
 constexpr Measure thickness_measure{Measure::Extremum::least, 0};
 constexpr Measure circumradius_measure{Measure::Extremum::greatest, 0};
 
@@ -37,10 +37,10 @@ void add_to(MeasureEnclosures& list, std::size_t simplex, const Measure& measure
   double& lower = list.lower[simplex];
   double& upper = list.upper[simplex];
   const bool is_bounded = value && std::isfinite(value->lower()) && std::isfinite(value->upper());
-  const bool is_unknown = lower == measure.floor && upper == infinity;
+  const bool is_unknown = lower == measure.floor && upper == unlimited;
   if (!is_bounded || is_unknown) {
     lower = measure.floor;
-    upper = infinity;
+    upper = unlimited;
   } else if (std::isnan(lower)) {
     lower = value->lower();
     upper = value->upper();
@@ -71,7 +71,7 @@ ChartMeasures measures_in_chart(const ShownSimplex& shown, const SymmetricMatrix
     nearest = nearest ? minimum(*nearest, distance) : distance;
   }
   if (!nearest) return result;
-  if (shown.complete_radius < infinity) {
+  if (shown.complete_radius < unlimited) {
     // What is not shown is at least so far away.
     const std::vector<Interval> origin(centre.size(), Interval(0));
     const Interval beyond =
