@@ -3,6 +3,8 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
+#include "kernel/number/fraction_text.hpp"
+
 namespace delcert {
 
 namespace {
@@ -94,14 +96,9 @@ class RulesReader {
   const toml::table& table_;
 };
 
-/// A fraction, which formulas can read whatever its denominator.
-std::string fraction_of(const Rational& x) {
-  return x.numerator().str() + (x.denominator() == 1 ? "" : "/" + x.denominator().str());
-}
-
 std::string side_end_text(const std::optional<Rational>& end) {
   const Rational& value = end.value();
-  return value < Rational(0) ? "-(" + fraction_of(-value) + ")" : fraction_of(value);
+  return value < Rational(0) ? "-(" + fraction_text(-value) + ")" : fraction_text(value);
 }
 
 std::string side_formula(const ParameterRange& side, const std::string& coordinate) {
@@ -114,8 +111,8 @@ std::string count_text(const CountRange& range) {
 }
 
 std::string interval_text(const ParameterRange& side) {
-  return std::string("\"") + (side.has_lower ? "[" : "(") + fraction_of(side.lower.value()) + ", " +
-         fraction_of(side.upper.value()) + (side.has_upper ? "]" : ")") + "\"";
+  return std::string("\"") + (side.has_lower ? "[" : "(") + fraction_text(side.lower.value()) + ", " +
+         fraction_text(side.upper.value()) + (side.has_upper ? "]" : ")") + "\"";
 }
 
 }  // namespace
@@ -152,7 +149,7 @@ std::string point_rules_text(const PointRules& rules) {
     for (const ParameterRange& side : rules.box) sides += (sides.empty() ? "" : ", ") + interval_text(side);
     result += "[" + sides + "]";
   }
-  result += "\nleast_acceptance = \"" + fraction_of(rules.least_acceptance) + "\"\nconstraints = [";
+  result += "\nleast_acceptance = \"" + fraction_text(rules.least_acceptance) + "\"\nconstraints = [";
   for (std::size_t at = 0; at < rules.constraints.size(); ++at) {
     result += (at == 0 ? "" : ", ") + nlohmann::json(rules.constraints[at]).dump();
   }

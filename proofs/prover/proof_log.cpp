@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "kernel/number/fraction_text.hpp"
 #include "proofs/certificate/sha256.hpp"
 
 namespace delcert {
@@ -10,11 +11,6 @@ namespace delcert {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string fraction_text(const Rational& x) {
-  const Integer denominator = x.denominator();
-  return x.numerator().str() + (denominator == 1 ? "" : "/" + denominator.str());
-}
 
 std::string operator_of(const Expression& expression) {
   switch (expression.operation) {

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "kernel/number/exact_text.hpp"
+#include "kernel/number/fraction_text.hpp"
 #include "proofs/certificate/file_text.hpp"
 #include "proofs/formula/builtin_claims.hpp"
 
@@ -14,8 +14,8 @@ namespace {
 std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
 
 std::string range_text(const ParameterRange& range) {
-  return (range.has_lower ? "[" : "(") + (range.lower ? exact_text(*range.lower) : "-infinity") + ", " +
-         (range.upper ? exact_text(*range.upper) : "infinity") + (range.has_upper ? "]" : ")");
+  return (range.has_lower ? "[" : "(") + (range.lower ? fraction_text(*range.lower) : "-infinity") + ", " +
+         (range.upper ? fraction_text(*range.upper) : "infinity") + (range.has_upper ? "]" : ")");
 }
 
 std::string statement_text(const Statement& statement) {

@@ -27,7 +27,7 @@ TEST(ClaimText, of_every_claim_of_the_library_is_that_claim) {
 
 TEST(ClaimText, keeps_ranges_and_whatever_stands_in_texts) {
   Claim claim = test::right_claim();
-  claim.parameters.at("eta") = {Rational(-1) / Rational(3), Rational(2), true, false};
+  claim.parameters.at("eta") = {Rational(-1) / Rational(3), Rational::power_of_two(-12), true, false};
   claim.source = "“Lemma” \"7\"\\\n§";
   const Claim back = read_back(claim);
   EXPECT_EQ(contents_of(back, {2, 2}), contents_of(claim, {2, 2}));
