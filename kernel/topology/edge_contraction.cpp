@@ -60,6 +60,7 @@ class EdgeContraction {
       simplices_.push_back(simplex);
     }
     is_there_.assign(simplices_.size(), true);
+    last_visit_.resize(stars_.size());
     left_ = simplices_.size();
   }
 
@@ -93,6 +94,8 @@ class EdgeContraction {
                         link.back().begin() + static_cast<std::ptrdiff_t>(size_ - 1));
     }
     list_faces(link, link_of_a_);
+    ++visit_;
+    for (const std::uint32_t label : neighbours) last_visit_[label] = visit_;
     // Of neighbours those first with which most simplices are shared: they go.
     std::sort(neighbours.begin(), neighbours.end());
     std::vector<std::pair<std::size_t, std::uint32_t>> candidates;
@@ -112,19 +115,22 @@ class EdgeContraction {
     }
   }
 
-  /// lk(ab) is in both links; so it is enough to count. Precondition: link_of_a_ has the faces of lk(a).
+  /// lk(ab) is in both links; so it is enough to count. Of lk(b), which may be large, only the part matters whose
+  /// vertices are in lk(a). Precondition: link_of_a_ has the faces of lk(a), and its vertices are marked.
   bool fulfils_link_condition(std::uint32_t a, std::uint32_t b) {
     std::vector<LabelSet> link;
     std::vector<LabelSet> link_of_edge;
     for (const std::uint32_t at : stars_[b]) {
-      link.push_back(without(simplices_[at], b));
-      if (contains(link.back(), a)) link_of_edge.push_back(without(link.back(), a));
+      const LabelSet& simplex = simplices_[at];
+      link.push_back(marked_part(simplex, b));
+      if (link.back()[0] == no_label) link.pop_back();
+      if (contains(simplex, a)) link_of_edge.push_back(without(without(simplex, b), a));
     }
-    list_faces(link, link_of_b_);
+    list_faces(link, near_part_of_link_of_b_);
     list_faces(link_of_edge, faces_);
     std::size_t common = 0;
-    for (auto one = link_of_a_.begin(), other = link_of_b_.begin();
-         one != link_of_a_.end() && other != link_of_b_.end();) {
+    for (auto one = link_of_a_.begin(), other = near_part_of_link_of_b_.begin();
+         one != link_of_a_.end() && other != near_part_of_link_of_b_.end();) {
       if (*one == *other) {
         ++common;
         ++one;
@@ -134,6 +140,15 @@ class EdgeContraction {
       }
     }
     return common == faces_.size();
+  }
+
+  /// The labels of a simplex, but for b, that are marked.
+  [[nodiscard]] LabelSet marked_part(const LabelSet& simplex, std::uint32_t b) const {
+    LabelSet result;
+    result.fill(no_label);
+    std::copy_if(simplex.begin(), simplex.begin() + static_cast<std::ptrdiff_t>(size_), result.begin(),
+                 [this, b](std::uint32_t label) { return label != b && last_visit_[label] == visit_; });
+    return result;
   }
 
   /// a becomes b.
@@ -172,7 +187,9 @@ class EdgeContraction {
   std::size_t left_ = 0;
   std::vector<std::vector<std::uint32_t>> stars_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
-  std::vector<LabelSet> link_of_a_, link_of_b_, faces_;
+  std::vector<LabelSet> link_of_a_, near_part_of_link_of_b_, faces_;
+  std::vector<std::size_t> last_visit_;  ///< of each label: the visit in which it was last seen in lk(a)
+  std::size_t visit_ = 0;
   ContractedComplex result_;
 };
 
