@@ -31,12 +31,45 @@ export function neighboursOf(simplices) {
 }
 
 /**
- * The facets to draw, as 4s + k, where `hidden` says which simplices are not there. Simplices of full size show the
- * facets without a neighbour alone; between smaller ones one sees into the complex, `layers` deep.
+ * Whether both simplices of a facet are on the same side of it, facet by facet, in three coordinates of each vertex: so
+ * the outline of a closed manifold in a space of more dimensions is seen, which has no facet without a neighbour.
  */
-export function visibleFacets(neighbours, hidden, layers) {
+export function foldsOf(simplices, neighbours, coordinates) {
+  const result = new Uint8Array(neighbours.length);
+  const corners = [0, 0, 0];
+  // Whether the vertex is above the plane of the corners.
+  const side = (vertex) => {
+    const place = (other, axis) => coordinates[3 * other + axis] - coordinates[3 * corners[0] + axis];
+    const [, b, c] = corners;
+    return Math.sign(place(b, 0) * (place(c, 1) * place(vertex, 2) - place(c, 2) * place(vertex, 1)) -
+      place(b, 1) * (place(c, 0) * place(vertex, 2) - place(c, 2) * place(vertex, 0)) +
+      place(b, 2) * (place(c, 0) * place(vertex, 1) - place(c, 1) * place(vertex, 0)));
+  };
+  for (let facet = 0; facet < neighbours.length; ++facet) {
+    const simplex = facet >> 2, other = neighbours[facet];
+    if (other < simplex) {
+      // Seen from the other simplex already, or without a neighbour.
+      continue;
+    }
+    let at = 0, opposite = 0;
+    for (let corner = 0; corner < 4; ++corner) {
+      opposite += simplices[4 * other + corner];
+      if (corner !== facet % 4) opposite -= corners[at++] = simplices[4 * simplex + corner];
+    }
+    if (side(simplices[facet]) * side(opposite) < 0) continue;
+    result[facet] = 1;
+    for (let corner = 0; corner < 4; ++corner) if (simplices[4 * other + corner] === opposite) result[4 * other + corner] = 1;
+  }
+  return result;
+}
+
+/**
+ * The facets to draw, as 4s + k, where `hidden` says which simplices are not there. Simplices of full size show the
+ * facets without a neighbour and the `folds` alone; between smaller ones one sees into the complex, `layers` deep.
+ */
+export function visibleFacets(neighbours, hidden, layers, folds = null) {
   const result = [];
-  const open = (facet) => neighbours[facet] < 0 || hidden[neighbours[facet]] !== 0;
+  const open = (facet) => neighbours[facet] < 0 || hidden[neighbours[facet]] !== 0 || (folds !== null && folds[facet] !== 0);
   if (layers === 0) {
     for (let facet = 0; facet < neighbours.length; ++facet) if (!hidden[facet >> 2] && open(facet)) result.push(facet);
     return result;

@@ -1,6 +1,6 @@
 // The picture of a complex, drawn by WebGL 2.
 import { colourTable } from "./colours.js";
-import { neighboursOf, visibleFacets } from "./facets.js";
+import { foldsOf, neighboursOf, visibleFacets } from "./facets.js";
 import { applied } from "./matrices.js";
 import { lineProgram, triangleProgram } from "./programs.js";
 
@@ -86,6 +86,7 @@ export class Scene {
       }
       this.far[simplex] = size > longest ? 1 : 0;
     }
+    this.folds = this.neighbours && this.drawing.geometry === "space" ? foldsOf(simplices, this.neighbours, coordinates) : null;
     this.stale();
   }
 
@@ -125,7 +126,7 @@ export class Scene {
   /** The triangles that are to be drawn, as numbers 4 · simplex + the corner opposite; of a triangle that corner is 3. */
   drawnTriangles() {
     const hidden = this.hiddenSimplices();
-    if (this.neighbours) return visibleFacets(this.neighbours, hidden, layersOf(this.shrink));
+    if (this.neighbours) return visibleFacets(this.neighbours, hidden, layersOf(this.shrink), this.folds);
     const result = [];
     for (let simplex = 0; simplex < this.size; ++simplex) if (!hidden[simplex]) result.push(4 * simplex + 3);
     return result;

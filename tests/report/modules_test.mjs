@@ -6,7 +6,7 @@ import { expect, expectEqual, expectNoticed, finish } from "./check.mjs";
 import { value } from "./programs.mjs";
 
 const project = process.argv[2], load = (name) => import(pathToFileURL(join(project, "report/src", name)));
-const { approximate } = await load("exact.js"), { neighboursOf, visibleFacets } = await load("facets.js");
+const { approximate } = await load("exact.js"), { foldsOf, neighboursOf, visibleFacets } = await load("facets.js");
 const { inModel, inverseStep, periodsOf } = await load("models.js"), { Scale } = await load("measures.js");
 const { circumscribed, foot, shapeOf } = await load("plane.js"), { levels, order, claimedLevels } = await load("statements.js");
 const { Complex } = await load("complex.js"), { moved, starChart } = await load("star_chart.js"), { ballOf } = await load("star_drawing.js");
@@ -56,6 +56,15 @@ expectEqual(visibleFacets(neighbours, none, 255).length, simplices.length, "all 
 const layers = [1, 2, 3].map((number) => visibleFacets(neighbours, none, number).length);
 expect(layers[0] > visibleFacets(neighbours, none, 0).length && layers[0] < layers[1] && layers[1] <= layers[2], `layers grow: ${layers}`);
 await expectNoticed(() => expectEqual([...neighboursOf(simplices.slice(4))], slowNeighbours(simplices), "neighbours"), "a simplex too few");
+
+// Folds: none in a cube of cells; of the boundary of a 4-simplex with a vertex inside of the others, the four facets of those.
+const places = (count, of) => Float32Array.from(Array.from({ length: count }, (_, vertex) => of(vertex)).flat());
+expect(!foldsOf(simplices, neighbours, places(64, (vertex) => [vertex & 3, vertex >> 2 & 3, vertex >> 4])).some((fold) => fold), "an embedded complex has no fold");
+const closed = Uint32Array.from([0, 1, 2, 3, 0, 1, 2, 4, 0, 1, 3, 4, 0, 2, 3, 4, 1, 2, 3, 4]), beside = neighboursOf(closed), five = new Uint8Array(5);
+const inside = places(5, (vertex) => [[1, 1, 1], [0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4]][vertex]), folds = foldsOf(closed, beside, inside);
+expectEqual(visibleFacets(beside, five, 0).length, 0, "a closed complex has no facet without a neighbour");
+expectEqual(visibleFacets(beside, five, 0, folds), [0, 4, 8, 12, 16, 17, 18, 19], "its outline");
+await expectNoticed(() => expectEqual(foldsOf(closed, beside, inside.map((x, at) => at === 0 ? 9 : x)).join(), folds.join(), "folds"), "a vertex outside of the others");
 
 // Models: conformal and straight disks against the hyperboloid, and the sphere.
 for (let trial = 0; trial < 50; ++trial) {

@@ -156,8 +156,8 @@ TEST_F(Twins, no_stored_witness_is_of_a_claim_or_twin_that_is_gone) {
   }
 }
 
-/// So a replay says that the file of a claim has changed, if it has. With DELCERT_RENEW in the environment witnesses that
-/// refute the claim as it is now get its text.
+/// So a replay says that the file of a claim has changed, if it has. With DELCERT_RENEW in the environment, witnesses
+/// that refute the claim as it is now get its text.
 TEST_F(Twins, stored_witnesses_carry_the_claim_as_it_is) {
   for (const auto& entry : fs::directory_iterator(fs::path(DELCERT_SOURCE_DIR) / "proofs/claims/witnesses")) {
     const std::string file = entry.path().string();
