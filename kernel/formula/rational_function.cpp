@@ -157,8 +157,8 @@ bool operator==(const RationalFunction& a, const RationalFunction& b) {
 }
 
 std::optional<RationalFunction> rational_function_of(const Expression& formula,
-                                                     const std::vector<std::string>& variables,
-                                                     const RingPointer& ring, const AbsoluteValue& absolute_value) {
+                                                     const std::vector<std::string>& variables, const RingPointer& ring,
+                                                     const AbsoluteValue& absolute_value) {
   try {
     RationalFunction result = read(formula, variables, ring, absolute_value);
     if (is_moderate(result)) return result;

@@ -149,8 +149,7 @@ class AtlasReader : TomlFormulaReader {
   }
 
   std::vector<std::string> formulas(const toml::node& node, const std::string& what, std::size_t least,
-                                    std::size_t most, const std::vector<std::string>& variables,
-                                    bool may_fold) const {
+                                    std::size_t most, const std::vector<std::string>& variables, bool may_fold) const {
     std::vector<std::string> result;
     for (const toml::node& entry : array_of(node, what, least, most, "formulas")) {
       const auto* text = entry.as_string();

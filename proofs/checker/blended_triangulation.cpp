@@ -185,7 +185,8 @@ class BlendChecker {
     return result;
   }
 
-  /// The derivatives on a box, in the charts of i and j: each is `mean`, one of the convex hull of `changes`, and a rest.
+  /// The derivatives on a box, in the charts of i and j: each is `mean`, one of the convex hull of `changes`, and a
+  /// rest.
   struct Slopes {
     Matrix<Interval> mean;
     std::vector<Matrix<Interval>> changes;

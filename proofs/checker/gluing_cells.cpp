@@ -45,8 +45,8 @@ Interval common(const Interval& a, const Interval& b) {
 
 }  // namespace
 
-Passage::Passage(std::size_t m, std::size_t from_chart, std::size_t to_chart, const Sides& target,
-                 MapPiece piece, std::vector<Polynomial> above_zero, std::vector<Polynomial> not_zero,
+Passage::Passage(std::size_t m, std::size_t from_chart, std::size_t to_chart, const Sides& target, MapPiece piece,
+                 std::vector<Polynomial> above_zero, std::vector<Polynomial> not_zero,
                  std::optional<FormulaMap> formulas)
     : from(from_chart),
       to(to_chart),

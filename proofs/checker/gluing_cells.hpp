@@ -13,8 +13,8 @@ namespace delcert::checker {
 using Cell = Matrix<Interval>;
 
 /// A piece of a transition of the file or of the inverse of one, or one after another: a rational map into the open box
-/// of a chart, where the polynomials of `positive` are above 0, those of `region` are not below 0, and those of `nonzero`
-/// and the denominators do not vanish.
+/// of a chart, where the polynomials of `positive` are above 0, those of `region` are not below 0, and those of
+/// `nonzero` and the denominators do not vanish.
 struct Passage {
   Passage(std::size_t m, std::size_t from_chart, std::size_t to_chart, const Sides& target, MapPiece piece,
           std::vector<Polynomial> above_zero, std::vector<Polynomial> not_zero, std::optional<FormulaMap> formulas);

@@ -23,7 +23,8 @@ class GluingChecker {
   std::string check() {
     for (std::size_t s = 0; s < passages_.size(); ++s) {
       for (std::size_t t = 0; t < passages_.size(); ++t) {
-        if (passages_[t].from == passages_[s].to && passages_[t].number != (passages_[s].number ^ 1U)) check_chain(s, t);
+        if (passages_[t].from == passages_[s].to && passages_[t].number != (passages_[s].number ^ 1U))
+          check_chain(s, t);
       }
     }
     for (std::size_t t = 0; t < pieces_.size(); t += 2) {

@@ -32,8 +32,7 @@ bool is_affine(const Polynomial& p) {
   const std::size_t m = p.variable_count();
   const Inequality coefficients = inequality_of(p);
   Polynomial sum(m, coefficients[m]);
-  for (std::size_t k = 0; k < m; ++k)
-    sum = sum + Polynomial(m, coefficients[k]) * Polynomial::variable(m, k);
+  for (std::size_t k = 0; k < m; ++k) sum = sum + Polynomial(m, coefficients[k]) * Polynomial::variable(m, k);
   return sum == p;
 }
 

@@ -210,8 +210,7 @@ std::optional<RationalMap> composed(const FormulaMap& f, const RationalMap& x, c
 
 bool is_rational(const FormulaMap& f, bool folds) {
   return std::all_of(f.steps().begin(), f.steps().end(), [&](const FormulaMap::Step& step) {
-    return step.operation < FormulaMap::Operation::root ||
-           (folds && step.operation == FormulaMap::Operation::absolute);
+    return step.operation < FormulaMap::Operation::root || (folds && step.operation == FormulaMap::Operation::absolute);
   });
 }
 

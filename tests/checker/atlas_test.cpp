@@ -45,8 +45,22 @@ const Json& torus_document() {
   return document;
 }
 
+/// Two cone points; transitions fold.
+const Json& cone_document() {
+  static const Json document =
+      atlas_document<2>(test::certified_atlas_run<2>(test::atlas_named("cone-torus"), ratio(1, 36)));
+  return document;
+}
+/// The first transition between these charts, by their numbers.
+Json& transition_of(Json& j, int from, int to) {
+  for (Json& transition : j["manifold"]["transitions"]) {
+    if (transition["from"] == from && transition["to"] == to) return transition;
+  }
+  throw std::logic_error("no such transition");
+}
+
 TEST(Atlas, runs_are_accepted) {
-  for (const Json* document : {&sphere_document(), &torus_document()}) {
+  for (const Json* document : {&sphere_document(), &torus_document(), &cone_document()}) {
     const CheckerRun run = run_checker(sealed(*document));
     EXPECT_EQ(run.status, 0) << run.output;
   }
@@ -109,6 +123,10 @@ TEST(Atlas, the_document_has_its_form) {
   malformed("form.charts", [](Json& j) { j["charts"][3][0] = "2"; });
   malformed("form.charts", [](Json& j) { j["charts"][3][0] = "1/2"; });
   malformed("form.charts", [](Json& j) { j["charts"][3][1] = "0"; });
+  malformed("form.formula", transition("map", R"json(["x+abs(x*y)","y"])json"));
+  malformed("form.formula", transition("map", R"json(["x+abs(y)","y^2"])json"));
+  malformed("form.formula", transition("map", R"json(["x+abs","y"])json"));
+  malformed("form.formula", transition("where", R"json(["abs(x)"])json"));
   malformed("form.ranges", transition("to", "2"));
   malformed("form.ranges", transition("to", "0"));
   malformed("form.formula", transition("map", R"json(["x/sqrt(x^2+y^2)","y"])json"));
@@ -135,6 +153,27 @@ std::vector<Forgery> atlas_forgeries() {
   const std::string little = "1/1000000000000000000000000000000";
   return {forged("an inverse that is wrong in its thirtieth digit", "atlas.inverse", sphere_document(),
                  [&](Json& j) { j["manifold"]["transitions"][0]["inverse"][0] = "u/(u^2+v^2)+" + little; }),
+          forged("a fold that its inverse does not have", "atlas.inverse", cone_document(),
+                 [](Json& j) {
+                   Json& transition = transition_of(j, 1, 3);
+                   std::string text = transition["inverse"][0].get<std::string>();
+                   const std::size_t fold = text.find("abs(");
+                   text.replace(fold, 3, "");
+                   transition["inverse"][0] = text;
+                 }),
+          forged("a fold that is a little off", "atlas.cocycle", cone_document(),
+                 [&](Json& j) {
+                   Json& transition = transition_of(j, 1, 3);
+                   transition["map"][0] = transition["map"][0].get<std::string>() + "+" + little;
+                   for (Json& formula : transition["inverse"]) {
+                     std::string text;
+                     for (const char c : formula.get<std::string>()) {
+                       const bool is_variable = c == 's' && (text.empty() || text.back() != 'b');
+                       text += is_variable ? "(s-" + little + ")" : std::string(1, c);
+                     }
+                     formula = text;
+                   }
+                 }),
           forged("one transition of the torus that is a little off", "atlas.cocycle", torus_document(),
                  [&](Json& j) {
                    Json& transition = j["manifold"]["transitions"][0];
@@ -147,6 +186,11 @@ std::vector<Forgery> atlas_forgeries() {
                    for (Json& chart : j["manifold"]["charts"])
                      chart["core"] = Json::parse(R"([["-9/10","9/10"],["-9/10","9/10"]])");
                  }),
+          forged("cones whose sides no core holds", "atlas.compact", cone_document(),
+                 [](Json& j) {
+                   for (Json& chart : j["manifold"]["charts"])
+                     chart["core"] = Json::parse(R"([["-1/8","1/8"],["-1/8","1/8"]])");
+                 }),
           forged("patches that reach beyond their boxes", "atlas.patch", sphere_document(),
                  [](Json& j) {
                    j["parameters"]["distortion"] = "1000000";
@@ -156,6 +200,11 @@ std::vector<Forgery> atlas_forgeries() {
                  [](Json& j) {
                    Json& stated = j["levels"]["5"]["contraction"];
                    stated = exact_text(parse_exact(stated.get<std::string>()) * ratio(1, 4));
+                 }),
+          forged("folds that blends do not show", "5.blend", cone_document(),
+                 [](Json& j) {
+                   Json& stated = j["levels"]["5"]["displacement"];
+                   stated = exact_text(parse_exact(stated.get<std::string>()) * ratio(1, 2));
                  }),
           // In charts that show nearly all of the torus.
           forged("simplices moved so far that they may meet every point", "5.clear", torus_document(),

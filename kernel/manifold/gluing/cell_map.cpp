@@ -151,7 +151,8 @@ MapOnCell CellMapEvaluation::on(const Cell& cell) {
     }
   }
   result.is_regular = result.is_regular && result.has_image;
-  result.is_excluded = result.is_excluded || result.is_elsewhere || misses_box(result, map_.has_sum_of_squares() ? value + 2 * m_ : nullptr);
+  result.is_excluded = result.is_excluded || result.is_elsewhere ||
+                       misses_box(result, map_.has_sum_of_squares() ? value + 2 * m_ : nullptr);
   return result;
 }
 

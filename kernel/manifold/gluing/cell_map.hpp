@@ -58,9 +58,9 @@ class CellMap {
 
 /// What is certain of a map on a cell.
 struct MapOnCell {
-  bool is_positive = false;  ///< every polynomial of `positive` is above 0 on all of the cell
-  bool is_regular = false;   ///< that, nothing that may not vanish vanishes, and the image is enclosed
-  bool is_excluded = false;  ///< no point of the cell is in the domain
+  bool is_positive = false;   ///< every polynomial of `positive` is above 0 on all of the cell
+  bool is_regular = false;    ///< that, nothing that may not vanish vanishes, and the image is enclosed
+  bool is_excluded = false;   ///< no point of the cell is in the domain
   bool is_elsewhere = false;  ///< no point of the cell is where the piece counts
   bool is_here = true;        ///< all points of the cell are where the piece counts
   bool has_image = false;

@@ -80,8 +80,8 @@ class FormulaAtlas final : public AffineAtlas<m> {
   struct Evaluations;
   enum class Following { nowhere, somewhere, uncertain };
   /// What the transition makes of a point and of all points that it may be moved to.
-  [[nodiscard]] Following follow(std::size_t transition, const Cell& still, const Cell& moved,
-                                 PiecewiseCells& on_cells, Appearance& seen) const;
+  [[nodiscard]] Following follow(std::size_t transition, const Cell& still, const Cell& moved, PiecewiseCells& on_cells,
+                                 Appearance& seen) const;
   [[nodiscard]] bool include_image(std::size_t transition, const Cell& cell, const MapOnCell& found, bool is_first,
                                    Appearance& seen) const;
 

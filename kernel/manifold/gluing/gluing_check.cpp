@@ -156,10 +156,10 @@ class GluingCheck {
     }
     std::vector<Polynomial> positive = first.positive();
     for (const Polynomial& p : second.positive()) positive.push_back(sign_after(p, first.map()));
-    chains_.push_back({s, t,
-                       CellMap(std::move(both.map), second.box(), std::move(positive), {}, std::nullopt,
-                               std::move(both.nonnegative)),
-                       std::move(fitting)});
+    chains_.push_back(
+        {s, t,
+         CellMap(std::move(both.map), second.box(), std::move(positive), {}, std::nullopt, std::move(both.nonnegative)),
+         std::move(fitting)});
   }
 
   /// The pieces of a transition that may meet the region of a piece in its interior.
@@ -233,9 +233,8 @@ class GluingCheck {
     std::size_t pairs = 0;
     for (const Leaf& one : here) {
       for (const Leaf& other : there) {
-        if (++pairs < most_cells &&
-            (evaluations_[t].are_unrelated(one.cell, other.cell) ||
-             evaluations_[back].are_unrelated(other.cell, one.cell)))
+        if (++pairs < most_cells && (evaluations_[t].are_unrelated(one.cell, other.cell) ||
+                                     evaluations_[back].are_unrelated(other.cell, one.cell)))
           continue;
         return Complaint{"atlas.hausdorff",
                          transitions_[t].name + ": that limits of glued points are glued is not certain",

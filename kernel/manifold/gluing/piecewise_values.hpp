@@ -42,9 +42,9 @@ extern template class PiecewiseValues<double>;
 extern template class PiecewiseValues<Interval>;
 extern template class PiecewiseValues<BigInterval>;
 
-/// Of the derivatives of all pieces that may be met on the cell, the hull, row by row: from the middle, by the mean value
-/// theorem, which is tighter than what intervals make of the derivative. False where it is not certainly defined. Needs
-/// a `RoundingGuard`.
+/// Of the derivatives of all pieces that may be met on the cell, the hull, row by row: from the middle, by the mean
+/// value theorem, which is tighter than what intervals make of the derivative. False where it is not certainly defined.
+/// Needs a `RoundingGuard`.
 [[nodiscard]] bool centred_derivative(PiecewiseValues<Interval>& map, const Cell& cell, std::size_t m, Interval* df);
 
 }  // namespace delcert
