@@ -88,7 +88,7 @@ ZERO_SETS += [Run("ellipsoid", "1", 1, 2, cheap=True, options=("--sizing", "curv
               Run("tanglecube", "1", 1, 2, options=("--sizing", "curvature:1/10,1/10")),
               Run("genus-2", "1/4", 1, 2, long=True, options=("--sizing", "curvature:1/10,1/10", "--refine", "3"))]
 ATLASES = [Run(manifold, radius, 1, 2, cheap=True)
-           for manifold, radius in [("klein-bottle-rectangles", "1/30"), ("projective-plane-by-charts", "1/10"),
+           for manifold, radius in [("cone-torus", "1/36"), ("klein-bottle-rectangles", "1/30"), ("projective-plane-by-charts", "1/10"),
                                     ("projective-plane-by-charts", "1/16"), ("sphere-2-stereographic", "1/8"),
                                     ("sphere-2-stereographic", "1/16"), ("torus-2-bent", "1/40"), ("torus-2-by-charts", "1/30")]]
 ALL = {run.name: run for run in TORI + FORMS + SIZES + sum(THREADS, []) + MEMBERS + ZERO_SETS + ATLASES}

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "kernel/formula/plain_formula.hpp"
+
 namespace delcert {
 
 namespace {
@@ -68,8 +70,9 @@ Fraction unreduced(const Polynomial& p, const std::vector<RationalFunction>& f) 
   return {std::move(numerator), std::move(denominator)};
 }
 
-RationalFunction read(const Expression& formula, const std::vector<std::string>& variables, const RingPointer& ring) {
-  const auto argument = [&](std::size_t at) { return read(*formula.children[at], variables, ring); };
+RationalFunction read(const Expression& formula, const std::vector<std::string>& variables, const RingPointer& ring,
+                      const AbsoluteValue& absolute_value) {
+  const auto argument = [&](std::size_t at) { return read(*formula.children[at], variables, ring, absolute_value); };
   switch (formula.operation) {
     case Operation::literal:
       return {Polynomial(ring, formula.value), Polynomial(ring, Rational(1))};
@@ -97,6 +100,11 @@ RationalFunction read(const Expression& formula, const std::vector<std::string>&
       const auto exponent = formula.children[1]->value.numerator().convert_to<unsigned long>();
       return {moderate_power(base.numerator, exponent), moderate_power(base.denominator, exponent)};
     }
+    case Operation::call:
+      if (absolute_value && has_absolute_values(formula)) {
+        if (auto value = absolute_value(argument(0))) return *std::move(value);
+      }
+      [[fallthrough]];
     default:
       throw std::domain_error("no rational function");
   }
@@ -149,10 +157,10 @@ bool operator==(const RationalFunction& a, const RationalFunction& b) {
 }
 
 std::optional<RationalFunction> rational_function_of(const Expression& formula,
-                                                     const std::vector<std::string>& variables,
-                                                     const RingPointer& ring) {
+                                                     const std::vector<std::string>& variables, const RingPointer& ring,
+                                                     const AbsoluteValue& absolute_value) {
   try {
-    RationalFunction result = read(formula, variables, ring);
+    RationalFunction result = read(formula, variables, ring, absolute_value);
     if (is_moderate(result)) return result;
   } catch (const std::length_error&) {
   } catch (const std::domain_error&) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,11 +34,16 @@ struct RationalFunction {
 /// Whether a power of a polynomial certainly has a moderate number of terms of a moderate degree.
 [[nodiscard]] bool has_moderate_power(const Polynomial& base, unsigned long exponent);
 
+/// What stands for |a|; none if nothing does.
+using AbsoluteValue = std::function<std::optional<RationalFunction>(const RationalFunction& a)>;
+
 /// A plain formula in these variables, in their order those of the ring. None if it is no rational function of moderate
-/// size: it names another function, divides by what is 0, or is too large to be written out.
+/// size: it names another function, divides by what is 0, or is too large to be written out; or it has an absolute
+/// value for which nothing stands.
 [[nodiscard]] std::optional<RationalFunction> rational_function_of(const Expression& formula,
                                                                    const std::vector<std::string>& variables,
-                                                                   const RingPointer& ring);
+                                                                   const RingPointer& ring,
+                                                                   const AbsoluteValue& absolute_value = nullptr);
 
 /// p(f_0, f_1 …), where the denominators of the f do not vanish the same as that. Throws std::length_error if it is too
 /// large to be written out. Precondition: as many f as p has variables, over one ring.

@@ -140,22 +140,26 @@ class AtlasReader : TomlFormulaReader {
     if (result.from == result.to)
       fail(required(table, "to"), what + ", to", "another chart: no two points of one chart are the same");
     const auto& from = atlas.charts[result.from].variables;
-    result.map = formulas(required(table, "map"), what + ", map", from.size(), from.size(), from);
+    result.map = formulas(required(table, "map"), what + ", map", from.size(), from.size(), from, true);
     result.inverse = formulas(required(table, "inverse"), what + ", inverse", from.size(), from.size(),
-                              atlas.charts[result.to].variables);
+                              atlas.charts[result.to].variables, true);
     if (table.contains("where"))
-      result.where = formulas(required(table, "where"), what + ", where", 1, most_conditions, from);
+      result.where = formulas(required(table, "where"), what + ", where", 1, most_conditions, from, false);
     return result;
   }
 
   std::vector<std::string> formulas(const toml::node& node, const std::string& what, std::size_t least,
-                                    std::size_t most, const std::vector<std::string>& variables) const {
+                                    std::size_t most, const std::vector<std::string>& variables, bool may_fold) const {
     std::vector<std::string> result;
     for (const toml::node& entry : array_of(node, what, least, most, "formulas")) {
       const auto* text = entry.as_string();
       if (text == nullptr || text->get().size() > longest_formula)
         fail(entry, what + ", formula " + std::to_string(result.size() + 1), "a string of at most 4096 bytes");
       result.push_back(in_string(entry, "a formula", [&](const std::string& formula) {
+        if (may_fold) {
+          const ExpressionPointer tree = parse_plain_formula(formula, variables, AbsoluteValues::allowed);
+          if (has_absolute_values(*tree)) return canonical_text(*tree);
+        }
         return FormulaMap(variables, {formula}).canonical_texts()[0];
       }));
     }

@@ -74,8 +74,8 @@ template <int m>
 BlendedSimplexCheck<m>::BlendedSimplexCheck(const FormulaAtlas<m>& atlas, const GluedPlaces<m>& places)
     : atlas_(atlas), places_(places) {
   for (const auto& transition : atlas.gluing().transitions()) {
-    on_cells_.emplace_back(transition.cells);
-    maps_.emplace_back(transition.formulas);
+    on_cells_.emplace_back(transition.pieces);
+    maps_.emplace_back(transition.pieces);
   }
 }
 
@@ -133,24 +133,31 @@ std::optional<std::size_t> BlendedSimplexCheck<m>::transition_on(const Cell& box
   return std::nullopt;
 }
 
+/// The derivatives of a transition on a box, in the charts of two representatives: each is `middle`, one of the convex
+/// hull of `changes` (one for each vertex of the simplex, or for each piece of the transition), and a rest.
 template <int m>
-std::optional<typename BlendedSimplexCheck<m>::Step> BlendedSimplexCheck<m>::step(const LabelSimplex<m>& simplex,
-                                                                                  std::size_t from, std::size_t to,
-                                                                                  std::size_t transition,
-                                                                                  const Cell& box,
-                                                                                  double displacement) {
+struct BlendedSimplexCheck<m>::Derivatives {
+  using Square = IntervalMatrix<static_cast<std::size_t>(m)>;
+  Square middle;
+  std::vector<Square> changes;
+  Interval rest{0};
+  /// D², as a matrix for each direction; none of a transition that may have several pieces on the box.
+  std::optional<std::array<Square, static_cast<std::size_t>(m)>> bend;
+};
+
+template <int m>
+std::optional<typename BlendedSimplexCheck<m>::Derivatives> BlendedSimplexCheck<m>::derivatives(
+    const LabelSimplex<m>& simplex, std::size_t from, std::size_t to, std::size_t transition, const Cell& box,
+    double displacement) {
   constexpr auto n = static_cast<std::size_t>(m);
   const auto& here = atlas_.enclosed(Label(representative(simplex, from)));
   const auto& there = atlas_.enclosed(Label(representative(simplex, to)));
-  // The derivative about the middle, and the second ones everywhere.
+  PiecewiseValues<Interval>& map = maps_[transition];
+  const std::vector<std::size_t> pieces = map.pieces_at(box.data());
   Cell middle;
   for (std::size_t axis = 0; axis < n; ++axis) middle[axis] = central(box[axis]);
   std::array<Interval, n> ignored;
   std::array<Interval, n * n> at_middle;
-  std::array<Interval, n * n * n> second;
-  if (!maps_[transition].first(middle.data(), ignored.data(), at_middle.data()) ||
-      !second_derivatives<m>(maps_[transition], box, second))
-    return std::nullopt;
   const auto in_charts = [&](const auto& entry) {
     IntervalMatrix<n> raw;
     for (std::size_t row = 0; row < n; ++row) {
@@ -158,13 +165,33 @@ std::optional<typename BlendedSimplexCheck<m>::Step> BlendedSimplexCheck<m>::ste
     }
     return product(there.matrix, product(raw, here.inverse));
   };
-  const IntervalMatrix<n> derivative =
-      in_charts([&](std::size_t row, std::size_t k) { return at_middle[row * n + k]; });
-  // D² in the charts, as a matrix for each direction.
+  const auto derivative_of = [&](std::size_t piece) -> std::optional<IntervalMatrix<n>> {
+    if (!map.formulas(piece).first(middle.data(), ignored.data(), at_middle.data())) return std::nullopt;
+    return in_charts([&](std::size_t row, std::size_t k) { return at_middle[row * n + k]; });
+  };
+  Derivatives result;
+  if (pieces.size() > 1) {
+    // Several pieces are affine.
+    for (const std::size_t piece : pieces) result.changes.push_back(*derivative_of(piece));
+    for (std::size_t row = 0; row < n; ++row) {
+      for (std::size_t k = 0; k < n; ++k) {
+        Interval sum(0);
+        for (const IntervalMatrix<n>& linear : result.changes) sum += linear[row][k];
+        result.middle[row][k] = central(sum / Interval(static_cast<int>(pieces.size())));
+        for (IntervalMatrix<n>& linear : result.changes) linear[row][k] = linear[row][k] - result.middle[row][k];
+      }
+    }
+    return result;
+  }
+  // The derivative about the middle, and the second ones everywhere.
+  std::array<Interval, n * n * n> second;
+  const auto derivative = derivative_of(pieces.front());
+  if (!derivative || !second_derivatives<m>(map.formulas(pieces.front()), box, second)) return std::nullopt;
+  result.middle = *derivative;
   std::array<IntervalMatrix<n>, n> raw;
   for (std::size_t axis = 0; axis < n; ++axis)
     raw[axis] = in_charts([&](std::size_t row, std::size_t k) { return second[(row * n + k) * n + axis]; });
-  std::array<IntervalMatrix<n>, n> bend;
+  std::array<IntervalMatrix<n>, n>& bend = result.bend.emplace();
   std::array<IntervalMatrix<n>, n> mean;
   Interval squared_size(0);
   Interval squared_spread(0);
@@ -182,23 +209,44 @@ std::optional<typename BlendedSimplexCheck<m>::Step> BlendedSimplexCheck<m>::ste
   }
   const double size = square_root(squared_size).upper();
   const double spread = square_root(squared_spread).upper();
-
-  std::array<Vector<Interval, m>, n + 1> from_middle;  // in the chart here
-  IntervalMatrix<n> edges_here;
-  IntervalMatrix<n> edges_there;
   double reach = 0;
-  for (std::size_t v = 0; v <= n; ++v) {
-    const Vector<Interval, m>& x = *places_.place(from, simplex[v]);
+  for (const std::uint32_t v : simplex) {
+    const Vector<Interval, m>& x = *places_.place(from, v);
     Vector<Interval, m> offset;
     for (std::size_t axis = 0; axis < n; ++axis) offset[axis] = x[axis] - middle[axis];
-    from_middle[v] = applied(here.matrix, offset);
-    reach = std::max(reach, length_above(from_middle[v]));
-    if (v == 0) continue;
-    const auto edge = [&](std::size_t chart) {
-      return difference(*places_.place(chart, simplex[v]), *places_.place(chart, simplex[0]));
-    };
-    const Vector<Interval, m> edge_here = applied(here.matrix, edge(from));
-    const Vector<Interval, m> edge_there = applied(there.matrix, edge(to));
+    const Vector<Interval, m> from_middle = applied(here.matrix, offset);
+    reach = std::max(reach, length_above(from_middle));
+    IntervalMatrix<n>& change = result.changes.emplace_back();
+    for (std::size_t row = 0; row < n; ++row) {
+      for (std::size_t k = 0; k < n; ++k) {
+        change[row][k] = mean[0][row][k] * from_middle[0];
+        for (std::size_t axis = 1; axis < n; ++axis) change[row][k] += mean[axis][row][k] * from_middle[axis];
+      }
+    }
+  }
+  result.rest =
+      Interval::exactly(spread) * Interval::exactly(reach) + Interval::exactly(size) * Interval::exactly(displacement);
+  return result;
+}
+
+template <int m>
+std::optional<typename BlendedSimplexCheck<m>::Step> BlendedSimplexCheck<m>::step(const LabelSimplex<m>& simplex,
+                                                                                  std::size_t from, std::size_t to,
+                                                                                  std::size_t transition,
+                                                                                  const Cell& box,
+                                                                                  double displacement) {
+  constexpr auto n = static_cast<std::size_t>(m);
+  const auto found = derivatives(simplex, from, to, transition, box, displacement);
+  if (!found) return std::nullopt;
+  const auto edge = [&](std::size_t chart, std::size_t v, std::size_t w) {
+    return applied(atlas_.enclosed(Label(representative(simplex, chart))).matrix,
+                   difference(*places_.place(chart, simplex[v]), *places_.place(chart, simplex[w])));
+  };
+  IntervalMatrix<n> edges_here;
+  IntervalMatrix<n> edges_there;
+  for (std::size_t v = 1; v <= n; ++v) {
+    const Vector<Interval, m> edge_here = edge(from, v, 0);
+    const Vector<Interval, m> edge_there = edge(to, v, 0);
     for (std::size_t row = 0; row < n; ++row) {
       edges_here[row][v - 1] = edge_here[row];
       edges_there[row][v - 1] = edge_there[row];
@@ -209,40 +257,37 @@ std::optional<typename BlendedSimplexCheck<m>::Step> BlendedSimplexCheck<m>::ste
 
   Step result{};
   result.back = norm_above(back);
-  const Interval rest =
-      Interval::exactly(spread) * Interval::exactly(reach) + Interval::exactly(size) * Interval::exactly(displacement);
-  double longest = 0;
-  double turn = 0;
-  for (std::size_t v = 0; v <= n; ++v) {
-    IntervalMatrix<n> change;
+  for (const IntervalMatrix<n>& change : found->changes) {
     IntervalMatrix<n> whole;
     for (std::size_t row = 0; row < n; ++row) {
-      for (std::size_t k = 0; k < n; ++k) {
-        change[row][k] = mean[0][row][k] * from_middle[v][0];
-        for (std::size_t axis = 1; axis < n; ++axis) change[row][k] += mean[axis][row][k] * from_middle[v][axis];
-        whole[row][k] = derivative[row][k] + change[row][k];
-      }
+      for (std::size_t k = 0; k < n; ++k) whole[row][k] = found->middle[row][k] + change[row][k];
     }
     result.change = std::max(result.change, norm_above(change));
     result.factor = std::max(result.factor, norm_above(whole));
     IntervalMatrix<n> beyond = product(whole, back);
     for (std::size_t row = 0; row < n; ++row) beyond[row][row] = beyond[row][row] - Interval(1);
     result.kappa = std::max(result.kappa, norm_above(beyond));
+  }
+  double longest = 0;
+  double turn = 0;
+  for (std::size_t v = 0; v <= n; ++v) {
     for (std::size_t w = 0; w < v; ++w) {
-      const Vector<Interval, m> edge = difference(from_middle[v], from_middle[w]);
-      longest = std::max(longest, length_above(edge));
+      const Vector<Interval, m> side = edge(from, v, w);
+      longest = std::max(longest, length_above(side));
+      if (!found->bend) continue;
       Vector<Interval, m> turned{};
-      for (std::size_t axis = 0; axis < n; ++axis) turned = sum(turned, scaled(edge[axis], applied(bend[axis], edge)));
+      for (std::size_t axis = 0; axis < n; ++axis)
+        turned = sum(turned, scaled(side[axis], applied((*found->bend)[axis], side)));
       turn = std::max(turn, length_above(turned));
     }
   }
-  result.kappa = (Interval::exactly(result.kappa) + Interval::exactly(result.back) * rest).upper();
-  result.factor = (Interval::exactly(result.factor) + rest).upper();
-  result.change = (Interval::exactly(result.change) + rest).upper();
+  result.kappa = (Interval::exactly(result.kappa) + Interval::exactly(result.back) * found->rest).upper();
+  result.factor = (Interval::exactly(result.factor) + found->rest).upper();
+  result.change = (Interval::exactly(result.change) + found->rest).upper();
   const Interval share = Interval(m) / Interval(m + 1);
-  result.residual = std::min(
-      (Interval::exactly(result.change) * square_root(share / Interval(2)) * Interval::exactly(longest)).upper(),
-      (share / Interval(4) * Interval::exactly(turn)).upper());
+  result.residual =
+      (Interval::exactly(result.change) * square_root(share / Interval(2)) * Interval::exactly(longest)).upper();
+  if (found->bend) result.residual = std::min(result.residual, (share / Interval(4) * Interval::exactly(turn)).upper());
   // The weights of what comes up to here sum to T, the others to 1 − T.
   const bool with_first = places_.home(simplex[0]) <= from;
   Vector<Interval, m> gradient{};

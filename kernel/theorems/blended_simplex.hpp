@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "kernel/manifold/gluing/piecewise_values.hpp"
 #include "kernel/stars/chart_complex.hpp"
 #include "kernel/theorems/glued_places.hpp"
 
@@ -43,16 +44,19 @@ class BlendedSimplexCheck {
 
  private:
   struct Step;
+  struct Derivatives;
   [[nodiscard]] bool is_open_box(const Cell& cell, std::size_t chart) const;
   [[nodiscard]] Cell box_about(const LabelSimplex<m>& simplex, std::size_t chart, double displacement) const;
   [[nodiscard]] std::optional<std::size_t> transition_on(const Cell& box, std::size_t from, std::size_t to);
+  [[nodiscard]] std::optional<Derivatives> derivatives(const LabelSimplex<m>& simplex, std::size_t from, std::size_t to,
+                                                       std::size_t transition, const Cell& box, double displacement);
   [[nodiscard]] std::optional<Step> step(const LabelSimplex<m>& simplex, std::size_t from, std::size_t to,
                                          std::size_t transition, const Cell& box, double displacement);
 
   const FormulaAtlas<m>& atlas_;
   const GluedPlaces<m>& places_;
-  std::vector<CellMapEvaluation> on_cells_;
-  std::vector<FormulaEvaluation<Interval>> maps_;
+  std::vector<PiecewiseCells> on_cells_;
+  std::vector<PiecewiseValues<Interval>> maps_;
 };
 
 }  // namespace delcert

@@ -17,8 +17,8 @@ GluedPlaces<m>::GluedPlaces(const FormulaAtlas<m>& atlas, const PointSet<m>& poi
     exact.push_back(atlas.position(Label(label), points.exact(Label(label))));
   }
   const RoundingGuard guard;
-  std::vector<CellMapEvaluation> maps;
-  for (const auto& transition : gluing.transitions()) maps.emplace_back(transition.cells);
+  std::vector<PiecewiseCells> maps;
+  for (const auto& transition : gluing.transitions()) maps.emplace_back(transition.pieces);
   for (std::uint32_t label = 0; label < atlas.size(); ++label) {
     Cell cell;
     Vector<Interval, m> here;
@@ -29,7 +29,7 @@ GluedPlaces<m>::GluedPlaces(const FormulaAtlas<m>& atlas, const PointSet<m>& poi
       if (transition.from != home_[label]) continue;
       const MapOnCell found = maps[t].on(cell);
       if (found.is_excluded) continue;
-      if (!found.is_regular || !is_inside(found.image, transition.cells.box()))
+      if (!found.is_regular || !is_inside(found.image, transition.pieces.front().box()))
         throw Undecided("level 5: whether chart " + gluing.chart(transition.to).name + " shows label " +
                         std::to_string(label));
       Vector<Interval, m> there;

@@ -98,14 +98,21 @@ class BlendChecker {
   bool is_in_chart(const Cell& cell, std::size_t chart) const {
     return is_inside_open(cell, charts_.gluing().charts[chart].domain);
   }
-  /// The passage that is defined on all of the box, or null.
-  PassageValues* passage_on(const Cell& box, std::size_t from, std::size_t to) const {
-    for (std::size_t t = 0; t < charts_.passages().size(); ++t) {
-      if (charts_.passages()[t].from != from || charts_.passages()[t].to != to) continue;
-      const OnCell found = charts_.values(t).on(box);
-      if (found.regular && is_in_chart(found.image, to)) return &charts_.values(t);
+  /// The passages of one number that may meet the box, if they are defined on all of it; or none.
+  std::vector<PassageValues*> passages_on(const Cell& box, std::size_t from, std::size_t to) const {
+    for (const std::vector<std::size_t>& pieces : by_number(charts_.passages())) {
+      if (charts_.passages()[pieces[0]].from != from || charts_.passages()[pieces[0]].to != to) continue;
+      std::vector<PassageValues*> met;
+      bool defined = true;
+      for (const std::size_t t : pieces) {
+        const OnCell found = charts_.values(t).on(box);
+        if (found.here == Verdict::refuted) continue;
+        met.push_back(&charts_.values(t));
+        defined = defined && found.regular && is_in_chart(found.image, to);
+      }
+      if (defined) return met;
     }
-    return nullptr;
+    return {};
   }
 
   void check_seam(const Label* labels, const std::vector<std::size_t>& homes) {
@@ -125,9 +132,10 @@ class BlendChecker {
     bool known = true;
     for (std::size_t l = 1; l < homes.size(); ++l) {
       const Cell box = box_about(labels, homes[l - 1], displacement);
-      PassageValues* passage = is_in_chart(box, homes[l - 1]) ? passage_on(box, homes[l - 1], homes[l]) : nullptr;
-      if (passage == nullptr) return no_passage();
-      const Step step = step_of(labels, homes[l - 1], homes[l], *passage, box, displacement);
+      std::vector<PassageValues*> passages;
+      if (is_in_chart(box, homes[l - 1])) passages = passages_on(box, homes[l - 1], homes[l]);
+      if (passages.empty()) return no_passage();
+      const Step step = step_of(labels, homes[l - 1], homes[l], passages, box, displacement);
       fold = std::max(fold, step.kappa);
       known = known && std::max({step.kappa, step.factor, step.change, step.back, step.residual, step.slope}) < 0x1p100;
       // Rounding upwards, and no number is negative.
@@ -137,7 +145,7 @@ class BlendChecker {
     }
     const Cell box = box_about(labels, homes.back(), displacement);
     for (std::size_t l = 0; l + 1 < homes.size(); ++l) {
-      if (!is_in_chart(box, homes.back()) || passage_on(box, homes.back(), homes[l]) == nullptr) return no_passage();
+      if (!is_in_chart(box, homes.back()) || passages_on(box, homes.back(), homes[l]).empty()) return no_passage();
     }
     const bool small = known && fold < 1 &&
                        less_equal(interval_of(contraction), c_.contraction.filter) == Verdict::proved &&
@@ -177,38 +185,75 @@ class BlendChecker {
     return result;
   }
 
-  Step step_of(const Label* labels, std::size_t from, std::size_t to, PassageValues& passage, const Cell& box,
-               double displacement) const {
+  /// The derivatives on a box, in the charts of i and j: each is `mean`, one of the convex hull of `changes`, and a
+  /// rest.
+  struct Slopes {
+    Matrix<Interval> mean;
+    std::vector<Matrix<Interval>> changes;
+    double rest = 0;
+    std::vector<Matrix<Interval>> bend;  // the second derivatives, a matrix for each direction; none of several pieces
+  };
+
+  /// Of several pieces, which are affine.
+  Slopes slopes_of_pieces(Label i, Label j, const std::vector<PassageValues*>& passages, const Cell& box) const {
+    Slopes result{Matrix<Interval>(m_, m_), {}, 0, {}};
+    for (PassageValues* passage : passages)
+      result.changes.push_back(matrix(j) * passage->jacobian(middle_of(box)) * inverse(i));
+    for (std::size_t k = 0; k < m_ * m_; ++k) {
+      Interval sum(0);
+      for (const Matrix<Interval>& linear : result.changes) sum = sum + linear[k];
+      result.mean[k] = central(sum / Interval(static_cast<int>(passages.size())));
+      for (Matrix<Interval>& linear : result.changes) linear[k] = linear[k] - result.mean[k];
+    }
+    return result;
+  }
+
+  Slopes slopes_of(const Label* labels, std::size_t from, std::size_t to, PassageValues& passage, const Cell& box,
+                   double displacement) const {
     const Label i = representative(labels, from), j = representative(labels, to);
     const Matrix<Interval> A = matrix(i), back_to_i = inverse(i), B = matrix(j);
     const Cell centre = middle_of(box);
-    const Matrix<Interval> derivative = B * passage.jacobian(centre) * back_to_i;
+    Slopes result;
+    result.mean = B * passage.jacobian(centre) * back_to_i;
     std::vector<Matrix<Interval>> along_axes = seconds_in(passage, box);
     for (Matrix<Interval>& along : along_axes) along = B * along * back_to_i;
     // D^2 of the passage between the charts of i and j: a matrix for each direction, its middle, and the sizes.
-    std::vector<Matrix<Interval>> bend(m_, Matrix<Interval>(m_, m_)), mean = bend;
+    result.bend.assign(m_, Matrix<Interval>(m_, m_));
+    std::vector<Matrix<Interval>> mean = result.bend;
     Interval size(0), spread(0);
     for (std::size_t direction = 0; direction < m_; ++direction) {
-      for (std::size_t axis = 0; axis < m_; ++axis)
-        bend[direction] = bend[direction] + back_to_i(axis, direction) * along_axes[axis];
+      Matrix<Interval>& bend = result.bend[direction];
+      for (std::size_t axis = 0; axis < m_; ++axis) bend = bend + back_to_i(axis, direction) * along_axes[axis];
       for (std::size_t k = 0; k < m_ * m_; ++k) {
-        mean[direction][k] = central(bend[direction][k]);
-        size = size + square(bend[direction][k]);
-        spread = spread + square(bend[direction][k] - mean[direction][k]);
+        mean[direction][k] = central(bend[k]);
+        size = size + square(bend[k]);
+        spread = spread + square(bend[k] - mean[direction][k]);
       }
     }
-    const auto combined = [&](const std::vector<Matrix<Interval>>& matrices, const Cell& w) {
-      Matrix<Interval> sum(m_, m_);
-      for (std::size_t k = 0; k < m_; ++k) sum = sum + w[k] * matrices[k];
-      return sum;
-    };
-    Matrix<Interval> edges_i(m_, m_), edges_j(m_, m_);
-    std::vector<Cell> offsets;
     double reach = 0;
     for (std::size_t v = 0; v <= m_; ++v) {
-      offsets.push_back(A * (place(from, labels[v]) - centre));
-      reach = std::max(reach, norm_above(offsets.back()));
-      if (v == 0) continue;
+      const Cell offset = A * (place(from, labels[v]) - centre);
+      reach = std::max(reach, norm_above(offset));
+      result.changes.push_back(combined(mean, offset));
+    }
+    result.rest = upper_root(spread) * reach + upper_root(size) * displacement;
+    return result;
+  }
+
+  Matrix<Interval> combined(const std::vector<Matrix<Interval>>& matrices, const Cell& w) const {
+    Matrix<Interval> sum(m_, m_);
+    for (std::size_t k = 0; k < m_; ++k) sum = sum + w[k] * matrices[k];
+    return sum;
+  }
+
+  Step step_of(const Label* labels, std::size_t from, std::size_t to, const std::vector<PassageValues*>& passages,
+               const Cell& box, double displacement) const {
+    const Label i = representative(labels, from), j = representative(labels, to);
+    const Matrix<Interval> A = matrix(i), B = matrix(j);
+    const Slopes slopes = passages.size() > 1 ? slopes_of_pieces(i, j, passages, box)
+                                              : slopes_of(labels, from, to, *passages[0], box, displacement);
+    Matrix<Interval> edges_i(m_, m_), edges_j(m_, m_);
+    for (std::size_t v = 1; v <= m_; ++v) {
       const Cell in_i = A * (place(from, labels[v]) - place(from, labels[0])),
                  in_j = B * (place(to, labels[v]) - place(to, labels[0]));
       for (std::size_t k = 0; k < m_; ++k) {
@@ -217,27 +262,28 @@ class BlendChecker {
       }
     }
     const Matrix<Interval> weights = inverse_by_cofactors(edges_j), M = edges_i * weights;
-    const double rest = upper_root(spread) * reach + upper_root(size) * displacement;
     Step result;
     result.back = spectral_norm_above(M);
-    double longest = 0, turn = 0;
-    for (std::size_t v = 0; v <= m_; ++v) {
-      const Matrix<Interval> change = combined(mean, offsets[v]), whole = derivative + change;
+    for (const Matrix<Interval>& change : slopes.changes) {
+      const Matrix<Interval> whole = slopes.mean + change;
       result.change = std::max(result.change, spectral_norm_above(change));
       result.factor = std::max(result.factor, spectral_norm_above(whole));
       result.kappa = std::max(result.kappa, spectral_norm_above(one_less(whole * M)));
+    }
+    double longest = 0, turn = 0;
+    for (std::size_t v = 0; v <= m_; ++v) {
       for (std::size_t w = 0; w < v; ++w) {
         const Cell edge = A * (place(from, labels[v]) - place(from, labels[w]));
         longest = std::max(longest, norm_above(edge));
-        turn = std::max(turn, norm_above(combined(bend, edge) * edge));
+        if (!slopes.bend.empty()) turn = std::max(turn, norm_above(combined(slopes.bend, edge) * edge));
       }
     }
-    result.kappa += result.back * rest;
-    result.factor += rest;
-    result.change += rest;
+    result.kappa += result.back * slopes.rest;
+    result.factor += slopes.rest;
+    result.change += slopes.rest;
     const Interval share = Interval(static_cast<int>(m_)) / Interval(static_cast<int>(m_) + 1);
-    result.residual =
-        std::min(result.change * upper_root(share / Interval(2)) * longest, (share / Interval(4)).upper() * turn);
+    result.residual = result.change * upper_root(share / Interval(2)) * longest;
+    if (!slopes.bend.empty()) result.residual = std::min(result.residual, (share / Interval(4)).upper() * turn);
     // The weights of the vertices with a home up to `from` sum to T, the others to 1 - T.
     const bool with_first = charts_.home(labels[0]) <= from;
     Matrix<Interval> gradient(1, m_);

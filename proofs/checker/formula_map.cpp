@@ -12,8 +12,8 @@ using Operation = FormulaMap::Operation;
 /// power := atom [ '^' digits ];  atom := digits | variable | function '(' sum ')' | '(' sum ')'.
 class FormulaReader {
  public:
-  FormulaReader(FormulaMap& map, const std::vector<std::string_view>& variables, std::string_view text)
-      : map_(map), variables_(variables), text_(text) {}
+  FormulaReader(FormulaMap& map, const std::vector<std::string_view>& variables, std::string_view text, bool folds)
+      : map_(map), variables_(variables), text_(text), folds_(folds) {}
 
   std::size_t read() {
     const std::size_t result = sum();
@@ -95,8 +95,11 @@ class FormulaReader {
     for (const auto& [name, operation] : {std::pair{"sqrt", Operation::root},
                                           {"exp", Operation::exp},
                                           {"sin", Operation::sin},
-                                          {"cos", Operation::cos}}) {
+                                          {"cos", Operation::cos},
+                                          {"abs", Operation::absolute}}) {
       if (word != name) continue;
+      // A variable may have this name.
+      if (operation == Operation::absolute && (!folds_ || at_ == text_.size() || text_[at_] != '(')) continue;
       if (!accept('(')) fail();
       return map_.append({operation, closed(sum())});
     }
@@ -112,6 +115,7 @@ class FormulaReader {
   FormulaMap& map_;
   const std::vector<std::string_view>& variables_;
   std::string_view text_;
+  bool folds_;
   std::size_t at_ = 0;
   int depth_ = 0;
 };
@@ -135,9 +139,11 @@ void require_names(const std::vector<std::string_view>& variables) {
   }
 }
 
-FormulaMap::FormulaMap(const std::vector<std::string_view>& variables, const std::vector<std::string_view>& formulas)
+FormulaMap::FormulaMap(const std::vector<std::string_view>& variables, const std::vector<std::string_view>& formulas,
+                       bool folds)
     : variables_(variables.size()) {
-  for (const std::string_view formula : formulas) results_.push_back(FormulaReader(*this, variables, formula).read());
+  for (const std::string_view formula : formulas)
+    results_.push_back(FormulaReader(*this, variables, formula, folds).read());
 }
 
 /// The same operation on the same operands is done once.
@@ -312,6 +318,8 @@ void FormulaValues<N>::evaluate(const Matrix<N>& x, int order) {
             apply(arb_cos, values_[a]), [&](const N&) { return -apply(arb_sin, values_[a]); },
             [](const N& g) { return -g; });
         break;
+      case Operation::absolute:
+        throw std::logic_error("a map with folds has values piece by piece");
     }
   }
 }

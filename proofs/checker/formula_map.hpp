@@ -18,7 +18,9 @@ class FormulaMap {
 
   FormulaMap() = default;
   /// The formulas are those of docs/certificate-format.md. Throws Malformed (form.formula).
-  FormulaMap(const std::vector<std::string_view>& variables, const std::vector<std::string_view>& formulas);
+  /// `folds`: abs() is allowed; such a map has no values here, only pieces (map_piece.hpp).
+  FormulaMap(const std::vector<std::string_view>& variables, const std::vector<std::string_view>& formulas,
+             bool folds = false);
 
   enum class Operation {
     constant,
@@ -32,7 +34,8 @@ class FormulaMap {
     root,
     exp,
     sin,
-    cos
+    cos,
+    absolute
   };
   /// What an operation is done to: earlier steps; the number of a constant or a variable; an exponent second.
   struct Step {

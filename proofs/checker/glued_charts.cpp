@@ -86,13 +86,16 @@ bool GluedCharts::is_in_domain(std::size_t number, Label j, Vector<Interval>& pl
   const Passage& passage = passages_[number];
   const OnCell found = values_[number].on(as_cell(point<Interval>(j), c_.m_size()));
   if (found.excluded) return false;
-  if (found.regular && is_inside_open(found.image, *passage.box)) {
+  if (found.regular && found.here == Verdict::proved && is_inside_open(found.image, *passage.box)) {
     place = as_vector(found.image);
     return true;
   }
   const Vector<Rational>& x = point<Rational>(j);
   for (const Polynomial& p : passage.positive) {
     if (p.at(x).sign() <= 0) return false;
+  }
+  for (const Polynomial& p : passage.region) {
+    if (p.at(x).sign() < 0) return false;
   }
   for (const Polynomial& p : passage.nonzero) {
     if (p.at(x).sign() == 0) return false;

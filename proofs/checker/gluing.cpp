@@ -20,13 +20,14 @@ Sides parse_sides(Cursor& cursor, std::size_t m) {
   return result;
 }
 
-FormulaMap parse_formulas(Cursor& cursor, const std::vector<std::string_view>& variables, std::size_t number) {
+FormulaMap parse_formulas(Cursor& cursor, const std::vector<std::string_view>& variables, std::size_t number,
+                          bool folds) {
   std::vector<std::string_view> formulas;
   cursor.array([&] { formulas.push_back(cursor.string()); });
   if (number != 0 && formulas.size() != number)
     throw Malformed("form.formula", "a transition has not as many formulas as variables");
-  FormulaMap result(variables, formulas);
-  if (!is_rational(result)) throw Malformed("form.formula", "a transition is no rational function");
+  FormulaMap result(variables, formulas, folds);
+  if (!is_rational(result, folds)) throw Malformed("form.formula", "a transition is no rational function");
   return result;
 }
 
@@ -67,11 +68,11 @@ Gluing::Gluing(int dimension, Cursor& cursor) : m(static_cast<std::size_t>(dimen
       throw Malformed("form.ranges", "a transition does not join two of the charts");
     const auto &here = charts[transition.from].variables, &there = charts[transition.to].variables;
     cursor.expect(",\"map\":");
-    transition.map = parse_formulas(cursor, here, m);
+    transition.map = parse_formulas(cursor, here, m, true);
     cursor.expect(",\"inverse\":");
-    transition.inverse = parse_formulas(cursor, there, m);
+    transition.inverse = parse_formulas(cursor, there, m, true);
     cursor.expect(",\"where\":");
-    transition.where = parse_formulas(cursor, here, 0);
+    transition.where = parse_formulas(cursor, here, 0, false);
     cursor.expect("}");
     if (transitions.size() == most_transitions) throw Malformed("form.ranges", "there are too many transitions");
     transitions.push_back(std::move(transition));

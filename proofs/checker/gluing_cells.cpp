@@ -45,16 +45,18 @@ Interval common(const Interval& a, const Interval& b) {
 
 }  // namespace
 
-Passage::Passage(std::size_t m, std::size_t from_chart, std::size_t to_chart, const Sides& target,
-                 RationalMap functions, std::vector<Polynomial> above_zero, std::vector<Polynomial> not_zero,
-                 const FormulaMap* formulas)
+Passage::Passage(std::size_t m, std::size_t from_chart, std::size_t to_chart, const Sides& target, MapPiece piece,
+                 std::vector<Polynomial> above_zero, std::vector<Polynomial> not_zero,
+                 std::optional<FormulaMap> formulas)
     : from(from_chart),
       to(to_chart),
       box(&target),
-      map(std::move(functions)),
+      map(std::move(piece.map)),
+      region(std::move(piece.nonnegative)),
       positive(std::move(above_zero)),
       nonzero(std::move(not_zero)),
-      written(formulas),
+      written(std::move(formulas)),
+      borders(formulas_of(m, region)),
       conditions(formulas_of(m, positive)),
       polynomials(
           formulas_of(m, appended(appended(appended(positive, nonzero), parts_of(map, &RationalFunction::numerator)),
@@ -62,18 +64,23 @@ Passage::Passage(std::size_t m, std::size_t from_chart, std::size_t to_chart, co
       squares(formulas_of(m, sum_of_squares(map, target))) {}
 
 PassageValues::PassageValues(const Passage& passage)
-    : passage_(passage), polynomials_(passage.polynomials), squares_(passage.squares) {
-  if (passage.written != nullptr) written_ = std::make_unique<FormulaValues<Interval>>(*passage.written);
+    : passage_(passage), borders_(passage.borders), polynomials_(passage.polynomials), squares_(passage.squares) {
+  if (passage.written) written_ = std::make_unique<FormulaValues<Interval>>(*passage.written);
 }
 
 OnCell PassageValues::on(const Cell& cell) {
   const std::size_t m = passage_.map.size();
   OnCell result;
+  if (!passage_.region.empty()) {
+    const Cell borders = enclosed_values(borders_, cell);
+    for (std::size_t k = 0; k < borders.size(); ++k)
+      result.here = conjunction(result.here, less_equal(Interval(0), borders[k]));
+  }
   const Cell values = enclosed_values(polynomials_, cell);
   std::size_t at = 0;
   for (std::size_t k = 0; k < passage_.positive.size(); ++k)
     result.positive = conjunction(result.positive, less(Interval(0), values[at++]));
-  result.excluded = result.positive == Verdict::refuted;
+  result.excluded = result.positive == Verdict::refuted || result.here == Verdict::refuted;
   Verdict regular = result.positive;
   for (std::size_t k = 0; k < passage_.nonzero.size(); ++k)
     regular = conjunction(regular, does_not_vanish(values[at++]));
@@ -194,44 +201,80 @@ Division divided(const Cell& whole, std::size_t most_halvings, bool all,
   return result;
 }
 
+namespace {
+
+/// Whether the one map and then the other is the identity; none if it is nowhere defined.
+std::optional<bool> is_undone(const std::vector<MapPiece>& first, const std::vector<MapPiece>& second, std::size_t m) {
+  bool result = true;
+  for (const MapPiece& one : first) {
+    for (const MapPiece& other : second) {
+      const auto both = composed_pieces(one, other);
+      if (!both) return std::nullopt;
+      if (may_be_positive_together(both->nonnegative)) result = result && both->map == identity_map(m);
+    }
+  }
+  return result;
+}
+
+/// The denominators of one map after the other, unless they are numbers.
+std::vector<Polynomial> denominators_after(const std::vector<MapPiece>& second, const MapPiece& first, std::size_t m) {
+  std::vector<Polynomial> result;
+  for (const MapPiece& piece : second) {
+    const auto after = composed(formulas_of(m, parts_of(piece.map, &RationalFunction::denominator)), first.map);
+    for (const RationalFunction& f : *after) {
+      if (f.numerator.is_zero() || !f.numerator.is_constant()) result.push_back(f.numerator);
+    }
+  }
+  return result;
+}
+
+/// As the file has it, or, of one piece of several, which is affine, its polynomials.
+FormulaMap formulas_of_piece(const MapPiece& piece, const FormulaMap& whole, std::size_t m) {
+  return piece.nonnegative.empty() ? whole : formulas_of(m, parts_of(piece.map, &RationalFunction::numerator));
+}
+
+}  // namespace
+
 std::vector<Passage> passages_of(const Gluing& gluing, const std::function<void(std::size_t)>& not_inverse) {
   const std::size_t m = gluing.m;
-  const RationalMap identity = identity_map(m);
   std::vector<Passage> result;
   for (std::size_t t = 0; t < gluing.transitions.size(); ++t) {
     const Gluing::Transition& transition = gluing.transitions[t];
-    const auto map = composed(transition.map, identity), inverse = composed(transition.inverse, identity);
-    const auto where = composed(transition.where, identity);
-    if (!map || !inverse || !where)
-      throw Malformed("form.formula", "transition " + std::to_string(t) + " divides by 0 everywhere");
-    const auto there_and_back = composed(transition.inverse, *map), back_and_there = composed(transition.map, *inverse);
+    const auto map = pieces_of(m, transition.map), inverse = pieces_of(m, transition.inverse);
+    const auto where = composed(transition.where, identity_map(m));
+    if (!where) throw Malformed("form.formula", "transition " + std::to_string(t) + " divides by 0 everywhere");
+    const auto there_and_back = is_undone(map, inverse, m), back_and_there = is_undone(inverse, map, m);
     if (!there_and_back || !back_and_there) {
       not_inverse(t);
       throw Undecided("the map of transition " + std::to_string(t) + " has no inverse");
     }
-    if (!(*there_and_back == identity) || !(*back_and_there == identity)) not_inverse(t);
-    std::vector<Polynomial> here, there;
+    if (!*there_and_back || !*back_and_there) not_inverse(t);
+    std::vector<Polynomial> here;
     for (const RationalFunction& condition : *where) {
       if (!condition.denominator.is_constant())
         throw Malformed("form.formula", "a condition of transition " + std::to_string(t) + " is no polynomial");
       here.push_back(condition.numerator);
     }
-    const auto on_other_side = composed(formulas_of(m, here), *inverse);
-    for (const RationalFunction& condition : *on_other_side) there.push_back(condition.sign());
-    // The denominators of one map after the other.
-    const auto denominators_after = [&](const RationalMap& second, const RationalMap& first) {
-      std::vector<Polynomial> vanish_not;
-      const auto after = composed(formulas_of(m, parts_of(second, &RationalFunction::denominator)), first);
-      for (const RationalFunction& f : *after) {
-        if (f.numerator.is_zero() || !f.numerator.is_constant()) vanish_not.push_back(f.numerator);
-      }
-      return vanish_not;
-    };
     const auto &from = transition.from, &to = transition.to;
-    result.emplace_back(m, from, to, gluing.charts[to].domain, *map, here, denominators_after(*inverse, *map),
-                        &transition.map);
-    result.emplace_back(m, to, from, gluing.charts[from].domain, *inverse, there, denominators_after(*map, *inverse),
-                        &transition.inverse);
+    for (const MapPiece& piece : map) {
+      result.emplace_back(m, from, to, gluing.charts[to].domain, piece, here, denominators_after(inverse, piece, m),
+                          formulas_of_piece(piece, transition.map, m));
+      result.back().number = 2 * t;
+    }
+    for (const MapPiece& piece : inverse) {
+      result.emplace_back(m, to, from, gluing.charts[from].domain, piece, signs_after(here, piece.map),
+                          denominators_after(map, piece, m), formulas_of_piece(piece, transition.inverse, m));
+      result.back().number = 2 * t + 1;
+    }
+  }
+  return result;
+}
+
+std::vector<std::vector<std::size_t>> by_number(const std::vector<Passage>& passages) {
+  std::vector<std::vector<std::size_t>> result;
+  for (std::size_t at = 0; at < passages.size(); ++at) {
+    result.resize(std::max(result.size(), passages[at].number + 1));
+    result[passages[at].number].push_back(at);
   }
   return result;
 }

@@ -2,28 +2,32 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "proofs/checker/gluing.hpp"
-#include "proofs/checker/rational_function.hpp"
+#include "proofs/checker/map_piece.hpp"
 
 namespace delcert::checker {
 
 /// A closed box of R^m.
 using Cell = Matrix<Interval>;
 
-/// A transition of the file or the inverse of one, or one after another: a rational map into the open box of a chart,
-/// where the polynomials of `positive` are above 0 and those of `nonzero` and the denominators do not vanish.
+/// A piece of a transition of the file or of the inverse of one, or one after another: a rational map into the open box
+/// of a chart, where the polynomials of `positive` are above 0, those of `region` are not below 0, and those of
+/// `nonzero` and the denominators do not vanish.
 struct Passage {
-  Passage(std::size_t m, std::size_t from_chart, std::size_t to_chart, const Sides& target, RationalMap functions,
-          std::vector<Polynomial> above_zero, std::vector<Polynomial> not_zero, const FormulaMap* formulas);
+  Passage(std::size_t m, std::size_t from_chart, std::size_t to_chart, const Sides& target, MapPiece piece,
+          std::vector<Polynomial> above_zero, std::vector<Polynomial> not_zero, std::optional<FormulaMap> formulas);
 
   std::size_t from, to;
   const Sides* box;  // of `to`
   RationalMap map;
-  std::vector<Polynomial> positive, nonzero;
-  const FormulaMap* written;  // the map as the file has it, or none
-  FormulaMap conditions;      // `positive`
-  FormulaMap polynomials;     // positive, nonzero, numerators, denominators
+  std::vector<Polynomial> region, positive, nonzero;
+  std::size_t number = 0;             // 2k of transition k, 2k + 1 of its inverse: all pieces have it
+  std::optional<FormulaMap> written;  // the map as the file has it, or none
+  FormulaMap borders;                 // `region`
+  FormulaMap conditions;              // `positive`
+  FormulaMap polynomials;             // positive, nonzero, numerators, denominators
   /// Numerator and denominator, in lowest terms, of sum ((map_k - c_k)/h_k)^2, for the centre and the half-widths of
   /// the box.
   FormulaMap squares;
@@ -31,6 +35,7 @@ struct Passage {
 
 /// What is certain of a passage on a cell.
 struct OnCell {
+  Verdict here = Verdict::proved;      // the cell is in the region; refuted: nowhere
   Verdict positive = Verdict::proved;  // all of `positive` are above 0; refuted: somewhere nowhere
   bool regular = false;                // that, and neither `nonzero` nor denominators vanish, and the image is enclosed
   bool excluded = false;               // no point of the cell is in the domain
@@ -52,7 +57,7 @@ class PassageValues {
 
  private:
   const Passage& passage_;
-  FormulaValues<Interval> polynomials_, squares_;
+  FormulaValues<Interval> borders_, polynomials_, squares_;
   std::unique_ptr<FormulaValues<Interval>> written_;
 };
 
@@ -76,8 +81,10 @@ struct Division {
 Division divided(const Cell& whole, std::size_t most_halvings, bool all,
                  const std::function<CellState(const Cell&)>& state);
 
-/// All passages of a gluing: number 2k is transition k, 2k + 1 its inverse. Calls not_inverse(k) for transitions of
+/// All passages of a gluing, by their numbers. Calls not_inverse(k) for transitions of
 /// which map and inverse are not inverse to one another; then nothing else of them is true. Throws Undecided.
 std::vector<Passage> passages_of(const Gluing& gluing, const std::function<void(std::size_t)>& not_inverse);
+/// The places of the passages of each number.
+std::vector<std::vector<std::size_t>> by_number(const std::vector<Passage>& passages);
 
 }  // namespace delcert::checker

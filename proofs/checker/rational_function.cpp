@@ -160,7 +160,7 @@ Polynomial raised(const Polynomial& base, std::size_t exponent) {
 
 }  // namespace
 
-std::optional<RationalMap> composed(const FormulaMap& f, const RationalMap& x) {
+std::optional<RationalMap> composed(const FormulaMap& f, const RationalMap& x, const AbsoluteValue& absolute) {
   using Operation = FormulaMap::Operation;
   const std::size_t m = x.front().numerator.variable_count();
   RationalMap values;
@@ -193,6 +193,12 @@ std::optional<RationalMap> composed(const FormulaMap& f, const RationalMap& x) {
       case Operation::power:
         values.emplace_back(raised(values[a].numerator, b), raised(values[a].denominator, b));
         break;
+      case Operation::absolute:
+        if (absolute) {
+          values.push_back(absolute(values.size(), values[a]));
+          break;
+        }
+        [[fallthrough]];
       default:
         throw std::logic_error("no rational function");
     }
@@ -202,9 +208,10 @@ std::optional<RationalMap> composed(const FormulaMap& f, const RationalMap& x) {
   return result;
 }
 
-bool is_rational(const FormulaMap& f) {
-  return std::all_of(f.steps().begin(), f.steps().end(),
-                     [](const FormulaMap::Step& step) { return step.operation < FormulaMap::Operation::root; });
+bool is_rational(const FormulaMap& f, bool folds) {
+  return std::all_of(f.steps().begin(), f.steps().end(), [&](const FormulaMap::Step& step) {
+    return step.operation < FormulaMap::Operation::root || (folds && step.operation == FormulaMap::Operation::absolute);
+  });
 }
 
 FormulaMap formulas_of(std::size_t m, const std::vector<Polynomial>& polynomials) {

@@ -2,6 +2,7 @@
 
 #include <flint/fmpq_mpoly.h>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -61,10 +62,13 @@ using RationalMap = std::vector<RationalFunction>;
 
 /// (x0, x1 …).
 RationalMap identity_map(std::size_t m);
+/// What stands for the absolute value that is this step of a map.
+using AbsoluteValue = std::function<RationalFunction(std::size_t step, const RationalFunction& of)>;
 /// f after x; none if something is divided by what is 0 everywhere. Precondition: f has no root and no transcendental
-/// function.
-std::optional<RationalMap> composed(const FormulaMap& f, const RationalMap& x);
-bool is_rational(const FormulaMap& f);
+/// function, and no absolute value unless something stands for it.
+std::optional<RationalMap> composed(const FormulaMap& f, const RationalMap& x, const AbsoluteValue& absolute = {});
+/// Whether it has neither; absolute values count if there may be none.
+bool is_rational(const FormulaMap& f, bool folds = false);
 /// The polynomials as formulas, for enclosures.
 FormulaMap formulas_of(std::size_t m, const std::vector<Polynomial>& polynomials);
 

@@ -7,11 +7,11 @@
 namespace delcert::checker {
 namespace {
 
-constexpr std::size_t most_parts = 4'000'000, most_parts_of_point = 1000;
+constexpr std::size_t most_parts_of_box = 4'000'000, most_parts_of_point = 1000;
 
 double width(const Interval& x) { return x.upper() - x.lower(); }
 
-Matrix<Interval> middle_of(const Matrix<Interval>& box) {
+Matrix<Interval> centre_of(const Matrix<Interval>& box) {
   Matrix<Interval> result(box.rows(), 1);
   for (std::size_t k = 0; k < box.size(); ++k) {
     result[k] = Interval::between(NearPoints::middle(box[k]), NearPoints::middle(box[k]));
@@ -63,7 +63,7 @@ struct TangentCharts::Cover {
   bool is_shown(const Matrix<Interval>& box, bool is_small) const {
     double nearest = std::numeric_limits<double>::infinity();
     Label best = 0;
-    const Matrix<Interval> middle = middle_of(box);
+    const Matrix<Interval> middle = centre_of(box);
     charts.near_centres_.visit(middle, reach / 4, [&](Label i) {
       const double distance = squared_norm(charts.charts_[i].centre - middle).upper();
       if (distance < nearest) {
@@ -85,7 +85,7 @@ struct TangentCharts::Cover {
     const auto excludes_zero = [](const Interval& x) { return x.lower() > 0 || x.upper() < 0; };
     for (std::size_t f = 0; f < charts.M_.q; ++f)
       if (excludes_zero(values.value(f))) return true;
-    const Matrix<Interval> middle = middle_of(box);
+    const Matrix<Interval> middle = centre_of(box);
     middle_values.evaluate(middle, 0);
     const Matrix<Interval> centred = middle_values.value() + values.jacobian() * (box - middle);
     for (std::size_t f = 0; f < charts.M_.q; ++f)
@@ -114,12 +114,12 @@ struct TangentCharts::Cover {
   /// x + V s, |s| <= r, has a zero if |f(x)| <= (1 - |1 - Df V|) r.
   Matrix<Interval> point_not_shown(const Matrix<Interval>& box) {
     const auto none = Matrix<Interval>();
-    Matrix<Interval> x = middle_of(box), V;
+    Matrix<Interval> x = centre_of(box), V;
     for (int step = 0; step < 6; ++step) {
       middle_values.evaluate(x, 1);
       const Matrix<Interval> slopes = middle_values.jacobian(), rows = slopes.transposed();
       V = rows * solution(slopes * rows, one_less(Matrix<Interval>(charts.M_.q, charts.M_.q)));
-      x = middle_of(x - V * middle_values.value());
+      x = centre_of(x - V * middle_values.value());
     }
     middle_values.evaluate(x, 0);
     const double error = norm_above(middle_values.value()), r = 2 * error + 0x1p-100;
@@ -151,7 +151,7 @@ void TangentCharts::check_cover(Report& report) {
   for (; !open.empty(); ++parts_) {
     const Matrix<Interval> part = std::move(open.back());
     open.pop_back();
-    if (parts_ == most_parts + most_parts_of_point * c_.n) undecided(part);
+    if (parts_ == most_parts_of_box + most_parts_of_point * c_.n) undecided(part);
     if (cover.is_missed(part)) continue;
     double widest = 0;
     for (std::size_t k = 0; k < M_.N; ++k) widest = std::max(widest, width(part[k]));

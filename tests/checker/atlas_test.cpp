@@ -45,8 +45,22 @@ const Json& torus_document() {
   return document;
 }
 
+/// Two cone points; transitions fold.
+const Json& cone_document() {
+  static const Json document =
+      atlas_document<2>(test::certified_atlas_run<2>(test::atlas_named("cone-torus"), ratio(1, 36)));
+  return document;
+}
+/// The first transition between these charts, by their numbers.
+Json& transition_of(Json& j, int from, int to) {
+  for (Json& transition : j["manifold"]["transitions"]) {
+    if (transition["from"] == from && transition["to"] == to) return transition;
+  }
+  throw std::logic_error("no such transition");
+}
+
 TEST(Atlas, runs_are_accepted) {
-  for (const Json* document : {&sphere_document(), &torus_document()}) {
+  for (const Json* document : {&sphere_document(), &torus_document(), &cone_document()}) {
     const CheckerRun run = run_checker(sealed(*document));
     EXPECT_EQ(run.status, 0) << run.output;
   }
@@ -83,6 +97,39 @@ TEST(Atlas, a_map_without_an_inverse_is_not_looked_at_further) {
   EXPECT_EQ(run.rules, std::set<std::string>{"atlas.inverse"}) << run.output;
 }
 
+TEST(Atlas, folds_fit_their_inverses_and_other_transitions_on_both_sides) {
+  const auto rules = [](const std::function<void(Json & transition)>& change) {
+    Json document = cone_document();
+    change(transition_of(document, 1, 3));
+    const CheckerRun run = run_checker(sealed(document));
+    EXPECT_EQ(run.status, 1) << run.output;
+    return run.rules;
+  };
+  // Both sides of the inverse are what one of them was.
+  EXPECT_EQ(rules([](Json& transition) {
+              std::string text = transition["inverse"][0].get<std::string>();
+              text.replace(text.find("abs("), 3, "");
+              transition["inverse"][0] = text;
+            }),
+            std::set<std::string>{"atlas.inverse"});
+  // The second coordinate goes to itself and a trillionth of its positive part, which the inverse undoes.
+  EXPECT_EQ(rules([](Json& transition) {
+              const auto times = [](const Json& formula, const std::string& factor, const std::string& other) {
+                const std::string text = "(" + formula.get<std::string>() + ")";
+                return factor + "*" + text + other + "*abs" + text;
+              };
+              const std::string out = "2000000000001/2000000000000";
+              transition["map"][1] = times(transition["map"][1], out, "+1/2000000000000");
+              const std::string t = "(1-1/2000000000002)*t-1/2000000000002*abs(t)";
+              for (Json& formula : transition["inverse"]) {
+                std::string text;
+                for (const char c : formula.get<std::string>()) text += c == 't' ? "(" + t + ")" : std::string(1, c);
+                formula = text;
+              }
+            }),
+            std::set<std::string>{"atlas.cocycle"});
+}
+
 TEST(Atlas, stars_are_complete_and_their_labels_are_seen) {
   Json document = sphere_document();
   document["simplices"].erase(4);
@@ -109,6 +156,10 @@ TEST(Atlas, the_document_has_its_form) {
   malformed("form.charts", [](Json& j) { j["charts"][3][0] = "2"; });
   malformed("form.charts", [](Json& j) { j["charts"][3][0] = "1/2"; });
   malformed("form.charts", [](Json& j) { j["charts"][3][1] = "0"; });
+  malformed("form.formula", transition("map", R"json(["x+abs(x*y)","y"])json"));
+  malformed("form.formula", transition("map", R"json(["x+abs(y)","y^2"])json"));
+  malformed("form.formula", transition("map", R"json(["x+abs","y"])json"));
+  malformed("form.formula", transition("where", R"json(["abs(x)"])json"));
   malformed("form.ranges", transition("to", "2"));
   malformed("form.ranges", transition("to", "0"));
   malformed("form.formula", transition("map", R"json(["x/sqrt(x^2+y^2)","y"])json"));
@@ -147,6 +198,11 @@ std::vector<Forgery> atlas_forgeries() {
                    for (Json& chart : j["manifold"]["charts"])
                      chart["core"] = Json::parse(R"([["-9/10","9/10"],["-9/10","9/10"]])");
                  }),
+          forged("cones whose sides no core holds", "atlas.compact", cone_document(),
+                 [](Json& j) {
+                   for (Json& chart : j["manifold"]["charts"])
+                     chart["core"] = Json::parse(R"([["-1/8","1/8"],["-1/8","1/8"]])");
+                 }),
           forged("patches that reach beyond their boxes", "atlas.patch", sphere_document(),
                  [](Json& j) {
                    j["parameters"]["distortion"] = "1000000";
@@ -156,6 +212,11 @@ std::vector<Forgery> atlas_forgeries() {
                  [](Json& j) {
                    Json& stated = j["levels"]["5"]["contraction"];
                    stated = exact_text(parse_exact(stated.get<std::string>()) * ratio(1, 4));
+                 }),
+          forged("folds that blends do not show", "5.blend", cone_document(),
+                 [](Json& j) {
+                   Json& stated = j["levels"]["5"]["displacement"];
+                   stated = exact_text(parse_exact(stated.get<std::string>()) * ratio(1, 2));
                  }),
           // In charts that show nearly all of the torus.
           forged("simplices moved so far that they may meet every point", "5.clear", torus_document(),

@@ -87,15 +87,8 @@ const std::map<std::string, std::string> structural = {
     {"form.loops", "malformed_test.cpp"},     {"form.field", "space_form_test.cpp"},
     {"form.charts", "metric_field_test.cpp"}, {"form.formula", "submanifold_test.cpp"}};
 
-/// Level 1, and 4.patch, which keeps other sheets of a manifold away, leave nothing of which a certificate is known
-/// that this rule alone rejects.
-const std::string only_with_another = "4.cover";
-
 TEST(Forgeries, there_is_one_for_every_rule_that_only_this_rule_rejects) {
   std::set<std::string> tested;
-  for (const Forgery& forgery : all_forgeries()) {
-    if (forgery.rule == only_with_another) tested.insert(only_with_another);
-  }
   for (const Forgery& forgery : all_forgeries()) {
     if (forgery.others.empty()) tested.insert(forgery.rule);
   }

@@ -458,6 +458,8 @@ std::vector<Forgery> submanifold_forgeries() {
   };
   return {
       near,
+      forged("edges that are longer than the other diagonals, seen at a slant", "4.cover",
+             certificate(tilted_torus_model(), {"1", "2", "4", "5"}), as_it_is),
       reversed,
       forged("a crack in a mesh, of a unit in the last place", "mesh.closed", meshed, crack),
       forged("a mesh with a facet less", "mesh.closed", meshed, [](Json& j) { j["manifold"]["facets"].erase(5); }),

@@ -7,6 +7,8 @@ delcert_run_test(klein-bottle-by-charts --manifold klein-bottle-rectangles --rad
   "levels\n  1 .*\n  2 .*Euler characteristic 0, homology Z, Z . Z/2, 0; closed\n  2s .*\n  5   triangulation")
 delcert_run_test(bent-torus-by-charts --manifold torus-2-bent --radius 1/40 --seed 1 LEVELS
   "levels\n  1 .*\n  2 .*Euler characteristic 0, homology Z, Z.2, Z; closed.*\n  5   triangulation")
+delcert_run_test(cone-torus --manifold cone-torus --radius 1/36 --seed 1 LEVELS
+  "gluing       verified: 6 charts, 21 transitions.*levels\n  1 .*\n  2 .*Euler characteristic 0, homology Z, Z.2, Z; closed.*\n  5   triangulation")
 delcert_cli_test(certify-atlas-json STATUS 0 ERROR "^$"
   OUTPUT "\"family\": \"atlas\".*\"gluing\": .*\"charts\": 2,.*\"compact_cells\": [1-9]"
   COMMAND ${delcert} certify --manifold sphere-2-stereographic --radius 1/8 --json --output glued.json FIXTURE_SETUP run-glued)

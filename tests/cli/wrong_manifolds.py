@@ -86,6 +86,7 @@ MESHES = {
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples" / "manifolds" / "atlases"
 GLUED_SPHERE = (EXAMPLES / "sphere-2-stereographic.toml").read_text()
 GLUED_TORUS = (EXAMPLES / "torus-2-by-charts.toml").read_text()
+CONE_TORUS = (EXAMPLES / "cone-torus.toml").read_text()
 
 
 def glued(*changes, text=GLUED_SPHERE):
@@ -105,6 +106,17 @@ charts = [
 transitions = [{from = "one", to = "other", map = ["x", "y"], inverse = ["u", "v"], where = ["x^2 + y^2"]}]
 """
 
+
+
+def sheared_on_one_side():
+    """The cone torus with one fold that goes to u + c(v + |v|) first: nothing changes where v < 0."""
+    fold = re.search(r'from = "q"\nto = "e0"\nmap = \["(u [^"]*)", "([^"u]*)"\]\ninverse = \["([^"]*)", "([^"]*)"\]', CONE_TORUS)
+    first, second, u, v = fold.groups()
+    shear = "1/1000000*({0} + abs({0}))"
+    changed = f'from = "q"\nto = "e0"\nmap = ["{first} + {shear.format("v")}", "{second}"]\ninverse = ["{u} - {shear.format("(" + v + ")")}", "{v}"]'
+    return glued((fold[0], changed), text=CONE_TORUS)
+
+
 ATLASES = {
     # What is written wrongly.
     "no charts": (TWO_ORIGINS[: TWO_ORIGINS.index("charts")], 3, r"wrong\.toml.*charts"),
@@ -116,6 +128,8 @@ ATLASES = {
     "a root": (glued(('"x/(x^2 + y^2)"', '"x/sqrt(x^2 + y^2)"')), 3, "map, formula 1: not a rational function"),
     "a division by 0": (glued(('"x/(x^2 + y^2)"', '"x/(x - x)"')), 3, r"wrong\.toml:22:10: a division by 0"),
     "a decimal": (glued(("-3/2", "-1.5")), 3, r"wrong\.toml:11.*exact"),
+    "a fold that is not linear": (TWO_ORIGINS.replace('"x", "y"], inv', '"x + abs(x*y)", "y"], inv'), 3, "map, formula 1: not piecewise linear"),
+    "a fold of a condition": (TWO_ORIGINS.replace("x^2 + y^2", "abs(x)"), 3, "unknown function abs"),
     "a condition with poles": (TWO_ORIGINS.replace("x^2 + y^2", "1/x"), 3, "where: not a polynomial"),
     # What is no atlas.
     "an inverse that is wrong in the last digit": (
@@ -127,6 +141,22 @@ ATLASES = {
         glued(('map = ["x", "y + 1"]\ninverse = ["x", "y - 1"]', 'map = ["x", "y + 1 + x/1000000"]\ninverse = ["x", "y - 1 - x/1000000"]'), text=GLUED_TORUS),
         1,
         "atlas.cocycle: .*no transition does the same; chart [a-d]: x in ",
+    ),
+    "a fold that has another inverse on one side": (
+        glued(("8248717/215710560*abs(2340/2359*t)", "8248717/215710560*2340/2359*t"), text=CONE_TORUS),
+        1,
+        "atlas.inverse: the inverse of map is not the identity: coordinate 1 is not u",
+    ),
+    "a cocycle that fails on one side of a fold": (sheared_on_one_side(), 1, "atlas.cocycle: .*no transition does the same; chart [a-z0-9]*: "),
+    "a gap between charts of cone points": (
+        glued(('"2/3"', '"1/5"'), ('"-2/3"', '"-1/5"'), ('"3/5"', '"3/16"'), ('"-3/5"', '"-3/16"'), text=CONE_TORUS),
+        1,
+        "atlas.compact: no core holds these points; chart ",
+    ),
+    "two sheets that are glued on one side of a fold": (
+        TWO_ORIGINS.replace('"x", "y"], inverse = ["u", "v"], where = ["x^2 + y^2"]', '"x + abs(y)/3", "y"], inverse = ["u - abs(v)/3", "v"], where = ["y"]'),
+        2,
+        "atlas.hausdorff: transition 1, from one to other: .*; chart one: x in .*; chart other: u in ",
     ),
     "charts that do not cover": (glued(("3/2", "9/10")), 1, "atlas.compact: no core holds these points; chart north: x in "),
     "a plane with two origins": (TWO_ORIGINS, 2, "atlas.hausdorff: transition 1, from one to other: .*; chart one: x in .*; chart other: u in "),

@@ -31,7 +31,7 @@ const kinds = {
     "or ball, those of 𝕊³ in stereographic or azimuthal coordinates."],
   "metric field": ["Metric fields", "Riemannian metrics by formulas on a torus ([metric-fields.md](metric-fields.md)), in the coordinates of ℝᵐ/ℤᵐ."],
   submanifold: ["Zero sets", "Submanifolds of ℝᴺ by equations ([submanifolds.md](submanifolds.md)), in their first three coordinates."],
-  atlas: ["Atlases by formulas", "Charts with rational transition functions ([atlases.md](atlases.md)): each simplex in a chart that shows it, charts side by side."],
+  atlas: ["Atlases by formulas", "Charts with transition functions by formulas ([atlases.md](atlases.md)): each simplex in a chart that shows it, charts side by side."],
 };
 
 /** What a built-in manifold is certified with: name → options. */

@@ -49,19 +49,24 @@ RingPointer CellMap::ring(std::size_t dimension) {
 }
 
 CellMap::CellMap(std::vector<RationalFunction> map, Sides box, std::vector<Polynomial> positive,
-                 std::vector<Polynomial> nonzero, std::optional<FormulaMap> formulas)
+                 std::vector<Polynomial> nonzero, std::optional<FormulaMap> formulas,
+                 std::vector<Polynomial> nonnegative)
     : map_(std::move(map)),
       box_(std::move(box)),
       positive_(std::move(positive)),
       nonzero_(std::move(nonzero)),
+      nonnegative_(std::move(nonnegative)),
       formulas_(std::move(formulas)) {
   std::vector<std::string> texts;
   for (const Polynomial& p : positive_) texts.push_back(p.text());
   for (const Polynomial& p : nonzero_) texts.push_back(p.text());
   for (const RationalFunction& f : map_) texts.push_back(f.numerator.text());
   for (const RationalFunction& f : map_) texts.push_back(f.denominator.text());
+  std::vector<std::string> conditions;
+  for (const Polynomial& p : nonnegative_) conditions.push_back(p.text());
   const std::vector<std::string>& names = map_.front().numerator.ring()->names();
   try {
+    region_.emplace(names, conditions);
     try {
       const RationalFunction squares = sum_of_squares(map_, box_);
       auto more = texts;
@@ -78,7 +83,7 @@ CellMap::CellMap(std::vector<RationalFunction> map, Sides box, std::vector<Polyn
 }
 
 CellMapEvaluation::CellMapEvaluation(const CellMap& map)
-    : map_(map), m_(map.dimension()), polynomials_(map.polynomials()) {
+    : map_(map), m_(map.dimension()), region_(map.region()), polynomials_(map.polynomials()) {
   if (map.formulas()) formulas_.emplace(*map.formulas());
   for (std::size_t axis = 0; axis < m_; ++axis) {
     const Rational half_width = (map.box()[axis][1] - map.box()[axis][0]) / Rational(2);
@@ -116,6 +121,13 @@ bool CellMapEvaluation::misses_box(const MapOnCell& found, const Interval* squar
 MapOnCell CellMapEvaluation::on(const Cell& cell) {
   MapOnCell result;
   // Polynomials are defined everywhere.
+  if (!map_.nonnegative().empty()) {
+    (void)enclose(region_, map_.nonnegative().size(), cell, values_);
+    for (const Interval& value : values_) {
+      result.is_elsewhere = result.is_elsewhere || value.upper() < 0;
+      result.is_here = result.is_here && value.lower() >= 0;
+    }
+  }
   if (!enclose(polynomials_, map_.polynomials().function_count(), cell, values_)) return result;
   const Interval* value = values_.data();
   result.is_positive = true;
@@ -139,7 +151,8 @@ MapOnCell CellMapEvaluation::on(const Cell& cell) {
     }
   }
   result.is_regular = result.is_regular && result.has_image;
-  result.is_excluded = result.is_excluded || misses_box(result, map_.has_sum_of_squares() ? value + 2 * m_ : nullptr);
+  result.is_excluded = result.is_excluded || result.is_elsewhere ||
+                       misses_box(result, map_.has_sum_of_squares() ? value + 2 * m_ : nullptr);
   return result;
 }
 

@@ -17,7 +17,8 @@ using Cell = std::array<Interval, 3>;
 
 /// A rational map from ℝᵐ to a box of ℝᵐ, m = 2, 3, with conditions on its domain, prepared for enclosures on cells.
 /// The domain: where all polynomials of `positive` are above 0, none of `nonzero` and no denominator of the map
-/// vanishes, and the map goes into the open box.
+/// vanishes, and the map goes into the open box. The map may be one piece of several: then it counts where all
+/// polynomials of `nonnegative` are at least 0.
 class CellMap {
  public:
   /// The polynomials of a gluing are in these variables: x0, x1 …
@@ -26,13 +27,17 @@ class CellMap {
   /// `formulas`: the map once more, as somebody has written it, for tighter enclosures. Throws std::length_error if a
   /// polynomial is too large to be written out. Precondition: rounding to nearest; the functions are over `ring`.
   CellMap(std::vector<RationalFunction> map, Sides box, std::vector<Polynomial> positive,
-          std::vector<Polynomial> nonzero, std::optional<FormulaMap> formulas);
+          std::vector<Polynomial> nonzero, std::optional<FormulaMap> formulas,
+          std::vector<Polynomial> nonnegative = {});
 
   [[nodiscard]] std::size_t dimension() const { return map_.size(); }
   [[nodiscard]] const std::vector<RationalFunction>& map() const { return map_; }
   [[nodiscard]] const Sides& box() const { return box_; }
   [[nodiscard]] const std::vector<Polynomial>& positive() const { return positive_; }
   [[nodiscard]] const std::vector<Polynomial>& nonzero() const { return nonzero_; }
+  [[nodiscard]] const std::vector<Polynomial>& nonnegative() const { return nonnegative_; }
+  /// The functions `nonnegative`.
+  [[nodiscard]] const FormulaMap& region() const { return *region_; }
   /// positive, nonzero, numerators, denominators; and, unless they are too large, the numerator and the denominator of
   /// the sum of the squares of what the map is beyond the centre of the box, in half-widths.
   [[nodiscard]] const FormulaMap& polynomials() const { return *polynomials_; }
@@ -44,6 +49,8 @@ class CellMap {
   Sides box_;
   std::vector<Polynomial> positive_;
   std::vector<Polynomial> nonzero_;
+  std::vector<Polynomial> nonnegative_;
+  std::optional<FormulaMap> region_;
   std::optional<FormulaMap> polynomials_;
   bool has_sum_of_squares_ = false;
   std::optional<FormulaMap> formulas_;
@@ -51,9 +58,11 @@ class CellMap {
 
 /// What is certain of a map on a cell.
 struct MapOnCell {
-  bool is_positive = false;  ///< every polynomial of `positive` is above 0 on all of the cell
-  bool is_regular = false;   ///< that, nothing that may not vanish vanishes, and the image is enclosed
-  bool is_excluded = false;  ///< no point of the cell is in the domain
+  bool is_positive = false;   ///< every polynomial of `positive` is above 0 on all of the cell
+  bool is_regular = false;    ///< that, nothing that may not vanish vanishes, and the image is enclosed
+  bool is_excluded = false;   ///< no point of the cell is in the domain
+  bool is_elsewhere = false;  ///< no point of the cell is where the piece counts
+  bool is_here = true;        ///< all points of the cell are where the piece counts
   bool has_image = false;
   std::array<Interval, 3> image;
   std::array<Interval, 3> numerators;
@@ -75,6 +84,7 @@ class CellMapEvaluation {
 
   const CellMap& map_;
   std::size_t m_;
+  FormulaEvaluation<Interval> region_;
   FormulaEvaluation<Interval> polynomials_;
   std::optional<FormulaEvaluation<Interval>> formulas_;
   std::array<Interval, 3> centre_;

@@ -4,14 +4,13 @@
 #include <stdexcept>
 
 #include "kernel/formula/formula_error.hpp"
+#include "kernel/formula/map_piece.hpp"
 #include "kernel/formula/plain_formula.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
 
 namespace {
-
-using Functions = std::vector<RationalFunction>;
 
 class TransitionReader {
  public:
@@ -25,25 +24,24 @@ class TransitionReader {
 
   void read_into(std::vector<ChartGluing::Transition>& out) const {
     try {
-      const Functions map = functions(given_.map, from_.variables, "map");
-      const Functions inverse = functions(given_.inverse, to_.variables, "inverse");
+      const std::vector<MapPiece> map = pieces(given_.map, from_.variables, "map");
+      const std::vector<MapPiece> inverse = pieces(given_.inverse, to_.variables, "inverse");
       require_identity(map, inverse, "inverse of map", from_.variables);
       require_identity(inverse, map, "map of inverse", to_.variables);
-      std::vector<Polynomial> where;
-      std::vector<Polynomial> seen_from_there;
-      for (const RationalFunction& condition : functions(given_.where, from_.variables, "where")) {
-        if (!condition.denominator.constant()) fail("where: not a polynomial");
-        where.push_back(condition.numerator);
-        const RationalFunction there = composed(condition.numerator, inverse);
-        seen_from_there.push_back(there.denominator.constant() ? there.numerator : there.numerator * there.denominator);
+      const std::vector<Polynomial> where = conditions();
+      ChartGluing::Transition there{given_.from, given_.to, what_, {}};
+      for (const MapPiece& piece : map)
+        there.pieces.emplace_back(piece.map, to_.domain, where, nonzero(piece.map, inverse),
+                                  formulas(piece, given_.map, from_.variables), piece.nonnegative);
+      ChartGluing::Transition back{given_.to, given_.from, "the inverse of " + what_, {}};
+      for (const MapPiece& piece : inverse) {
+        std::vector<Polynomial> seen;
+        for (const Polynomial& condition : where) seen.push_back(sign_after(condition, piece.map));
+        back.pieces.emplace_back(piece.map, from_.domain, seen, nonzero(piece.map, map),
+                                 formulas(piece, given_.inverse, to_.variables), piece.nonnegative);
       }
-      out.push_back({given_.from, given_.to, what_,
-                     CellMap(map, to_.domain, where, nonzero(map, inverse), FormulaMap(from_.variables, given_.map)),
-                     FormulaMap(from_.variables, given_.map)});
-      out.push_back({given_.to, given_.from, "the inverse of " + what_,
-                     CellMap(inverse, from_.domain, seen_from_there, nonzero(inverse, map),
-                             FormulaMap(to_.variables, given_.inverse)),
-                     FormulaMap(to_.variables, given_.inverse)});
+      out.push_back(std::move(there));
+      out.push_back(std::move(back));
     } catch (const std::length_error& error) {
       fail(error.what());
     } catch (const FormulaError& error) {
@@ -54,38 +52,73 @@ class TransitionReader {
  private:
   [[noreturn]] void fail(const std::string& reason) const { throw InputError(name_ + ": " + what_ + ": " + reason); }
 
-  [[nodiscard]] Functions functions(const std::vector<std::string>& texts, const std::vector<std::string>& variables,
-                                    const std::string& key) const {
-    Functions result;
-    for (const std::string& text : texts) {
-      const auto f = rational_function_of(*parse_plain_formula(text, variables), variables, ring_);
-      if (!f)
-        fail(key + ", formula " + std::to_string(result.size() + 1) +
-             ": not a rational function, or a division by 0, or too large to be written out");
-      result.push_back(*f);
+  [[nodiscard]] std::vector<ExpressionPointer> parsed(const std::vector<std::string>& texts,
+                                                      const std::vector<std::string>& variables,
+                                                      AbsoluteValues absolute_values) const {
+    std::vector<ExpressionPointer> result;
+    for (const std::string& text : texts) result.push_back(parse_plain_formula(text, variables, absolute_values));
+    return result;
+  }
+
+  [[nodiscard]] std::vector<MapPiece> pieces(const std::vector<std::string>& texts,
+                                             const std::vector<std::string>& variables, const std::string& key) const {
+    const auto formulas = parsed(texts, variables, AbsoluteValues::allowed);
+    auto result = pieces_of(formulas, variables, ring_);
+    if (result) return *std::move(result);
+    for (std::size_t at = 0; at < formulas.size(); ++at) {
+      if (pieces_of({formulas[at]}, variables, ring_)) continue;
+      fail(key + ", formula " + std::to_string(at + 1) +
+           (has_absolute_values(*formulas[at])
+                ? ": not piecewise linear, or of too many pieces"
+                : ": not a rational function, or a division by 0, or too large to be written out"));
+    }
+    fail(key + ": not piecewise linear, or of too many pieces");
+  }
+
+  [[nodiscard]] std::vector<Polynomial> conditions() const {
+    std::vector<Polynomial> result;
+    for (const std::string& text : given_.where) {
+      const auto f = rational_function_of(*parse_plain_formula(text, from_.variables), from_.variables, ring_);
+      if (!f || !f->denominator.constant()) fail("where: not a polynomial");
+      result.push_back(f->numerator);
     }
     return result;
   }
 
+  /// The piece as the file has it; of an affine one of several, its polynomials.
+  [[nodiscard]] FormulaMap formulas(const MapPiece& piece, const std::vector<std::string>& given,
+                                    const std::vector<std::string>& variables) const {
+    if (piece.nonnegative.empty()) return {variables, given};
+    std::vector<std::string> texts;
+    for (const RationalFunction& f : piece.map) texts.push_back(f.numerator.text());
+    return {ring_->names(), texts};
+  }
+
   /// That second∘first is the identity.
-  void require_identity(const Functions& first, const Functions& second, const std::string& which,
-                        const std::vector<std::string>& variables) const {
-    for (std::size_t axis = 0; axis < first.size(); ++axis) {
-      const auto found = composed(second[axis], first);
-      if (found && *found == variable_function(ring_, axis)) continue;
+  void require_identity(const std::vector<MapPiece>& first, const std::vector<MapPiece>& second,
+                        const std::string& which, const std::vector<std::string>& variables) const {
+    const auto both = composed(second, first);
+    for (std::size_t axis = 0; axis < variables.size(); ++axis) {
+      const bool holds = both && std::all_of(both->begin(), both->end(), [&](const MapPiece& piece) {
+                           return piece.map[axis] == variable_function(ring_, axis);
+                         });
+      if (holds) continue;
       throw Rejection(name_ + ": " + what_ + ": atlas.inverse: the " + which + " is not the identity: coordinate " +
                       std::to_string(axis + 1) + " is not " + variables[axis]);
     }
   }
 
   /// Denominators of the map, and of the inverse after it.
-  [[nodiscard]] static std::vector<Polynomial> nonzero(const Functions& map, const Functions& inverse) {
+  [[nodiscard]] static std::vector<Polynomial> nonzero(const std::vector<RationalFunction>& map,
+                                                       const std::vector<MapPiece>& inverse) {
     std::vector<Polynomial> result;
     const auto add = [&](const Polynomial& p) {
       if (!p.constant() && std::find(result.begin(), result.end(), p) == result.end()) result.push_back(p);
     };
     for (const RationalFunction& f : map) add(f.denominator);
-    for (const RationalFunction& g : inverse) add(composed(g.denominator, map).numerator);
+    for (const MapPiece& piece : inverse) {
+      for (const RationalFunction& g : piece.map) add(composed(g.denominator, map).numerator);
+    }
     return result;
   }
 

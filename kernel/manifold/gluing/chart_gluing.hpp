@@ -31,20 +31,21 @@ struct FormulaAtlasDescription {
 };
 
 /// The charts of a description with all transitions in both directions. That these are inverse to each other is
-/// verified, as an identity of rational functions; nothing else (`check_gluing` does the rest).
+/// verified, as an identity of rational functions, piece by piece; nothing else (`check_gluing` does the rest).
 class ChartGluing {
  public:
   /// From one chart to another: a transition of the file, or the inverse of one. Its domain are the points of the open
-  /// box of `from` at which the conditions hold that `cells` has.
+  /// box of `from` at which the conditions hold that the pieces have: one of a rational map, several of a piecewise
+  /// linear one, whose regions cover ℝᵐ. Each has formulas.
   struct Transition {
     std::size_t from;
     std::size_t to;
     std::string name;  ///< for messages
-    CellMap cells;
-    FormulaMap formulas;  ///< the map as the file has it
+    std::vector<CellMap> pieces;
   };
 
-  /// Throws InputError, naming the transition, for what is no rational function of moderate size, or no polynomial;
+  /// Throws InputError, naming the transition, for what is no rational function of moderate size and not piecewise
+  /// linear, or, among conditions, no polynomial;
   /// Rejection (atlas.inverse), naming the coordinate too, where a map and its inverse are not inverse to each other.
   /// Precondition: charts have the dimension's sizes, transitions join different charts; rounding to nearest.
   explicit ChartGluing(FormulaAtlasDescription description);

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <string>
 
+#include "kernel/manifold/gluing/piecewise_values.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "support/error.hpp"
 
@@ -19,7 +20,7 @@ constexpr double glued_cell_factor = 1.5;
 template <class S>
 class EvaluationPool {
  public:
-  explicit EvaluationPool(const FormulaMap& map) : map_(map) {}
+  explicit EvaluationPool(const std::vector<CellMap>& pieces) : pieces_(pieces) {}
 
   template <class Use>
   auto with_one(const Use& use) {
@@ -31,7 +32,7 @@ class EvaluationPool {
   }
 
  private:
-  std::unique_ptr<FormulaEvaluation<S>> taken() {
+  std::unique_ptr<PiecewiseValues<S>> taken() {
     {
       const std::lock_guard lock(mutex_);
       if (!idle_.empty()) {
@@ -40,12 +41,12 @@ class EvaluationPool {
         return result;
       }
     }
-    return std::make_unique<FormulaEvaluation<S>>(map_);
+    return std::make_unique<PiecewiseValues<S>>(pieces_);
   }
 
-  const FormulaMap& map_;
+  const std::vector<CellMap>& pieces_;
   std::mutex mutex_;
-  std::vector<std::unique_ptr<FormulaEvaluation<S>>> idle_;
+  std::vector<std::unique_ptr<PiecewiseValues<S>>> idle_;
 };
 
 template <int m>
@@ -61,6 +62,20 @@ constexpr int most_halvings_of_images = 4;
 
 Interval hull(const Interval& a, const Interval& b) {
   return Interval::between(std::min(a.lower(), b.lower()), std::max(a.upper(), b.upper()));
+}
+
+bool are_the_same_pieces(const std::vector<CellMap>& a, const std::vector<CellMap>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const CellMap& one, const CellMap& other) {
+    return one.map() == other.map() && one.nonnegative() == other.nonnegative();
+  });
+}
+
+/// The piece of the region that this point is in; of several, which do the same there, the first.
+const CellMap& piece_at(const std::vector<CellMap>& pieces, const std::vector<Rational>& x) {
+  return *std::find_if(pieces.begin(), pieces.end(), [&](const CellMap& piece) {
+    return std::all_of(piece.nonnegative().begin(), piece.nonnegative().end(),
+                       [&](const Polynomial& p) { return p.at(x) >= Rational(0); });
+  });
 }
 
 double middle_double(const Interval& x) { return x.lower() + (x.upper() - x.lower()) / 2; }
@@ -82,8 +97,8 @@ FormulaAtlas<m>::FormulaAtlas(std::shared_ptr<const ChartGluing> gluing, const s
   require_places(net);
   for (const NetPlace<m>& place : net) home_.push_back(place.chart);
   for (const auto& transition : gluing_->transitions()) {
-    evaluations_->on_filter.push_back(std::make_unique<EvaluationPool<Interval>>(transition.formulas));
-    evaluations_->plain.push_back(std::make_unique<EvaluationPool<double>>(transition.formulas));
+    evaluations_->on_filter.push_back(std::make_unique<EvaluationPool<Interval>>(transition.pieces));
+    evaluations_->plain.push_back(std::make_unique<EvaluationPool<double>>(transition.pieces));
   }
   GluingMetric<m> metric(*gluing_);
   this->make_charts([&](Label i) { return metric.enclosed_at({home_[i.value], this->centres().approximate(i)}); });
@@ -149,8 +164,8 @@ template <int m>
 void FormulaAtlas<m>::find_appearances() {
   shown_.resize(gluing_->chart_count());
   const RoundingGuard guard;
-  std::vector<CellMapEvaluation> on_cells;
-  for (const auto& transition : gluing_->transitions()) on_cells.emplace_back(transition.cells);
+  std::vector<PiecewiseCells> on_cells;
+  for (const auto& transition : gluing_->transitions()) on_cells.emplace_back(transition.pieces);
   for (std::uint32_t index = 0; index < this->size(); ++index) note_appearances(Label(index), on_cells);
 }
 
@@ -158,25 +173,15 @@ template <int m>
 bool FormulaAtlas<m>::include_image(std::size_t transition, const Cell& cell, const MapOnCell& found, bool is_first,
                                     Appearance& seen) const {
   constexpr auto n = static_cast<std::size_t>(m);
-  std::array<Interval, n> ignored;
-  std::array<Interval, n * n> at_middle;
   std::array<Interval, n * n> derivative;
-  std::array<Interval, n * n * n> second;
-  Cell middle;
-  for (std::size_t axis = 0; axis < n; ++axis) middle[axis] = Interval::exactly(middle_double(cell[axis]));
-  const bool is_defined = evaluations_->on_filter[transition]->with_one([&](FormulaEvaluation<Interval>& map) {
-    return map.second(cell.data(), ignored.data(), derivative.data(), second.data()) &&
-           map.first(middle.data(), ignored.data(), at_middle.data());
-  });
+  const bool is_defined = evaluations_->on_filter[transition]->with_one(
+      [&](PiecewiseValues<Interval>& map) { return centred_derivative(map, cell, n, derivative.data()); });
   if (!is_defined) return false;
   for (std::size_t row = 0; row < n; ++row) {
     seen.image[row] = is_first ? found.image[row] : hull(seen.image[row], found.image[row]);
     for (std::size_t column = 0; column < n; ++column) {
-      // By the mean value theorem: tighter than what intervals make of the derivative.
-      Interval centred = at_middle[row * n + column];
-      for (std::size_t axis = 0; axis < n; ++axis)
-        centred += second[(row * n + column) * n + axis] * (cell[axis] - middle[axis]);
-      seen.derivative[row][column] = is_first ? centred : hull(seen.derivative[row][column], centred);
+      Interval& entry = seen.derivative[row][column];
+      entry = is_first ? derivative[row * n + column] : hull(entry, derivative[row * n + column]);
     }
   }
   return true;
@@ -184,7 +189,7 @@ bool FormulaAtlas<m>::include_image(std::size_t transition, const Cell& cell, co
 
 template <int m>
 typename FormulaAtlas<m>::Following FormulaAtlas<m>::follow(std::size_t transition, const Cell& still,
-                                                            const Cell& moved, CellMapEvaluation& on_cells,
+                                                            const Cell& moved, PiecewiseCells& on_cells,
                                                             Appearance& seen) const {
   struct Part {
     Cell cell;
@@ -225,12 +230,12 @@ typename FormulaAtlas<m>::Following FormulaAtlas<m>::follow(std::size_t transiti
     seen.image[axis] = Interval::between(lower, upper);
   }
   seen.is_seen = evaluations_->on_filter[transition]->with_one(
-      [&](FormulaEvaluation<Interval>& map) { return map.value(still.data(), seen.place.data()); });
+      [&](PiecewiseValues<Interval>& map) { return map.value(still.data(), seen.place.data()); });
   return seen.is_seen || on_cells.on(still).is_excluded ? Following::somewhere : Following::uncertain;
 }
 
 template <int m>
-void FormulaAtlas<m>::note_appearances(Label i, std::vector<CellMapEvaluation>& on_cells) {
+void FormulaAtlas<m>::note_appearances(Label i, std::vector<PiecewiseCells>& on_cells) {
   const Interval radius = scalar_from<Interval>(greatest_displacement() * this->sampling_radius());
   Appearance at_home{i.value, 0, true, enclosed_centre(i), {}, {}};
   Cell moved;
@@ -256,7 +261,7 @@ void FormulaAtlas<m>::note_appearances(Label i, std::vector<CellMapEvaluation>& 
     // The same function may be listed for several pieces.
     const bool is_known = std::any_of(followed.begin(), followed.end(), [&](std::size_t other) {
       return gluing_->transitions()[other].to == transition.to &&
-             gluing_->transitions()[other].cells.map() == transition.cells.map();
+             are_the_same_pieces(gluing_->transitions()[other].pieces, transition.pieces);
     });
     if (is_known) continue;
     followed.push_back(t);
@@ -322,25 +327,26 @@ Vector<S, m> FormulaAtlas<m>::offset_on(Label i, const Sighting<m>& seen, const 
   Vector<S, m> there;
   if constexpr (std::same_as<S, Interval>) {
     const bool is_defined = evaluations_->on_filter[transition]->with_one(
-        [&](FormulaEvaluation<Interval>& map) { return map.value(x.data(), there.data()); });
+        [&](PiecewiseValues<Interval>& map) { return map.value(x.data(), there.data()); });
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (!is_defined) there.fill(Interval::between(-infinity, infinity));
   } else if constexpr (std::same_as<S, Rational>) {
     const std::vector<Rational> place(x.begin(), x.end());
+    const CellMap& piece = piece_at(gluing_->transitions()[transition].pieces, place);
     for (std::size_t axis = 0; axis < m; ++axis) {
-      const auto value = value_at(gluing_->transitions()[transition].cells.map()[axis], place);
+      const auto value = value_at(piece.map()[axis], place);
       if (!value) throw_undefined(transition);
       there[axis] = *value;
     }
   } else if constexpr (std::same_as<S, BigInterval>) {
-    FormulaEvaluation<BigInterval> map(gluing_->transitions()[transition].formulas);
+    PiecewiseValues<BigInterval> map(gluing_->transitions()[transition].pieces);
     if (!map.value(x.data(), there.data())) throw_undefined(transition);
   } else {
     Vector<double, m> plain;
     Vector<double, m> image;
     for (std::size_t axis = 0; axis < m; ++axis) plain[axis] = x[axis].lower();
     (void)evaluations_->plain[transition]->with_one(
-        [&](FormulaEvaluation<double>& map) { return map.value(plain.data(), image.data()); });
+        [&](PiecewiseValues<double>& map) { return map.value(plain.data(), image.data()); });
     for (std::size_t axis = 0; axis < m; ++axis) there[axis] = S::exactly(image[axis]);
   }
   return difference(there, centre);

@@ -6,6 +6,7 @@
 #include "kernel/chart/torus_cells.hpp"
 #include "kernel/manifold/gluing/affine_atlas.hpp"
 #include "kernel/manifold/gluing/gluing_metric.hpp"
+#include "kernel/manifold/gluing/piecewise_cells.hpp"
 
 namespace delcert {
 
@@ -79,15 +80,15 @@ class FormulaAtlas final : public AffineAtlas<m> {
   struct Evaluations;
   enum class Following { nowhere, somewhere, uncertain };
   /// What the transition makes of a point and of all points that it may be moved to.
-  [[nodiscard]] Following follow(std::size_t transition, const Cell& still, const Cell& moved,
-                                 CellMapEvaluation& on_cells, Appearance& seen) const;
+  [[nodiscard]] Following follow(std::size_t transition, const Cell& still, const Cell& moved, PiecewiseCells& on_cells,
+                                 Appearance& seen) const;
   [[nodiscard]] bool include_image(std::size_t transition, const Cell& cell, const MapOnCell& found, bool is_first,
                                    Appearance& seen) const;
 
   void require_places(const std::vector<NetPlace<m>>& net) const;
   void choose_patches();
   void find_appearances();
-  void note_appearances(Label i, std::vector<CellMapEvaluation>& on_cells);
+  void note_appearances(Label i, std::vector<PiecewiseCells>& on_cells);
   void fill_cells();
   [[nodiscard]] double patch_reach() const;
   [[nodiscard]] Vector<double, m> in_unit_cube(const Shown& shown, const Vector<Interval, m>& place) const;

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "kernel/formula/map_piece.hpp"
+#include "kernel/manifold/gluing/piecewise_cells.hpp"
 #include "kernel/number/decimal_bounds.hpp"
 #include "kernel/number/rounding_guard.hpp"
 #include "support/error.hpp"
@@ -81,20 +83,21 @@ std::vector<Leaf> unsettled(const Cell& whole, std::size_t m, bool all, std::siz
   return result;
 }
 
-/// One chain of two transitions, s and then t, and the listed ones that are the same function.
+/// A listed transition that is the same function as a chain, in these pieces of it; in others it is another function.
+struct Fitting {
+  std::size_t transition;
+  std::vector<std::size_t> same;
+  std::vector<std::size_t> other;
+};
+
+/// One chain of two transitions, s and then t, on one piece of its region, and the listed ones that are the same
+/// function somewhere there.
 struct Chain {
   std::size_t first;
   std::size_t second;
   CellMap composed_map;
-  std::vector<std::size_t> fitting;
+  std::vector<Fitting> fitting;
 };
-
-bool are_same(const std::vector<RationalFunction>& a, const std::vector<RationalFunction>& b) {
-  for (std::size_t axis = 0; axis < a.size(); ++axis) {
-    if (!(a[axis] == b[axis])) return false;
-  }
-  return true;
-}
 
 class GluingCheck {
  public:
@@ -111,7 +114,7 @@ class GluingCheck {
   }
 
   std::optional<Complaint> run() {
-    for (const auto& transition : transitions_) evaluations_.emplace_back(transition.cells);
+    for (const auto& transition : transitions_) evaluations_.emplace_back(transition.pieces);
     for (const Chain& chain : chains_) {
       if (auto complaint = check_chain(chain)) return complaint;
     }
@@ -128,38 +131,47 @@ class GluingCheck {
 
  private:
   void list_chain(std::size_t s, std::size_t t) {
-    const CellMap& first = transitions_[s].cells;
-    const CellMap& second = transitions_[t].cells;
-    std::vector<RationalFunction> map;
-    for (const RationalFunction& f : second.map()) {
-      auto found = composed(f, first.map());
-      // Rational functions with an inverse can be composed.
-      if (!found) throw std::logic_error("a composition of transitions is nowhere defined");
-      map.push_back(std::move(*found));
+    for (const CellMap& first : transitions_[s].pieces) {
+      for (const CellMap& second : transitions_[t].pieces) list_chain(s, first, t, second);
     }
-    const std::size_t from = transitions_[s].from;
-    const std::size_t to = transitions_[t].to;
-    if (from == to && is_identity(map)) return;
-    std::vector<std::size_t> fitting;
-    for (std::size_t r = 0; r < transitions_.size(); ++r) {
-      if (transitions_[r].from != from || transitions_[r].to != to || !are_same(map, transitions_[r].cells.map()))
-        continue;
-      if (transitions_[r].cells.positive().empty()) return;
-      fitting.push_back(r);
-    }
-    std::vector<Polynomial> positive = first.positive();
-    for (const Polynomial& p : second.positive()) {
-      const RationalFunction seen = composed(p, first.map());
-      positive.push_back(seen.denominator.constant() ? seen.numerator : seen.numerator * seen.denominator);
-    }
-    chains_.push_back({s, t, CellMap(std::move(map), second.box(), std::move(positive), {}, std::nullopt), fitting});
   }
 
-  [[nodiscard]] static bool is_identity(const std::vector<RationalFunction>& map) {
-    for (std::size_t axis = 0; axis < map.size(); ++axis) {
-      if (!(map[axis] == variable_function(map[axis].numerator.ring(), axis))) return false;
+  /// A piece of the one and then a piece of the other.
+  void list_chain(std::size_t s, const CellMap& first, std::size_t t, const CellMap& second) {
+    auto pieces = composed({{second.nonnegative(), second.map()}}, {{first.nonnegative(), first.map()}});
+    // Rational functions with an inverse can be composed.
+    if (!pieces) throw std::logic_error("a composition of transitions is nowhere defined");
+    if (pieces->empty()) return;
+    MapPiece& both = pieces->front();
+    const std::size_t from = transitions_[s].from;
+    const std::size_t to = transitions_[t].to;
+    if (from == to && is_identity(both.map)) return;
+    std::vector<Fitting> fitting;
+    for (std::size_t r = 0; r < transitions_.size(); ++r) {
+      if (transitions_[r].from != from || transitions_[r].to != to) continue;
+      Fitting found = compared(r, both);
+      if (found.same.empty()) continue;
+      if (found.other.empty() && transitions_[r].pieces.front().positive().empty()) return;
+      fitting.push_back(std::move(found));
     }
-    return true;
+    std::vector<Polynomial> positive = first.positive();
+    for (const Polynomial& p : second.positive()) positive.push_back(sign_after(p, first.map()));
+    chains_.push_back(
+        {s, t,
+         CellMap(std::move(both.map), second.box(), std::move(positive), {}, std::nullopt, std::move(both.nonnegative)),
+         std::move(fitting)});
+  }
+
+  /// The pieces of a transition that may meet the region of a piece in its interior.
+  [[nodiscard]] Fitting compared(std::size_t r, const MapPiece& both) const {
+    Fitting result{r, {}, {}};
+    for (std::size_t k = 0; k < transitions_[r].pieces.size(); ++k) {
+      const CellMap& piece = transitions_[r].pieces[k];
+      std::vector<Polynomial> region = both.nonnegative;
+      region.insert(region.end(), piece.nonnegative().begin(), piece.nonnegative().end());
+      if (may_be_positive_together(region)) (are_same(piece.map(), both.map) ? result.same : result.other).push_back(k);
+    }
+    return result;
   }
 
   [[nodiscard]] Cell whole_of(std::size_t chart) const { return cell_around(gluing_.chart(chart).domain); }
@@ -174,16 +186,23 @@ class GluingCheck {
       const MapOnCell on_both = both.on(cell);
       if (on_both.is_excluded) return CellState::settled;
       bool may_fit = false;
-      for (const std::size_t r : chain.fitting) {
-        const MapOnCell on_other = evaluations_[r].on(cell);
-        if (on_other.is_positive) return CellState::settled;
-        may_fit = may_fit || !on_other.is_excluded;
+      for (const Fitting& fitting : chain.fitting) {
+        PiecewiseCells& listed = evaluations_[fitting.transition];
+        bool fits = true;
+        for (const std::size_t piece : fitting.same) {
+          const MapOnCell found = listed.on(piece, cell);
+          fits = fits && (found.is_positive || found.is_elsewhere);
+          may_fit = may_fit || !found.is_excluded;
+        }
+        for (const std::size_t piece : fitting.other) fits = fits && listed.on(piece, cell).is_elsewhere;
+        if (fits) return CellState::settled;
       }
       if (!on_first.has_image) return CellState::open;
       const MapOnCell on_second = evaluations_[chain.second].on(on_first.image);
       if (on_second.is_excluded) return CellState::settled;
-      const bool is_defined = on_first.is_regular && is_inside(on_first.image, s.cells.box()) && on_second.is_regular &&
-                              is_inside(on_second.image, t.cells.box());
+      const bool is_defined = on_both.is_here && on_first.is_regular &&
+                              is_inside(on_first.image, s.pieces.front().box()) && on_second.is_regular &&
+                              is_inside(on_second.image, t.pieces.front().box());
       return is_defined && !may_fit ? CellState::wrong : CellState::open;
     };
     const auto left = unsettled(whole_of(s.from), m_, false, report_.cocycle_cells, state_of);
@@ -206,16 +225,6 @@ class GluingCheck {
     return found.is_regular || found.is_excluded ? CellState::settled : CellState::open;
   }
 
-  /// Whether certainly no point of the one cell is taken to one of the other: den(x)·y = num(x) has no solution.
-  bool are_unrelated(std::size_t t, const Cell& here, const Cell& there) {
-    const MapOnCell found = evaluations_[t].on(here);
-    for (std::size_t axis = 0; axis < m_; ++axis) {
-      const Interval rest = found.denominators[axis] * there[axis] - found.numerators[axis];
-      if (rest.lower() > 0 || rest.upper() < 0) return true;
-    }
-    return false;
-  }
-
   std::optional<Complaint> check_limits(std::size_t t) {
     const std::size_t back = ChartGluing::opposite(t);
     const auto here = doubtful_cells(t);
@@ -224,8 +233,8 @@ class GluingCheck {
     std::size_t pairs = 0;
     for (const Leaf& one : here) {
       for (const Leaf& other : there) {
-        if (++pairs < most_cells &&
-            (are_unrelated(t, one.cell, other.cell) || are_unrelated(back, other.cell, one.cell)))
+        if (++pairs < most_cells && (evaluations_[t].are_unrelated(one.cell, other.cell) ||
+                                     evaluations_[back].are_unrelated(other.cell, one.cell)))
           continue;
         return Complaint{"atlas.hausdorff",
                          transitions_[t].name + ": that limits of glued points are glued is not certain",
@@ -263,7 +272,7 @@ class GluingCheck {
   const std::vector<ChartGluing::Transition>& transitions_;
   std::size_t m_;
   std::vector<Chain> chains_;
-  std::vector<CellMapEvaluation> evaluations_;
+  std::vector<PiecewiseCells> evaluations_;
   GluingReport report_;
 };
 

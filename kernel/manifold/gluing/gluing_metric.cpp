@@ -39,9 +39,12 @@ template <int m>
 GluingMetric<m>::GluingMetric(const ChartGluing& gluing) : gluing_(gluing) {
   for (std::size_t t = 0; t < gluing.transitions().size(); ++t) {
     const ChartGluing::Transition& transition = gluing.transitions()[t];
-    links_.push_back({t, FormulaEvaluation<double>(transition.formulas),
-                      FormulaEvaluation<double>(transition.cells.polynomials()), transition.cells.positive().size()});
-    values_.resize(std::max(values_.size(), transition.cells.polynomials().function_count()));
+    Link link{t, PiecewiseValues<double>(transition.pieces), {}, transition.pieces.front().positive().size()};
+    for (const CellMap& piece : transition.pieces) {
+      link.polynomials.emplace_back(piece.polynomials());
+      values_.resize(std::max(values_.size(), piece.polynomials().function_count()));
+    }
+    links_.push_back(std::move(link));
   }
   for (std::size_t chart = 0; chart < gluing.chart_count(); ++chart) {
     Box box;
@@ -56,7 +59,8 @@ GluingMetric<m>::GluingMetric(const ChartGluing& gluing) : gluing_(gluing) {
 template <int m>
 bool GluingMetric<m>::follow(Link& link, const Vector<double, m>& x, ChartPoint<m>& to) {
   if (link.conditions > 0) {
-    if (!link.polynomials.value(x.data(), values_.data())) return false;
+    FormulaEvaluation<double>& polynomials = link.polynomials[link.map.pieces_at(x.data()).front()];
+    if (!polynomials.value(x.data(), values_.data())) return false;
     for (std::size_t k = 0; k < link.conditions; ++k) {
       if (!(values_[k] > 0)) return false;
     }

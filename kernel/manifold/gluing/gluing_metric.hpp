@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "kernel/manifold/gluing/chart_gluing.hpp"
+#include "kernel/manifold/gluing/piecewise_values.hpp"
 #include "kernel/simplex/frame_metric.hpp"
 
 namespace delcert {
@@ -37,8 +38,8 @@ class GluingMetric {
  private:
   struct Link {
     std::size_t transition;
-    FormulaEvaluation<double> map;
-    FormulaEvaluation<double> polynomials;
+    PiecewiseValues<double> map;
+    std::vector<FormulaEvaluation<double>> polynomials;  // of each piece
     std::size_t conditions;
   };
   struct Box {

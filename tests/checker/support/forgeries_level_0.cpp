@@ -112,6 +112,8 @@ std::vector<std::pair<std::string, std::string>> valid_graded_certificates() {
   const Sample sample = graded_torus();
   return {{"radii that vary, with equality", sealed(graded_document(sample))},
           {"radii that vary, without level 0", sealed(graded_stars())},
+          {"four points on a circle that is large at the radius of one of them",
+           sealed(graded_document_with_rectangle(5, 0))},
           {"radii that vary, in theory mode", sealed(graded_theory())},
           {"the sharper Hypotheses 2, with equality", sealed(sharper_theory())}};
 }

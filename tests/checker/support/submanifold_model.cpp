@@ -107,6 +107,11 @@ ModelChart chart_at(const SubmanifoldModel& model, const Row& x) {
     if (basis.size() == n) break;
   }
   std::rotate(basis.begin(), basis.begin() + static_cast<std::ptrdiff_t>(q), basis.end());
+  for (std::size_t a = 0; a < n; ++a) {
+    const double along = basis[0][a], up = basis[model.m][a];
+    basis[0][a] = std::cos(model.tilt) * along + std::sin(model.tilt) * up;
+    basis[model.m][a] = std::cos(model.tilt) * up - std::sin(model.tilt) * along;
+  }
   // Each axis of the frame is matched with the axis of R^n along which it is longest, the clearest first.
   ModelChart chart;
   chart.axes.assign(n, 0);
@@ -492,6 +497,38 @@ SubmanifoldModel flat_torus_model(int points) {
   return model;
 }
 
+SubmanifoldModel tilted_torus_model() {
+  constexpr double squared_radius = 0.063;
+  SubmanifoldModel model{.variables = {"a", "b", "c", "d"},
+                         .equations = {"a^2+b^2-1", "c^2+d^2-63/1000"},
+                         .map =
+                             [](const Row& x) {
+                               return Row{x[0] * x[0] + x[1] * x[1] - 1, x[2] * x[2] + x[3] * x[3] - squared_radius};
+                             },
+                         .box = {{-2, 2}, {-2, 2}, {-2, 2}, {-2, 2}}};
+  // Edges along the first circle are a little longer than two rows are apart, and look shorter in charts.
+  constexpr int columns = 91, rows = 46;
+  const double radius = std::sqrt(squared_radius);
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const double u = 2 * pi * (column + (row % 2) / 2.0) / columns, v = 2 * pi * row / rows;
+      model.points.push_back({rounded(std::cos(u), 40), rounded(std::sin(u), 40), rounded(radius * std::cos(v), 40),
+                              rounded(radius * std::sin(v), 40)});
+    }
+  }
+  staggered_grid(columns, rows, model.simplices);
+  sort_simplices(model);
+  const double edge = 2 * pi / columns;
+  fit(model, edge);
+  model.displacement = edge * edge;
+  model.tilt = 0.2;
+  model.patch_radius = rounded(1.35 * edge, 20);
+  // At the middle of a patch an eighth of it, which is more than the tilt.
+  model.slope = rounded(8.3 * std::tan(model.tilt), 20);
+  model.height = rounded(0.62 * model.slope * model.patch_radius, 20);
+  return model;
+}
+
 SubmanifoldModel lifted(SubmanifoldModel flat_torus, std::size_t dimension) {
   SubmanifoldModel model = std::move(flat_torus);
   const auto heights = [dimension](const Row& x) {
@@ -546,7 +583,7 @@ Json certificate(const SubmanifoldModel& model, const std::vector<std::string>& 
   parameters["sampling_radius"] = text(rounded(model.sampling_radius, 20));
   parameters["separation"] = "1/4";
   parameters["radius_variation"] = "0";
-  parameters["distortion"] = text(rounded(model.slope * model.slope / 2, 30) + 0x1p-29);
+  parameters["distortion"] = text(rounded(std::sqrt(1 + model.slope * model.slope) - 1, 30) + 0x1p-29);
   parameters["perturbation"] = "0";
   parameters["flake_parameter_squared"] = "1";
   parameters["tolerance"] = "0";

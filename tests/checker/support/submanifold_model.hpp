@@ -23,6 +23,7 @@ struct SubmanifoldModel {
   double contraction = 0.5, displacement = 0, margin = 0;  // of levels 5 and 5i
   std::string metric = "extrinsic";                        // of level 4
   bool is_low = false;                                     // whether lids are lower than level 4 asks for
+  double tilt = 0;                                         // of the first axis of charts, out of the tangent space
   std::vector<std::vector<double>> mesh{};                 // vertices, if the manifold is a mesh
   std::vector<std::vector<int>> facets{};
 };
@@ -47,6 +48,10 @@ SubmanifoldModel nested_circles_model(int points, double gap);
 SubmanifoldModel on_mesh(SubmanifoldModel model, const SubmanifoldModel& polyhedron);
 /// The product of two such circles in R^4.
 SubmanifoldModel flat_torus_model(int points);
+
+/// The product of the unit circle and one of a quarter of its size, in charts that are so tilted that lengths along the first
+/// circle look shorter than they are: stars are those of other edges than distances in space would choose.
+SubmanifoldModel tilted_torus_model();
 
 /// The graph over such a product of e = ac/2 and, in dimension 6, f = bd/2.
 SubmanifoldModel lifted(SubmanifoldModel flat_torus, std::size_t dimension);

@@ -72,5 +72,15 @@ TEST(PlainFormula, knows_what_a_variable_may_be_called) {
     EXPECT_FALSE(is_name_of_variable(name)) << name;
 }
 
+TEST(PlainFormula, has_absolute_values_only_for_who_asks) {
+  const std::vector<std::string> names{"u", "abs"};
+  EXPECT_THROW((void)parse_plain_formula("abs(u)", names), FormulaError);
+  const auto formula = parse_plain_formula("u - 2*abs(u - abs)", names, AbsoluteValues::allowed);
+  EXPECT_TRUE(has_absolute_values(*formula));
+  EXPECT_EQ(canonical_text(*formula), "u-2*abs(u-abs)");
+  EXPECT_FALSE(has_absolute_values(*parse_plain_formula("u - abs", names, AbsoluteValues::allowed)));
+  EXPECT_THROW((void)parse_plain_formula("abs(u, abs)", names, AbsoluteValues::allowed), FormulaError);
+}
+
 }  // namespace DELCERT_THIS_FILE
 }  // namespace delcert

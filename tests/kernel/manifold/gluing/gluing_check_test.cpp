@@ -93,6 +93,67 @@ TEST(GluingCheck, refuses_cores_that_do_not_cover) {
   EXPECT_TRUE(mentions(verdict(open), "rejected: two: atlas.compact: ")) << verdict(open);
 }
 
+/// Where the atlas has the transition between these charts for the k-th time.
+FormulaAtlasDescription::Transition& transition(FormulaAtlasDescription& atlas, const std::string& from,
+                                                const std::string& to, std::size_t k) {
+  for (auto& one : atlas.transitions) {
+    if (atlas.charts[one.from].name == from && atlas.charts[one.to].name == to && k-- == 0) return one;
+  }
+  throw std::logic_error("no transition");
+}
+
+TEST(GluingCheck, refuses_wrong_twins_of_a_cone_manifold) {
+  const auto cone = atlas_named("cone-torus");
+  EXPECT_EQ(verdict(cone), "");
+  // One fold is a little off, on both sides of it: no other transitions do the same.
+  auto wrong = cone;
+  auto& moved = transition(wrong, "p", "e1", 0);
+  moved.map[0] += " + 1/1000000";
+  for (std::string& formula : moved.inverse) {
+    for (std::size_t at = formula.find('s'); at != std::string::npos; at = formula.find('s', at + 15)) {
+      if (at == 0 || formula[at - 1] != 'b') formula.replace(at, 1, "(s - 1/1000000)");
+    }
+  }
+  EXPECT_TRUE(mentions(verdict(wrong), "rejected: cone-torus: atlas.cocycle: ")) << verdict(wrong);
+  // Charts of cone points are too small: nothing else shows points of sides near them.
+  wrong = cone;
+  for (auto& chart : wrong.charts) {
+    if (chart.name == "p" || chart.name == "q") {
+      chart.domain = Sides(2, {ratio(-1, 5), ratio(1, 5)});
+      chart.core = Sides(2, {ratio(-3, 16), ratio(3, 16)});
+    }
+  }
+  EXPECT_TRUE(mentions(verdict(wrong), "rejected: cone-torus: atlas.compact: no core holds these points; chart "))
+      << verdict(wrong);
+  // Part of an overlap is not glued: its rim has two origins.
+  wrong = cone;
+  transition(wrong, "p", "e1", 0).where = {"1/4 - u^2 - v^2"};
+  EXPECT_TRUE(mentions(verdict(wrong), "atlas.hausdorff: ") || mentions(verdict(wrong), "atlas.cocycle: "))
+      << verdict(wrong);
+}
+
+TEST(GluingCheck, looks_at_each_side_of_a_fold) {
+  // The second leads back from the first on one side of the fold only.
+  const auto folds = [](const std::string& first, const std::string& back_of_first, const std::string& second,
+                        const std::string& back_of_second) {
+    auto description = two_charts(Rational(2), Rational(1), {0, 1, {first, "y"}, {back_of_first, "v"}, {}});
+    description.charts.push_back(cube_chart("t", {"p", "q"}, Rational(2), Rational(1)));
+    description.transitions.push_back({1, 2, {"u", "v"}, {"p", "q"}, {}});
+    description.transitions.push_back({0, 2, {second, "y"}, {back_of_second, "q"}, {}});
+    return verdict(description);
+  };
+  // Squares that are not compact: there is nothing else that is wrong.
+  EXPECT_TRUE(mentions(folds("x + abs(y)/3", "u - abs(v)/3", "x + abs(y)/3", "p - abs(q)/3"), "atlas.compact"));
+  EXPECT_TRUE(mentions(folds("x + abs(y)/3", "u - abs(v)/3", "x + y/3", "p - q/3"), "rejected: two: atlas.cocycle"));
+  EXPECT_TRUE(mentions(folds("x + abs(y)/3", "u - abs(v)/3", "x - y/3", "p + q/3"), "rejected: two: atlas.cocycle"));
+}
+
+TEST(GluingCheck, does_not_take_a_fold_with_two_origins) {
+  // Two squares glued to one another on one side of the line of the fold.
+  const auto half = two_charts(Rational(2), Rational(1), {0, 1, {"x + abs(y)/3", "y"}, {"u - abs(v)/3", "v"}, {"y"}});
+  EXPECT_TRUE(mentions(verdict(half), "undecided: two: atlas.hausdorff: ")) << verdict(half);
+}
+
 TEST(GluingCheck, says_where_it_cannot_decide) {
   // The cores touch along a circle: what lies there is in both, and in no cell certainly.
   auto description = two_charts(Rational(2), Rational(1),
