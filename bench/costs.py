@@ -75,7 +75,7 @@ MEMBERS = [Run(manifold, radius, 1, 2, member=True, cheap=manifold in ("klein-bo
                                     ("flat-second-amphicosm", "1/24"), ("flat-first-amphidicosm", "1/24"),
                                     ("flat-second-amphidicosm", "1/24"), ("seifert-weber-space", "9/125")]]
 ZERO_SETS = [Run(manifold, radius, 1, 2, cheap=manifold == "two-spheres")
-             for manifold, radius in [("torus-of-revolution", "3/20"), ("torus-of-revolution", "1/10"),
+             for manifold, radius in [("torus-of-revolution", "3/20"), ("torus-of-revolution", "1/10"), ("torus-of-revolution", "1/14"),
                                       ("torus-of-revolution", "1/20"), ("ellipsoid", "1/10"), ("ellipsoid", "1/16"),
                                       ("two-spheres", "1/17"), ("clifford-torus", "1/20")]]
 ZERO_SETS += [Run("trefoil", "1/26", 1, 2)]

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 
 #include "proofs/checker/polyhedron.hpp"
 #include "proofs/checker/simplex.hpp"
@@ -70,11 +71,13 @@ class CoveredDisc {
     if (c_.intrinsic) bound_changes();
   }
 
-  /// Whether all boxes are near or in a star; false if some edge is missing from the complex.
+  /// Whether all boxes are near or in a star; false if some edge is missing from the complex, even if other boxes are
+  /// too small to be divided.
   bool check(std::size_t& boxes) {
     std::vector<DiscBox> open(1);
     for (std::size_t k = 0; k < m_; ++k) open[0].place[k] = Interval::between(-radius_.upper(), radius_.upper());
     for (const Rival& rival : rivals_) open[0].open.push_back(&rival);
+    std::optional<DiscBox> unsettled;
     for (std::size_t looked_at = 0; !open.empty(); ++looked_at, ++boxes) {
       DiscBox box = std::move(open.back());
       open.pop_back();
@@ -85,9 +88,14 @@ class CoveredDisc {
         if (is_settled(box)) continue;
       }
       if (is_edge_missing(box)) return false;
-      if (box.halvings == most_halvings || looked_at == most_boxes_of_label) undecided(box);
-      halve(box, open);
+      if (looked_at == most_boxes_of_label) undecided(unsettled ? *unsettled : box);
+      if (box.halvings < most_halvings) {
+        halve(box, open);
+      } else if (!unsettled) {
+        unsettled = std::move(box);
+      }
     }
+    if (unsettled) undecided(*unsettled);
     return true;
   }
 

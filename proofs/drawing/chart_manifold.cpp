@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/formula/map_piece.hpp"
+#include "kernel/formula/plain_formula.hpp"
 #include "proofs/drawing/manifold_json.hpp"
 #include "proofs/drawing/upper_triangle.hpp"
 #include "support/error.hpp"
@@ -12,6 +14,29 @@ namespace delcert {
 namespace {
 
 constexpr double gap_between_charts = 0.1;
+/// On the border of two pieces either will do.
+constexpr double border_width = 0x1p-30;
+
+/// Borders and map of each piece.
+std::vector<std::pair<std::unique_ptr<FormulaMap>, std::unique_ptr<FormulaMap>>> drawn_pieces(
+    const std::vector<std::string>& variables, const std::vector<std::string>& formulas) {
+  std::vector<ExpressionPointer> trees;
+  for (const std::string& formula : formulas)
+    trees.push_back(parse_plain_formula(formula, variables, AbsoluteValues::allowed));
+  const auto ring = std::make_shared<const PolynomialRing>(variables);
+  const auto pieces = pieces_of(trees, variables, ring);
+  if (!pieces) throw InputError("manifold: a transition is neither rational nor piecewise linear");
+  std::vector<std::pair<std::unique_ptr<FormulaMap>, std::unique_ptr<FormulaMap>>> result;
+  for (const MapPiece& piece : *pieces) {
+    std::vector<std::string> borders;
+    std::vector<std::string> map;
+    for (const Polynomial& p : piece.nonnegative) borders.push_back(p.text());
+    for (const RationalFunction& f : piece.map) map.push_back(f.numerator.text());
+    result.emplace_back(std::make_unique<FormulaMap>(variables, borders),
+                        std::make_unique<FormulaMap>(variables, piece.nonnegative.empty() ? formulas : map));
+  }
+  return result;
+}
 
 }  // namespace
 
@@ -38,15 +63,19 @@ ChartManifold::ChartManifold(const CertificateSummary& certificate)
     if (from >= fields_.size() || to >= fields_.size()) throw InputError("manifold: a transition names no chart");
     const auto where = transition.at("where").get<std::vector<std::string>>();
     for (const bool is_inverse : {false, true}) {
-      Transition added{is_inverse ? to : from, is_inverse ? from : to, nullptr, nullptr, is_inverse, nullptr, nullptr};
-      added.map = std::make_unique<FormulaMap>(
-          variables[added.from], transition.at(is_inverse ? "inverse" : "map").get<std::vector<std::string>>());
-      added.values = std::make_unique<FormulaEvaluation<double>>(*added.map);
-      if (!where.empty()) {
-        added.condition = std::make_unique<FormulaMap>(variables[from], where);
-        added.conditions = std::make_unique<FormulaEvaluation<double>>(*added.condition);
+      const std::uint32_t here = is_inverse ? to : from;
+      const auto formulas = transition.at(is_inverse ? "inverse" : "map").get<std::vector<std::string>>();
+      for (auto& [border, map] : drawn_pieces(variables[here], formulas)) {
+        Transition added{here,    is_inverse ? from : to, std::move(map), nullptr, is_inverse, nullptr,
+                         nullptr, std::move(border),      nullptr};
+        added.values = std::make_unique<FormulaEvaluation<double>>(*added.map);
+        added.borders = std::make_unique<FormulaEvaluation<double>>(*added.border);
+        if (!where.empty()) {
+          added.condition = std::make_unique<FormulaMap>(variables[from], where);
+          added.conditions = std::make_unique<FormulaEvaluation<double>>(*added.condition);
+        }
+        transitions_.push_back(std::move(added));
       }
-      transitions_.push_back(std::move(added));
     }
   }
   if (certificate.net.size() != certificate.points.size() || certificate.charts.size() != certificate.points.size())
@@ -85,6 +114,10 @@ std::optional<ApproximateManifold::Place> ChartManifold::place(std::uint32_t lab
   std::vector<double> image(m_);
   for (const Transition& transition : transitions_) {
     if (transition.from != homes_[label] || transition.to != sheet) continue;
+    std::vector<double> borders(transition.border->function_count());
+    if (!transition.borders->value(x.data(), borders.data()) ||
+        std::any_of(borders.begin(), borders.end(), [](double value) { return value < -border_width; }))
+      continue;
     if (!transition.values->value(x.data(), image.data()) || !is_inside(sheet, image.data())) continue;
     if (transition.conditions) {
       std::vector<double> conditions(transition.condition->function_count());

@@ -41,6 +41,7 @@ class ChartManifold : public ApproximateManifold {
     std::vector<std::array<double, 2>> sides;
     double shift = 0;  ///< of its first axis, so that no two overlap
   };
+  /// A transition, or a piece of one.
   struct Transition {
     std::uint32_t from;
     std::uint32_t to;
@@ -49,6 +50,8 @@ class ChartManifold : public ApproximateManifold {
     bool on_target;
     std::unique_ptr<FormulaEvaluation<double>> values;
     std::unique_ptr<FormulaEvaluation<double>> conditions;
+    std::unique_ptr<FormulaMap> border;  ///< of a piece of several: at least 0 where it counts
+    std::unique_ptr<FormulaEvaluation<double>> borders;
   };
   [[nodiscard]] bool is_inside(std::uint32_t field, const double* x) const;
 

@@ -49,8 +49,8 @@ SubmanifoldModel on_mesh(SubmanifoldModel model, const SubmanifoldModel& polyhed
 /// The product of two such circles in R^4.
 SubmanifoldModel flat_torus_model(int points);
 
-/// The product of the unit circle and one of a quarter of its size, in charts that are so tilted that lengths along the first
-/// circle look shorter than they are: stars are those of other edges than distances in space would choose.
+/// The product of the unit circle and one of a quarter of its size, in charts that are so tilted that lengths along the
+/// first circle look shorter than they are: stars are those of other edges than distances in space would choose.
 SubmanifoldModel tilted_torus_model();
 
 /// The graph over such a product of e = ac/2 and, in dimension 6, f = bd/2.

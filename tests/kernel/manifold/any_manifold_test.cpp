@@ -117,7 +117,7 @@ TEST(FindAnyManifold, lists_the_names_when_there_is_neither) {
   EXPECT_TRUE(mentions(message, "no manifold \"torus-9\": neither a file nor one of ball-3, circle")) << message;
   EXPECT_TRUE(mentions(message, "torus-4, or of the space forms bolza-surface, ")) << message;
   EXPECT_TRUE(mentions(message, ", or of the metric fields torus-2-anisotropic, ")) << message;
-  EXPECT_TRUE(mentions(message, ", or of the atlases klein-bottle-rectangles, ")) << message;
+  EXPECT_TRUE(mentions(message, ", or of the atlases cone-torus, klein-bottle-rectangles, ")) << message;
   EXPECT_TRUE(mentions(message, ", or of the submanifolds clifford-torus, ")) << message;
   EXPECT_TRUE(mentions(message, ", did you mean torus-2?")) << message;
 }
