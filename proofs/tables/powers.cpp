@@ -21,10 +21,10 @@ constexpr const char* power_command =
     "{ delcert power circumradius-under-distortion circumradius-under-distortion-sharper \\\n"
     "    circumscribing-balls-under-distortion circumscribing-balls-under-distortion-sharper \\\n"
     "    thickness-under-distortion crude-circumradius-bound \\\n"
-    "    --shape 1,1 --shape 2,2 --shape 3,3 --seed 1 --evaluations 200 --json\n"
-    "  delcert power raw-hoop-distortion raw-hoop-distortion-sharper \\\n"
+    "    --shape 1,1 --shape 2,2 --shape 3,3 --seed 1 --evaluations 1000 --json\n"
+    "  delcert power raw-hoop-distortion raw-hoop-distortion-sharper hoop-distortion hoop-distortion-sharper \\\n"
     "    --shape 2,2 --shape 3,3 --seed 1 --evaluations 100 --json\n"
-    "  delcert power stable-stars delaunay-metric-stability --shape 2 --seed 1 --evaluations 400 --json\n"
+    "  delcert power stable-stars delaunay-metric-stability --shape 2 --seed 1 --evaluations 2000 --json\n"
     "} | jq --slurp add > docs/tables/power.json\n";
 
 std::string in_cell(const std::string& text) {
