@@ -22,7 +22,7 @@ export const levels = {
   "2s": { says: "The stars are the same in all charts concerned.", rules: ["2s.patch", "2s.protection", "2s.reach"], page: "docs/levels/2s-stable-stars.md" },
   "3": { says: "There is no forbidden configuration.", rules: ["3.configuration", "3.flake-parameter"], page: "docs/levels/3-forbidden-configurations.md" },
   "4": { says: "The complex is the Delaunay complex of the points in the manifold.",
-    rules: ["4.ball", "4.clear", "4.density", "4.edge", "4.empty", "4.patch", "4.stability"], page: "docs/levels/4-delaunay.md" },
+    rules: ["4.ball", "4.clear", "4.cover", "4.density", "4.edge", "4.empty", "4.patch", "4.stability"], page: "docs/levels/4-delaunay.md" },
   "5": { says: "The complex triangulates the manifold.",
     rules: ["5.blend", "5.clear", "5.components", "5.contract", "5.fibre", "5.radius", "5.thickness"], page: "docs/levels/5-triangulation.md" },
   "5i": { says: "The straight simplices are embedded, and ambient isotopic to the manifold.", rules: ["5i.embedded", "5i.lid"], page: "docs/levels/submanifolds.md" },

@@ -43,6 +43,7 @@ TEST(WitnessItem, has_the_instance_and_what_the_replay_decided) {
   // Of the claim itself, which holds, the same instance is no counterexample.
   Witness mended = witness;
   mended.twin = "";
+  mended.text = "";
   mended.conclusion = "circumradius";
   EXPECT_EQ(witness_item(mended, replayed(mended), {"w.json", ""}).data.at("replay").at("verdict"), "proved");
 }
