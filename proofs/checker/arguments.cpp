@@ -189,7 +189,7 @@ Arguments parse_arguments(int argc, char** argv) {
         break;
 #ifdef DELCERT_CHECK_TESTING
       case without_rule:
-        Report::without_rule = ::optarg;
+        rule_left_out() = ::optarg;
         break;
 #endif
       case ':':
