@@ -3,6 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "apps/claim_options.hpp"
 #include "apps/other_programs.hpp"
@@ -11,6 +14,8 @@
 #include "proofs/formula/vocabulary_text.hpp"
 #include "properties/attack/claim_library.hpp"
 #include "properties/attack/paper_labels.hpp"
+#include "support/error.hpp"
+#include "support/spelling.hpp"
 
 namespace delcert {
 
@@ -82,6 +87,30 @@ ExitStatus list_classes() {
   return ExitStatus::verified;
 }
 
+/// The lines about what has the word in its name or meaning; all with their heads if there is no word.
+ExitStatus list_functions(const std::string& word) {
+  const Vocabulary& vocabulary = full_vocabulary();
+  const std::string table = vocabulary_table(vocabulary);
+  if (word.empty()) {
+    std::cout << table;
+    return ExitStatus::verified;
+  }
+  std::string found;
+  std::istringstream lines(table);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("| `") && line.find(word) != std::string::npos) found += line + "\n";
+  }
+  if (found.empty()) {
+    std::vector<std::string> names;
+    for (const auto& [name, function] : vocabulary.functions()) names.push_back(name);
+    for (const auto& [name, definition] : vocabulary.definitions()) names.push_back(name);
+    throw InputError("nothing that formulas can use has \"" + shortened(word) + "\" in its name or meaning" +
+                     suggestion(word, names));
+  }
+  std::cout << found;
+  return ExitStatus::verified;
+}
+
 }  // namespace
 
 void add_claims(CLI::App& program, Action& chosen) {
@@ -102,12 +131,9 @@ void add_claims(CLI::App& program, Action& chosen) {
   classes->callback([&chosen] { chosen = list_classes; });
   CLI::App* functions =
       command->add_subcommand("functions", "Print what formulas can use, with types and meaning, in Markdown");
-  functions->callback([&chosen] {
-    chosen = [] {
-      std::cout << vocabulary_table(full_vocabulary());
-      return ExitStatus::verified;
-    };
-  });
+  const auto word = std::make_shared<std::string>();
+  functions->add_option("WORD", *word, "Only what has this in its name or meaning, a line each");
+  functions->callback([word, &chosen] { chosen = [word] { return list_functions(*word); }; });
   CLI::App* labels = command->add_subcommand("labels", "Print which label of the paper is which claim, in Markdown");
   labels->callback([&chosen] {
     chosen = [] {
@@ -124,6 +150,7 @@ void add_claims(CLI::App& program, Action& chosen) {
       "  delcert claims show --latex --all > claims.tex\n"
       "  delcert claims classes\n"
       "  delcert claims functions\n"
+      "  delcert claims functions circumradius\n"
       "  delcert claims labels");
   command->callback([command, &chosen] {
     if (command->get_subcommands().empty()) chosen = list_claims;

@@ -2,6 +2,7 @@
 
 #include "kernel/manifold/lattice.hpp"
 #include "kernel/number/exact_text.hpp"
+#include "kernel/number/simple_fraction.hpp"
 #include "kernel/simplex/dimensions.hpp"
 
 namespace delcert {
@@ -14,12 +15,18 @@ InputItem patches_of_torus(const FlatAtlas<m>& atlas) {
   const Rational factor = Rational(2) * atlas.patch_factor() + Rational(6);
   const Rational least = factor * atlas.sampling_radius();
   const bool vary = atlas.radii().vary();
+  const bool are_small_enough = square(least) <= squared;
+  // Where radii vary, it is not one number that would have to be smaller.
+  const std::string advice = are_small_enough || vary
+                                 ? ""
+                                 : ": take a sampling radius of at most " +
+                                       exact_text(simple_fraction_at_most(square_root_lower(squared, 32) / factor));
   return {vary ? "patches: every label at one lift in B(p_i, bε_i), the same lift for all charts that are compared"
                : "patches: every label at one lift in B(p_i, 9ε), the same lift for all charts that are compared",
-          verdict_of(square(least) <= squared),
+          verdict_of(are_small_enough),
           "shortest lattice vector² " + exact_text(squared) + ", must be at least " +
               (vary ? "((2b + 6)·max ε_i)² = " : "(24ε)² = ") + exact_text(square(least)) +
-              (vary ? ", b = 9(1 + ε₀) = " + exact_text(atlas.patch_factor()) : "")};
+              (vary ? ", b = 9(1 + ε₀) = " + exact_text(atlas.patch_factor()) : "") + advice};
 }
 
 /// What is compared of density, radii and domains where radii vary.

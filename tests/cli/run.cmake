@@ -63,7 +63,7 @@ delcert_cli_test(certify-metric-field-json STATUS 0 ERROR "^$"
 delcert_cli_test(certify-raw-lattice STATUS 1 OUTPUT "^$" ERROR "nothing is certified.*star of 0: simplex"
   COMMAND ${delcert} certify --manifold torus-2 --lattice 20 --no-perturbation --output never.json)
 delcert_cli_test(certify-raw-lattice-writes-nothing STATUS 1 COMMAND ${CMAKE_COMMAND} -E cat never.json)
-delcert_cli_test(certify-torus-too-small STATUS 1 OUTPUT "^$" ERROR "Hypotheses 1:.*patches.*must be at least"
+delcert_cli_test(certify-torus-too-small STATUS 1 OUTPUT "^$" ERROR "Hypotheses 1:.*patches.*must be at least .*: take a sampling radius of at most 1.24.\n"
   COMMAND ${delcert} certify --manifold torus-2 --radius 1/10 --output never.json)
 delcert_cli_test(certify-impossible-tolerance STATUS 1 OUTPUT "^$" ERROR "no good perturbation of label"
   COMMAND ${delcert} certify --manifold torus-2 --radius 1/24 --mode measured --tolerance 31/128 --output never.json)

@@ -43,6 +43,19 @@ TEST(CheckInput, refutes_patches_that_are_a_hair_too_large) {
     EXPECT_EQ(item(items, name).verdict, Verdict::proved) << name;
   }
   EXPECT_TRUE(mentions(item(items, "patches").detail, exact_text(square(Rational(24) * radius))));
+  EXPECT_TRUE(mentions(item(items, "patches").detail, ": take a sampling radius of at most 1/24"));
+}
+
+TEST(CheckInput, advises_a_radius_that_is_not_refused) {
+  const auto patches = [](const Rational& radius) {
+    return item(items_of<3>(bcc_torus(), random_points<3>(5, 1), radius, Rational(1), ratio(1, 4)), "patches");
+  };
+  const std::string detail = patches(ratio(1, 2)).detail, words = "take a sampling radius of at most ";
+  ASSERT_TRUE(mentions(detail, words));
+  const Rational advised = parse_exact(detail.substr(detail.find(words) + words.size()));
+  EXPECT_EQ(patches(advised).verdict, Verdict::proved);
+  EXPECT_EQ(patches(advised * ratio(33, 32)).verdict, Verdict::refuted);
+  EXPECT_FALSE(mentions(patches(advised).detail, words));
 }
 
 TEST(CheckInput, compares_the_perturbation_with_a_quarter_of_the_separation_exactly) {
