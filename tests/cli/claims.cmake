@@ -12,8 +12,8 @@ delcert_cli_test(claims-show-file STATUS 0 ERROR "^$" OUTPUT "show radius: circu
 delcert_cli_test(claims-classes STATUS 0 ERROR "^$" OUTPUT "simplex: a non-degenerate.*s, a simplex\n" COMMAND ${delcert} claims classes)
 delcert_cli_test(claims-functions STATUS 0 ERROR "^$"
   OUTPUT "`volume.simplex. -> number` .*`sum.x in set: number. -> number` .*`constant_c.m, mu0.`" COMMAND ${delcert} claims functions)
-delcert_cli_test(claims-functions-with-a-word STATUS 0 ERROR "^$" OUTPUT "^. `circumradius.simplex. -> number` .*\n$"
-  COMMAND sh -c "\"$1\" claims functions circumradius | grep -F circumradius\(simplex\)" sh ${delcert})
+delcert_cli_test(claims-functions-with-a-word STATUS 0 ERROR "^$" OUTPUT "^. `circumradius.simplex. -> number` "
+  COMMAND ${delcert} claims functions circumradius)
 delcert_cli_test(claims-functions-with-a-word-only STATUS 0 ERROR "^$" OUTPUT "^0\n$"
   COMMAND sh -c "\"$1\" claims functions circumradius | grep -cv circumradius || true" sh ${delcert})
 delcert_cli_test(claims-functions-with-no-word STATUS 3 OUTPUT "^$"
