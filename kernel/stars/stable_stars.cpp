@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <type_traits>
 
 #include "kernel/chart/length_units.hpp"
 #include "kernel/parallel/parts.hpp"
 #include "kernel/simplex/dimensions.hpp"
+#include "kernel/stars/rounded_balls.hpp"
 
 namespace delcert {
 
@@ -32,12 +34,49 @@ LabelSimplex<m> labels_of(Label i, const ChartSimplex<m>& others) {
   return result;
 }
 
+/// Margins known so far, and what tells in doubles which simplices cannot change them.
+template <int m>
+struct KnownMargins {
+  static constexpr bool has_doubles = m == 2 || m == 3;
+
+  std::optional<LocalMargins> margins;
+  std::conditional_t<has_doubles, RoundedBalls<m>, char> balls{};
+
+  void look(const ChartView<m>& view) {
+    if constexpr (has_doubles) {
+      if (margins) balls.look(view, *margins);
+      is_looking = margins.has_value();
+    }
+  }
+  /// Whether it is certain that they do not change.
+  [[nodiscard]] bool are_met_by(const PlaceSimplex<m>& simplex) const {
+    if constexpr (has_doubles) {
+      return is_looking && balls.are_met_by(simplex);
+    } else {
+      return false;
+    }
+  }
+  void add(const LocalMargins& found, const ChartView<m>& view) {
+    include(margins, found);
+    if constexpr (has_doubles) {
+      if (is_looking) {
+        balls.compare_with(*margins);
+      } else {
+        look(view);
+      }
+    }
+  }
+
+  bool is_looking = false;
+};
+
 /// The stars that one chart has to show.
 template <int m>
 class ChartCheck {
  public:
-  ChartCheck(ChartView<m>& view, const ChartComplex<m>& complex, Label chart)
-      : view_(view), complex_(complex), chart_(chart), stars_(complex.neighbours(chart)) {
+  /// The margins found are those of simplices that are not better than what is known, which grows.
+  ChartCheck(ChartView<m>& view, const ChartComplex<m>& complex, Label chart, KnownMargins<m>& known)
+      : view_(view), complex_(complex), chart_(chart), known_(known), stars_(complex.neighbours(chart)) {
     std::erase_if(stars_, [&](Label i) { return !complex.is_interior(i); });
   }
 
@@ -46,6 +85,7 @@ class ChartCheck {
     // What the chart has to show for the stars of a perturbed net, for all but a few; then the whole patch.
     for (const int half_reach : view_.half_reaches({9, 12})) {
       view_.look_by_halves(chart_, half_reach);
+      known_.look(view_);
       std::vector<LabelSimplex<m>> rest;
       for (const auto& simplex : open) {
         if (look(simplex) == Outcome::sees_too_little) rest.push_back(simplex);
@@ -82,12 +122,18 @@ class ChartCheck {
       }
       places[corner] = *place;
     }
+    if (known_.are_met_by(places)) {
+      ladder_statistics().count(Rung::interval, view_.size());
+      reasons_.erase(labels);
+      return Outcome::certified;
+    }
     LocalMargins margins;
     std::size_t witness = view_.size();
     const auto failure = chart_simplex_failure<m>(view_, places, 0, margins, witness, look_beyond_part);
     if (!failure) {
       reasons_.erase(labels);
       include(result_.margins, margins);
+      known_.add(margins, view_);
       return Outcome::certified;
     }
     std::string text = simplex_text(std::vector<Label>(labels.begin(), labels.end())) + " " + failure->reason;
@@ -115,6 +161,7 @@ class ChartCheck {
   ChartView<m>& view_;
   const ChartComplex<m>& complex_;
   Label chart_;
+  KnownMargins<m>& known_;
   std::vector<Label> stars_;
   std::map<LabelSimplex<m>, std::string> reasons_;  // of the simplices that are not certified
   ChartStability result_;
@@ -174,7 +221,8 @@ std::optional<LocalMargins> margins_by_isometry(ChartView<m>& view, const ChartC
 
 template <int m>
 ChartStability stability_in_chart(ChartView<m>& scratch, const ChartComplex<m>& complex, Label chart) {
-  return ChartCheck<m>(scratch, complex, chart).run();
+  KnownMargins<m> known;
+  return ChartCheck<m>(scratch, complex, chart, known).run();
 }
 
 template <int m>
@@ -188,8 +236,12 @@ StarStability check_stability(const Atlas<m>& atlas, const PointSet<m>& points, 
   const bool is_decided = margins.has_value();
   std::vector<bool> differs(complex.size(), false);
   const auto is_interior = [&](Label i) { return complex.is_interior(i); };
+  const LengthUnits units(atlas);
   const auto look = [&](std::size_t first, std::size_t last) {
     ChartView<m> scratch = view;
+    // What was found before, in whatever chart, holds everywhere; where units vary, lengths mean something else.
+    KnownMargins<m> known;
+    if (!units.vary()) known.margins = margins;
     std::vector<std::pair<Label, ChartStability>> found;
     for (std::size_t index = first; index < last; ++index) {
       const Label chart(index);
@@ -199,12 +251,12 @@ StarStability check_stability(const Atlas<m>& atlas, const PointSet<m>& points, 
         found.emplace_back(chart, ChartStability()).second.pairs =
             static_cast<std::size_t>(std::count_if(labels.begin(), labels.end(), is_interior));
       } else {
-        found.emplace_back(chart, stability_in_chart<m>(scratch, complex, chart));
+        if (units.vary()) known = {};
+        found.emplace_back(chart, ChartCheck<m>(scratch, complex, chart, known).run());
       }
     }
     return found;
   };
-  const LengthUnits units(atlas);
   in_parts(stage, complex.size(), progress, look, [&](const std::vector<std::pair<Label, ChartStability>>& found) {
     for (const auto& [chart, here] : found) {
       result.pairs += here.pairs;

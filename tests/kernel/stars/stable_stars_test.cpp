@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/kernel/manifold/exhaustive.hpp"
-#include "tests/kernel/stars/curved_patch.hpp"
+#include "tests/kernel/stars/certified_samples.hpp"
 
 namespace delcert::test {
 namespace DELCERT_THIS_FILE {
@@ -19,9 +19,6 @@ ChartComplex<m> stars_of(const Atlas<m>& atlas, const PointSet<m>& points, const
   }
   return ChartComplex<m>(std::move(stars), interior);
 }
-
-const ModelGeometry unit_sphere{Curvature::positive, Rational(3)};
-const ModelGeometry unit_torus{Curvature::zero, ratio(1, 2)};
 
 FlatAtlas<2> displaced_lattice() {
   std::vector<Vector<Rational, 2>> points;
@@ -106,6 +103,34 @@ TEST(StabilityInChart, is_what_all_charts_together_are_made_of) {
   std::reverse(reasons.begin(), reasons.end());
   ASSERT_EQ(reasons.size(), stability.failures.size());
   for (std::size_t at = 0; at < reasons.size(); ++at) EXPECT_EQ(reasons[at], stability.failures[at].reason);
+}
+
+/// Whatever doubles leave out: the margins are those of all simplices in all charts, on intervals, bit by bit.
+TEST(CheckStability, has_the_margins_of_all_simplices) {
+  const auto sample = perturbed_sphere();
+  const auto& complex = sample.run.complex;
+  const auto stability = check_stability<2>(sample.atlas, sample.run.points, unit_sphere, complex, no_progress());
+  ASSERT_TRUE(stability.failures.empty());
+  ChartView<2> view(sample.atlas, sample.run.points, unit_sphere);
+  std::optional<LocalMargins> all;
+  for (std::uint32_t chart = 0; chart < complex.size(); ++chart) {
+    view.look_by_halves(Label(chart), 9);
+    for (const Label i : complex.neighbours(Label(chart))) {
+      for (const auto& others : complex.chart_star(i).simplices) {
+        LocalMargins margins;
+        std::size_t witness = 0;
+        const auto places = places_of<2>(view, {others[0].index, others[1].index, i.value});
+        ASSERT_TRUE(places.has_value());
+        ASSERT_FALSE(chart_simplex_failure<2>(view, *places, 0, margins, witness, 8).has_value());
+        if (all) margins.include(*all);
+        all = margins;
+      }
+    }
+  }
+  EXPECT_EQ(stability.margins.protection, all->protection);
+  EXPECT_EQ(stability.margins.thickness, all->thickness);
+  EXPECT_EQ(stability.margins.circumradius, all->circumradius);
+  EXPECT_EQ(stability.margins.reach, all->reach);
 }
 
 TEST(CheckStability, of_a_raw_net_of_a_sphere_names_star_and_chart) {
