@@ -110,3 +110,10 @@ set_tests_properties(cli.mesh cli.mesh_manifold PROPERTIES TIMEOUT 600)
 # Files that do not describe a manifold, or are malformed.
 add_test(NAME cli.wrong-manifolds COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/wrong_manifolds.py $<TARGET_FILE:delcert>)
 set_tests_properties(cli.wrong-manifolds PROPERTIES TIMEOUT 1200)
+if(DELCERT_DEEP)
+  # Meshes of 50 000 triangles. VTK is a module of Debian's Python.
+  find_program(DELCERT_DEBIAN_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
+  add_test(NAME cli.large-meshes COMMAND ${DELCERT_DEBIAN_PYTHON} ${CMAKE_CURRENT_LIST_DIR}/mesh.py
+    $<TARGET_FILE:delcert> $<TARGET_FILE:delcert-check> $<TARGET_FILE:surface-mesh> --large)
+  set_tests_properties(cli.large-meshes PROPERTIES TIMEOUT 3600)
+endif()

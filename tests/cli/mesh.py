@@ -1,32 +1,36 @@
 #!/usr/bin/env python3
-"""mesh.py DELCERT DELCERT_CHECK SURFACE_MESH: `delcert certify --manifold torus-of-revolution --complex MESH` certifies a mesh of the torus as it
+"""mesh.py DELCERT DELCERT_CHECK SURFACE_MESH [--large]: `delcert certify --manifold torus-of-revolution --complex MESH` certifies a mesh of the torus as it
 is, and delcert-check verifies that; the same mesh with one thing wrong is refused, and what is wrong is named. So are meshes that other programs make:
-SURFACE_MESH, by CGAL, and marching tetrahedra."""
+SURFACE_MESH, by CGAL, and marching tetrahedra. With --large all of that with some 50 000 triangles, with VTK's marching cubes too,
+and with a line for each mesh that says what it took."""
 
 import itertools
 import math
 import subprocess
+import resource
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 ALONG, AROUND = 96, 36
+LARGE_ALONG, LARGE_AROUND = 264, 96
 
 
-def torus():
+def torus(along=ALONG, around=AROUND):
     """Points, in decimals of seven digits, and triangles."""
     points, triangles = [], []
-    for i in range(ALONG):
-        for j in range(AROUND):
-            u = 2 * math.pi * i / ALONG
-            v = 2 * math.pi * (j + i % 2 / 2) / AROUND
+    for i in range(along):
+        for j in range(around):
+            u = 2 * math.pi * i / along
+            v = 2 * math.pi * (j + i % 2 / 2) / around
             points.append([(2 + math.cos(v)) * math.cos(u), (2 + math.cos(v)) * math.sin(u), math.sin(v)])
 
     def label(i, j):
-        return i % ALONG * AROUND + j % AROUND
+        return i % along * around + j % around
 
-    for i in range(ALONG):
-        for j in range(AROUND):
+    for i in range(along):
+        for j in range(around):
             a, b, c, d = label(i, j), label(i + 1, j), label(i, j + 1), label(i + 1, j + 1)
             triangles += [[a, b, c], [b, d, c]] if i % 2 == 0 else [[a, b, d], [a, d, c]]
     return points, triangles
@@ -120,6 +124,129 @@ def marching(cells):
     return points, triangles
 
 
+def handle_cut(points, triangles):
+    """The tube is cut along two of its circles, the part between is taken out, and both circles are filled with discs: a sphere."""
+    cut = [k for k, point in enumerate(points) if point[0] > 1 and abs(point[1]) < 0.3]
+    inside = set(cut)
+    kept = [triangle for triangle in triangles if not inside & set(triangle)]
+    sides = {(a, b) for triangle in kept for a, b in zip(triangle, triangle[1:] + triangle[:1])}
+    open_sides = [(a, b) for a, b in sides if (b, a) not in sides]
+    points = [list(point) for point in points]
+    for sign in (1, -1):
+        rim = [side for side in open_sides if points[side[0]][1] * sign > 0]
+        points.append([sum(points[a][axis] for a, _ in rim) / len(rim) for axis in range(3)])
+        kept += [[b, a, len(points) - 1] for a, b in rim]
+    used = sorted({vertex for triangle in kept for vertex in triangle})
+    number = {vertex: k for k, vertex in enumerate(used)}
+    return [points[vertex] for vertex in used], [[number[vertex] for vertex in triangle] for triangle in kept]
+
+
+def folded(points, triangles):
+    """An edge is flipped whose two triangles make up no convex quadrilateral, so that one triangle shows its other side."""
+    around = {}
+    for k, triangle in enumerate(triangles):
+        for at in range(3):
+            around.setdefault(frozenset((triangle[at], triangle[(at + 1) % 3])), []).append((k, triangle[(at + 2) % 3]))
+
+    def side(c, d, a):
+        """On which side of the edge from c to d, seen from outside of the torus, a is."""
+        u, v = ([points[end][axis] - points[c][axis] for axis in range(3)] for end in (d, a))
+        x = points[c]
+        flat = math.hypot(x[0], x[1])
+        normal = [x[0] * (1 - 2 / flat), x[1] * (1 - 2 / flat), x[2]]
+        return sum(normal[k] * (u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3]) for k in range(3))
+
+    for edge, ((first, c), (second, d)) in around.items():
+        a, b = edge
+        if side(c, d, a) * side(c, d, b) > 0 and frozenset((c, d)) not in around:
+            others = [triangle for k, triangle in enumerate(triangles) if k not in (first, second)]
+            return points, others + [[c, a, d], [c, d, b]]
+    raise SystemExit("no edge whose flip would fold the mesh")
+
+
+def raised(points, triangles):
+    """A vertex is off the torus by half of its longest edge."""
+    points = [list(point) for point in points]
+    number = len(points) // 3
+    around = {vertex for triangle in triangles if number in triangle for vertex in triangle}
+    x = points[number]
+    longest = max(math.dist(x, points[vertex]) for vertex in around)
+    flat = math.hypot(x[0], x[1])
+    normal = [x[0] * (1 - 2 / flat), x[1] * (1 - 2 / flat), x[2]]
+    points[number] = [a + longest / 2 * b for a, b in zip(x, normal)]
+    return points, triangles
+
+
+def marching_cubes(cells):
+    """As VTK makes them: vertices are interpolated between corners, and so not on the torus."""
+    import vtk
+    step = 6.2 / cells
+    origin = (-3.1 - 0.01234 * step, -3.1 - 0.0333 * step, -1.2 - 0.0271 * step)
+    size = (cells + 1, cells + 1, math.ceil(2.4 / step) + 2)
+    values = vtk.vtkDoubleArray()
+    for k, j, i in itertools.product(*(range(count) for count in reversed(size))):
+        x, y, z = (start + step * at for start, at in zip(origin, (i, j, k)))
+        flat = x * x + y * y
+        values.InsertNextValue((flat + z * z + 3) ** 2 - 16 * flat)
+    image = vtk.vtkImageData()
+    image.SetDimensions(*size)
+    image.SetSpacing(step, step, step)
+    image.SetOrigin(*origin)
+    image.GetPointData().SetScalars(values)
+    march = vtk.vtkMarchingCubes()
+    march.SetInputData(image)
+    march.SetValue(0, 0)
+    march.ComputeNormalsOff()
+    march.ComputeGradientsOff()
+    march.Update()
+    found = march.GetOutput()
+    corners = vtk.vtkIdList()
+    triangles = []
+    for k in range(found.GetNumberOfCells()):
+        found.GetCellPoints(k, corners)
+        triangles.append([corners.GetId(at) for at in range(3)])
+    return [list(found.GetPoint(k)) for k in range(found.GetNumberOfPoints())], triangles
+
+
+def read_off(text):
+    words = text.split()
+    vertices, facets = int(words[1]), int(words[2])
+    numbers = [float(x) for x in words[4:4 + 3 * vertices]]
+    labels = [int(x) for x in words[4 + 3 * vertices:]]
+    return [numbers[3 * k:3 * k + 3] for k in range(vertices)], [labels[4 * k + 1:4 * k + 4] for k in range(facets)]
+
+
+def large(certify, checker, certificate, surface_mesh):
+    """Meshes of some 50 000 triangles, what they took, and the same with one thing wrong."""
+    made = subprocess.run([surface_mesh, "0.0524"], capture_output=True, text=True, check=True).stdout
+    print("mesh; triangles; levels; certify: seconds, of one processor; check: seconds of one processor")
+    meshes = {"a grid": torus(LARGE_ALONG, LARGE_AROUND), "CGAL make_surface_mesh": read_off(made), "VTK marching cubes": marching_cubes(91)}
+    for name, (points, triangles) in meshes.items():
+        times = []
+
+        def timed(run):
+            begin, before = time.monotonic(), resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+            result = run()
+            times.extend((time.monotonic() - begin, resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before))
+            return result
+
+        done = timed(lambda: certify(off(points, triangles), "large.off"))
+        assert done.returncode == 0, done.stderr
+        checked = timed(lambda: subprocess.run([checker, certificate], capture_output=True, text=True))
+        assert checked.returncode == 0, checked.stdout + checked.stderr
+        levels = checked.stdout[checked.stdout.index("verified: levels charts ") + 24:].split(" (")[0]
+        assert levels.startswith("1f 2 5"), levels
+        print(f"{name}; {len(triangles)}; {levels}; {times[0]:.1f}, {times[1]:.1f}; {times[3]:.1f}", flush=True)
+        for change in (folded, raised, handle_cut):
+            if change is folded and name == "a grid":
+                continue  # no edge of it is like that
+            done = certify(off(*change(points, triangles)), "wrong.off")
+            print(f"  {change.__name__}: exit {done.returncode}: {done.stderr.strip().splitlines()[0][:200]}", flush=True)
+            assert done.returncode in (1, 2), done.stderr
+            assert "simplex" in done.stderr or "label" in done.stderr or "star of" in done.stderr, done.stderr
+            assert not certificate.exists()
+
+
 def main():
     delcert, checker, surface_mesh = sys.argv[1:4]
     mesh = torus()
@@ -132,6 +259,10 @@ def main():
             certificate.unlink(missing_ok=True)
             return subprocess.run([delcert, "certify", "--manifold", "torus-of-revolution", "--complex", path, "--output", certificate,
                                    *options], capture_output=True, text=True)
+
+        if "--large" in sys.argv:
+            large(certify, checker, certificate, surface_mesh)
+            return
 
         for name, write in (("mesh.off", off), ("mesh.obj", obj)):
             done = certify(write(*mesh), name)
@@ -149,8 +280,11 @@ def main():
             assert done.returncode == 0, done.stderr
             checked = subprocess.run([checker, certificate], capture_output=True, text=True)
             assert f"verified: levels charts {levels} (" in checked.stdout, checked.stdout + checked.stderr
+        # One edge flipped so that two triangles overlap.
+        done = certify(off(*folded(*marching(40))), "folded.off")
+        assert done.returncode == 1 and "star of" in done.stderr, done.stderr
 
-        for change, expected in ((pushed, "label 777"), (lifted, "900"),
+        for change, expected in ((pushed, "label 777"), (lifted, "900"), (raised, "1152"), (handle_cut, "label"),
                                  (doubled, "level 5: in 2 components no label is certainly alone"),
                                  (lambda points, triangles: (points, triangles[1:]), "a face in other than two simplices"),
                                  (lambda points, triangles: (points, triangles + triangles[:1]), "occurs twice")):

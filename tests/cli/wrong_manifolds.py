@@ -1,14 +1,20 @@
 #!/usr/bin/env python3
-"""wrong_manifolds.py DELCERT: files that do not describe a manifold, or are malformed. For each, `delcert certify` ends soon with its exit
-status – 1 for a false statement, 2 for undecided, 3 for malformed – and a sentence that says where; it writes nothing."""
+"""wrong_manifolds.py DELCERT [--write]: files that do not describe a manifold, or are malformed. For each, `delcert certify` ends soon with
+its exit status – 1 for a false statement, 2 for undecided, 3 for malformed – and a sentence that says where; it writes nothing. The table of
+docs/wrong-files.md is made of them (--write), and is compared."""
 
+import math
 import re
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
+import mesh_manifold
+
 SECONDS = 60
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "wrong-files.md"
+MARKS = ("<!-- wrong files: generated -->\n", "<!-- wrong files: end -->")
 SPHERE = {
     "name": '"wrong"',
     "family": '"submanifold"',
@@ -65,6 +71,11 @@ ZERO_SETS = {
     "a square": (equation("(x^2 + y^2 + z^2 - 1)^2"), (1, 2), "wrong: "),
     "a plane with its square": (zero_set(variables='["x", "y", "z", "w"]', equations='["x", "x^2"]', box="[[-1, 1], [-1, 1], [-1, 1], [-1, 1]]"), (1, 2), "wrong: "),
     "equations that depend on each other": (zero_set(variables='["x", "y", "z", "w"]', equations='["x^2 + y^2 + z^2 + w^2 - 1", "2*(x^2 + y^2 + z^2 + w^2) - 2"]', box="[[-2, 2], [-2, 2], [-2, 2], [-2, 2]]"), (1, 2), "wrong: "),
+    "a torus and a sphere of radius 1/500": (
+        equation("((x^2 + y^2 + z^2 + 3)^2 - 16*(x^2 + y^2))*(x^2 + y^2 + z^2 - 1/250000)", box='[["-7/2", "7/2"], ["-7/2", "7/2"], ["-3/2", "3/2"]]'),
+        (1, 2),
+        r"near \(-?0\.00[0-9]+, -?0\.00[0-9]+, -?(0\.00|[0-9.]+e-)",
+    ),
     "undefined in the box": (equation("x^2 + y^2 + z^2 - 1 + 1/x"), (1, 2), "wrong: "),
     "a root that ends": (equation("sqrt(x) + y^2 + z^2 - 1"), (1, 2), "wrong: "),
     "of infinite order": (equation("exp(x^2 + y^2 + z^2 - 1) - 1 + 0/(x + 3)", homology='["Z", "Z", "Z"]'), 1, "homology is Z, 0, Z, and not Z, Z, Z"),
@@ -80,6 +91,83 @@ MESHES = {
     "nowhere near": (TETRAHEDRON, (1, 2), "not independent at|label|patch|simplex"),
     "no vertices": ("OFF\n0 0 0\n", 3, r"wrong\.off"),
     "another kind of file": ("solid wrong\nendsolid\n", 3, r"wrong\.off:1"),
+}
+
+
+# A mesh as the manifold itself: an octahedron whose faces are divided, on the sphere.
+OCTAHEDRON = mesh_manifold.sphere(12)
+ROUND = mesh_manifold.sphere()
+PART = 'name = "wrong"\nfamily = "submanifold"\ndimension = 2\nmesh = "wrong.off"\n'
+
+
+def changed(change, mesh=ROUND):
+    return mesh_manifold.off(*change(*mesh))
+
+
+def without_area(points, facets):
+    return points, facets + [[facets[0][0], facets[0][1], facets[0][0]]]
+
+
+def nearly_flat(points, facets):
+    """A facet on one line: its last vertex is the middle of its first two."""
+    points = [list(x) for x in points]
+    a, b, c = facets[300]
+    points[a], points[b] = [0.0, 0.0, 1.0], [0.25, 0.0, 1.0]
+    points[c] = [0.125, 0.0, 1.0]
+    return points, facets
+
+
+def wound_twice(rings=15, ring=61):
+    """A sphere that goes around its poles twice: the links of the poles wind twice."""
+    points, facets = [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]], []
+
+    def label(i, j):
+        return 2 + i * ring + j % ring
+
+    for i in range(rings):
+        latitude = math.pi * (i + 1) / (rings + 1)
+        for j in range(ring):
+            turn = 4 * math.pi * (j + i % 2 / 2) / ring
+            points.append([math.sin(latitude) * math.cos(turn), math.sin(latitude) * math.sin(turn), math.cos(latitude)])
+    for j in range(ring):
+        facets += [[0, label(0, j), label(0, j + 1)], [1, label(rings - 1, j + 1), label(rings - 1, j)]]
+        for i in range(rings - 1):
+            a, b, c, d = label(i, j), label(i, j + 1), label(i + 1, j), label(i + 1, j + 1)
+            facets += [[a, c, b], [b, c, d]] if i % 2 else [[a, c, d], [a, d, b]]
+    return points, facets
+
+
+MESH_MANIFOLDS = {
+    # What is written wrongly.
+    "a mesh and equations": (PART + 'equations = ["x"]\n', mesh_manifold.off(*OCTAHEDRON), 3, r"wrong\.toml:5"),
+    "a mesh of dimension 3": (PART.replace("= 2", "= 3"), mesh_manifold.off(*OCTAHEDRON), 3, r"wrong\.toml:3"),
+    "no such mesh": (PART.replace("wrong.off", "other.off"), "", 3, "other.off.*cannot be read"),
+    "a mesh without facets": (PART, "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", (1, 3), "wrong"),
+    "an infinite coordinate": (PART, mesh_manifold.off(*OCTAHEDRON).replace("\n1 0 0\n", "\ninf 0 0\n", 1), 3, r"wrong\.off:[0-9]+"),
+    # What is no closed surface in space, or too sharp.
+    "a crack of one ulp": (PART, changed(mesh_manifold.cracked), 1, "merge the vertices along it"),
+    "a hole": (PART, changed(mesh_manifold.opened), 1, "close the boundary"),
+    "a facet reversed": (PART, changed(mesh_manifold.reversed_facet), 1, "reverse one of them"),
+    "a facet twice": (PART, changed(lambda points, facets: (points, facets + facets[:1])), 1, "is in 3 facets"),
+    "a facet that is a segment": (PART, changed(without_area), (1, 3), "wrong|facet"),
+    "a facet without an area": (PART, changed(nearly_flat), 1, "facet"),
+    "a fold": (PART, changed(mesh_manifold.folded), 1, "facet "),
+    "another part too near": (PART, changed(lambda *one: mesh_manifold.together(one, mesh_manifold.sphere(centre=(1.25, 0, 0)))), 1, "facet "),
+    "a mesh that is there twice": (PART, changed(lambda *one: mesh_manifold.together(one, one)), 1, "the mesh meets itself there"),
+    "poles around which the mesh winds twice": (PART, mesh_manifold.off(*wound_twice()), 1, "facet|label"),
+    "a crease of 30 degrees": (PART, changed(lambda *_: mesh_manifold.lens(math.radians(30))), 1, "the sharpest crease near by is between the facets"),
+}
+
+# What --sizing says, a file or not; exit status; what the message has to match.
+SIZINGS = {
+    "a cone without a slope": ("1 0 0 1/16\n", 3, r"wrong\.txt:1"),
+    "a cone in the plane": ("1 0 1/16 1/8\n", 3, r"wrong\.txt:1"),
+    "a radius of 0": ("1 0 0 0 1/8\n", 3, r"wrong\.txt.*above 0"),
+    "a slope below 0": ("1 0 0 1/16 -1/8\n", 3, r"wrong\.txt.*above 0"),
+    "a decimal radius": ("1 0 0 0.0625 1/8\n", 3, r"wrong\.txt:1"),
+    "no such sizing": (None, 3, r"no-such-file"),
+    "curvature without a slope": ("curvature:1/10", 3, "curvature:K,NU"),
+    "a share of 0": ("curvature:0,1/10", 3, "not above 0"),
 }
 
 
@@ -170,13 +258,32 @@ ATLASES = {
 }
 
 
+def table(rows):
+    """A line for each kind; what differs from one folder to another is left out."""
+    lines = ["| what | kind | exit | what `certify` says, its first sentence |", "|---|---|--:|---|"]
+    for family, name, status, message in rows:
+        text = message.split("\n")[0].removeprefix("delcert: error: ")
+        text = text if len(text) <= 230 else text[:230].rsplit(" ", 1)[0] + " …"
+        lines.append(f"| {family} | {name} | {status} | {text.replace('|', chr(92) + '|').replace('<', '&lt;')} |")
+    return "\n".join(lines) + f"\n\n{len(rows)} kinds.\n"
+
+
+def compare(rows, write):
+    text = PAGE.read_text()
+    begin, end = text.index(MARKS[0]) + len(MARKS[0]), text.index(MARKS[1])
+    renewed = text[:begin] + table(rows) + text[end:]
+    if write:
+        PAGE.write_text(renewed)
+    return [] if write or text == renewed else [f"{PAGE.name} is not what is said now: wrong_manifolds.py DELCERT --write"]
+
+
 def main():
     delcert = sys.argv[1]
-    failures = []
+    failures, rows = [], []
     with tempfile.TemporaryDirectory() as folder:
         output = Path(folder) / "never.json"
 
-        def expect(name, arguments, statuses, pattern):
+        def expect(family, name, arguments, statuses, pattern):
             statuses = statuses if isinstance(statuses, tuple) else (statuses,)
             command = [delcert, "certify", *arguments, "--output", str(output)]
             try:
@@ -184,24 +291,35 @@ def main():
             except subprocess.TimeoutExpired:
                 failures.append(f"{name}: does not end")
                 return
-            message = found.stderr.strip()
+            message = found.stderr.strip().replace(folder + "/", "")
+            rows.append((family, name, found.returncode, message))
             if found.returncode not in statuses or not re.search(pattern, message, re.S) or found.stdout or output.exists():
-                failures.append(f"{name}: status {found.returncode}, expected {statuses} with /{pattern}/: {message}")
+                failures.append(f"{family}, {name}: status {found.returncode}, expected {statuses} with /{pattern}/: {message}")
             output.unlink(missing_ok=True)
 
         manifold = Path(folder) / "wrong.toml"
         for name, (text, statuses, pattern) in ZERO_SETS.items():
             manifold.write_text(text)
-            expect(name, ["--manifold", str(manifold), "--radius", "1/8", "--seed", "1"], statuses, pattern)
-        for name, (text, statuses, pattern) in ATLASES.items():
-            manifold.write_text(text)
-            radius = "1/2" if name == "a radius too large" else "1/10"
-            expect("an atlas, " + name, ["--manifold", str(manifold), "--radius", radius, "--seed", "1"], statuses, pattern)
+            expect("zero set", name, ["--manifold", str(manifold), "--radius", "1/8", "--seed", "1"], statuses, pattern)
         mesh = Path(folder) / "wrong.off"
+        for name, (text, off, statuses, pattern) in MESH_MANIFOLDS.items():
+            manifold.write_text(text)
+            mesh.write_text(off)
+            expect("mesh as M", name, ["--manifold", str(manifold), "--radius", "1/6", "--seed", "1"], statuses, pattern)
         manifold.write_text(zero_set())
         for name, (text, statuses, pattern) in MESHES.items():
             mesh.write_text(text)
-            expect("a mesh, " + name, ["--manifold", str(manifold), "--complex", str(mesh)], statuses, pattern)
+            expect("mesh to certify", name, ["--manifold", str(manifold), "--complex", str(mesh)], statuses, pattern)
+        for name, (text, statuses, pattern) in SIZINGS.items():
+            sizing = Path(folder) / ("wrong.txt" if text else "no-such-file.txt")
+            if text:
+                sizing.write_text(text)
+            argument = text if text and text.startswith("curvature") else str(sizing)
+            expect("radii", name, ["--manifold", str(manifold), "--radius", "1/8", "--seed", "1", "--sizing", argument], statuses, pattern)
+        for name, (text, statuses, pattern) in ATLASES.items():
+            manifold.write_text(text)
+            radius = "1/2" if name == "a radius too large" else "1/10"
+            expect("atlas", name, ["--manifold", str(manifold), "--radius", radius, "--seed", "1"], statuses, pattern)
         # The twin: what is right is certified.
         manifold.write_text(zero_set())
         found = subprocess.run([delcert, "certify", "--manifold", manifold, "--radius", "1/8", "--seed", "1", "--output", output], capture_output=True)
@@ -212,7 +330,8 @@ def main():
         found = subprocess.run([delcert, "certify", "--manifold", manifold, "--radius", "1/8", "--seed", "1", "--output", output], capture_output=True, text=True, timeout=SECONDS)
         if found.returncode == 0 and "Z^2, 0, Z^2" not in found.stdout:
             failures.append("a small sphere is overlooked")
-    print(f"{len(ZERO_SETS) + len(ATLASES) + len(MESHES)} kinds")
+    failures += compare(rows, "--write" in sys.argv)
+    print(f"{len(rows)} kinds")
     for failure in failures:
         print(failure)
     sys.exit(1 if failures else 0)
