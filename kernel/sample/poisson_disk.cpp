@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kernel/chart/net_grid.hpp"
+#include "kernel/parallel/parts.hpp"
 #include "kernel/random/counter_random.hpp"
 #include "kernel/simplex/dimensions.hpp"
 #include "kernel/stars/approximate_sphere.hpp"
@@ -41,35 +42,52 @@ class Sampler {
               sizing == nullptr ? radius_ : std::sqrt(radius_ * sizing->least()), expected_points()) {}
 
   void throw_darts(const Progress& progress) {
-    const auto darts = static_cast<std::uint32_t>(std::ceil(darts_per_cell * cells()));
-    for (std::uint32_t dart = 0; dart < darts; ++dart) {
-      if (dart % 65536 == 0) progress("throw darts", dart, darts);
-      CounterRandom random(seed_, RandomPurpose::darts, dart, 0);
-      const auto x = random_place(random);
-      insert_if_free(x, radius_at(x));
-    }
+    const auto darts = static_cast<std::size_t>(std::ceil(darts_per_cell * cells()));
+    const auto draw = [this](std::size_t first, std::size_t last) {
+      std::vector<Candidate> free;
+      for (std::size_t dart = first; dart < last; ++dart) {
+        CounterRandom random(seed_, RandomPurpose::darts, static_cast<std::uint32_t>(dart), 0);
+        const auto x = random_place(random);
+        add_if_free({x, radius_at(x)}, free);
+      }
+      return free;
+    };
+    in_parts<128>("throw darts", darts, progress, draw, [this](const auto& free) { insert_those_free(free); });
   }
 
   /// Returns whether a gap was found.
   bool fill_gaps(std::uint32_t round) {
     const auto plain = space_.metric.template on<PlainDouble>();
     const auto simplices = propose_delaunay<m>(space_, grid_.points(), radius_);
-    bool found = false;
-    for (std::uint32_t at = 0; at < simplices.size(); ++at) {
-      std::array<Vector<double, m>, static_cast<std::size_t>(m) + 1> vertices;
-      for (std::size_t corner = 0; corner <= m; ++corner) {
-        vertices[corner] = grid_.points()[simplices[at][corner].index];
-        for (std::size_t axis = 0; axis < m; ++axis) vertices[corner][axis] += simplices[at][corner].shift[axis];
+    struct Found {
+      bool gap = false;
+      std::vector<Candidate> free;
+    };
+    const auto look = [&](std::size_t first, std::size_t last) {
+      Found result;
+      for (auto at = static_cast<std::uint32_t>(first); at < last; ++at) {
+        std::array<Vector<double, m>, static_cast<std::size_t>(m) + 1> vertices;
+        for (std::size_t corner = 0; corner <= m; ++corner) {
+          vertices[corner] = grid_.points()[simplices[at][corner].index];
+          for (std::size_t axis = 0; axis < m; ++axis) vertices[corner][axis] += simplices[at][corner].shift[axis];
+        }
+        const auto sphere = approximate_sphere<m>(plain, vertices);
+        const double gap = std::sqrt(sphere.squared_radius);
+        double radius = radius_;
+        for (const auto& vertex : vertices) radius = std::min(radius, radius_at(vertex));
+        if (!std::isfinite(gap) || gap <= radius * clearance || !is_sampled(sphere.centre)) continue;
+        result.gap = true;
+        CounterRandom random(seed_, RandomPurpose::gap_filling, at, round);
+        add_if_free({random_in_ball(random, sphere.centre, gap - radius * clearance), radius}, result.free);
       }
-      const auto sphere = approximate_sphere<m>(plain, vertices);
-      const double gap = std::sqrt(sphere.squared_radius);
-      double radius = radius_;
-      for (const auto& vertex : vertices) radius = std::min(radius, radius_at(vertex));
-      if (!std::isfinite(gap) || gap <= radius * clearance || !is_sampled(sphere.centre)) continue;
-      found = true;
-      CounterRandom random(seed_, RandomPurpose::gap_filling, at, round);
-      insert_if_free(random_in_ball(random, sphere.centre, gap - radius * clearance), radius);
-    }
+      return result;
+    };
+    // All vertices are of the points before; what is inserted changes no index.
+    bool found = false;
+    in_parts<64>("fill gaps", simplices.size(), no_progress(), look, [&](const Found& part) {
+      found = found || part.gap;
+      insert_those_free(part.free);
+    });
     return found;
   }
 
@@ -149,14 +167,25 @@ class Sampler {
     return sum(centre, space_.metric.approximate_frame(cartesian));
   }
 
-  /// No point is nearer than the radius.
-  void insert_if_free(Vector<double, m> x, double radius) {
-    for (double& coordinate : x) {
+  /// A point, and how far it has to be from others.
+  struct Candidate {
+    Vector<double, m> x;
+    double radius;
+  };
+  /// What is inserted stays: what is not free now never will be.
+  void add_if_free(Candidate candidate, std::vector<Candidate>& free) const {
+    for (double& coordinate : candidate.x) {
       coordinate = on_net_grid(coordinate);
       if (space_.is_torus()) coordinate -= std::floor(coordinate);
     }
-    if (!is_sampled(x)) return;
-    if (!grid_.approximately_occupied(x, radius)) grid_.insert(x);
+    if (!is_sampled(candidate.x) || grid_.approximately_occupied(candidate.x, candidate.radius)) return;
+    free.push_back(candidate);
+  }
+  /// One after the other, in this order.
+  void insert_those_free(const std::vector<Candidate>& candidates) {
+    for (const Candidate& candidate : candidates) {
+      if (!grid_.approximately_occupied(candidate.x, candidate.radius)) grid_.insert(candidate.x);
+    }
   }
 
   const FlatSpace<m>& space_;

@@ -2,6 +2,7 @@
 
 #include "kernel/number/exact_text.hpp"
 #include "kernel/number/simple_fraction.hpp"
+#include "kernel/parallel/parts.hpp"
 #include "kernel/sample/disk_sampling.hpp"
 #include "kernel/sample/space_form_points.hpp"
 #include "support/error.hpp"
@@ -22,6 +23,8 @@ void require_radius(const SpaceForm& form, const Rational& radius) {
 template <int m>
 class Points {
  public:
+  using Candidate = typename SpaceFormPoints<m>::Candidate;
+
   Points(const SpaceForm& form, double radius)
       : radius_(radius), points_(form, DiskSampling<m, Points>::reach * radius) {}
 
@@ -32,10 +35,15 @@ class Points {
       points_.insert(points_.domain().reduced(points_.domain().point(coordinates)), 0);
     }
   }
-  bool throw_dart(CounterRandom& random) { return points_.insert(points_.domain().random_point(random), radius_); }
-  void insert_about(std::uint32_t label, const Vector<double, m>& place) {
-    points_.insert(points_.at(label, place), radius_);
+  [[nodiscard]] std::optional<Candidate> dart(CounterRandom& random) const {
+    return points_.candidate(points_.domain().random_point(random), radius_);
   }
+  [[nodiscard]] std::optional<Candidate> candidate_about(std::uint32_t label, const Vector<double, m>& place) const {
+    return points_.candidate(points_.at(label, place), radius_);
+  }
+  void begin_round() { points_.begin_round(); }
+  bool insert(const Candidate& candidate) { return points_.insert_candidate(candidate, radius_); }
+  [[nodiscard]] bool has_new_about(std::uint32_t label) const { return points_.has_new_about(label); }
   void look_about(std::uint32_t label, std::vector<Vector<double, m>>& around) const {
     points_.look_about(label, around);
   }
@@ -62,10 +70,14 @@ struct Sampling {
 
   [[nodiscard]] std::vector<Vector<Rational, m>> relaxed(const Progress& progress) {
     std::vector<Vector<Rational, m>> result;
-    for (std::uint32_t label = 0; label < points.size(); ++label) {
-      if (label % 1024 == 0) progress("relax", label, points.size());
-      result.push_back(points.exactly_at(label, VoronoiCells<m>::mass_centre(disks.cell_of(label))));
-    }
+    const auto moved = [&](std::size_t first, std::size_t last) {
+      std::vector<Vector<Rational, m>> places;
+      for (auto label = static_cast<std::uint32_t>(first); label < last; ++label)
+        places.push_back(points.exactly_at(label, VoronoiCells<m>::mass_centre(disks.cell_of(label))));
+      return places;
+    };
+    in_parts("relax", points.size(), progress, moved,
+             [&](const auto& places) { result.insert(result.end(), places.begin(), places.end()); });
     return result;
   }
   [[nodiscard]] SpaceFormNet<m> net() const { return {points.ordered(), disks.covering_radius(), disks.separation()}; }
@@ -92,7 +104,7 @@ SpaceFormNet<m> measured_net(const SpaceForm& form, const std::vector<Vector<Rat
   require_radius(form, radius);
   Sampling<m> sampling(form, radius);
   sampling.points.take(centres);
-  sampling.disks.measure();
+  sampling.disks.measure(no_progress());
   return sampling.net();
 }
 

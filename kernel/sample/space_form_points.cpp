@@ -29,12 +29,15 @@ Vector<PlainDouble, m> plain(const Vector<double, m>& x) {
 
 template <int m>
 SpaceFormPoints<m>::SpaceFormPoints(const SpaceForm& form, double reach)
-    : reach_(reach), metric_(chart_metric<m>(form.form())), domain_(form, reach * spare), grid_(empty_grid()) {}
+    : reach_(reach),
+      metric_(chart_metric<m>(form.form())),
+      domain_(form, reach * spare),
+      grid_(empty_grid(reach / cells_per_reach)) {}
 
 template <int m>
-LiftGrid<m> SpaceFormPoints<m>::empty_grid() const {
+LiftGrid<m> SpaceFormPoints<m>::empty_grid(double cell_width) const {
   const RoundingGuard guard;
-  return LiftGrid<m>(curvature(), metric_, reach_ / cells_per_reach);
+  return LiftGrid<m>(curvature(), metric_, cell_width);
 }
 
 template <int m>
@@ -50,23 +53,62 @@ Frame<PlainDouble, m> SpaceFormPoints<m>::frame(std::uint32_t label) const {
 }
 
 template <int m>
-bool SpaceFormPoints<m>::insert(const Vector<double, m>& coordinates, double least_distance) {
+std::optional<typename SpaceFormPoints<m>::Candidate> SpaceFormPoints<m>::candidate(
+    const Vector<double, m>& coordinates, double least_distance) const {
   for (const double coordinate : coordinates) {
-    if (!(std::abs(coordinate) < greatest_coordinate)) return false;
+    if (!(std::abs(coordinate) < greatest_coordinate)) return std::nullopt;
   }
   const RoundingGuard guard;
-  const auto x = enclosed(coordinates);
-  if (least_distance > 0 && grid_.approximately_occupied(x, least_distance)) return false;
+  Candidate result{coordinates, enclosed(coordinates), {}};
+  if (least_distance > 0 && grid_.approximately_occupied(result.place, least_distance)) return std::nullopt;
+  domain_.lifts().for_each_lift(result.place, [&result](std::uint32_t number, const ModelPoint<Interval, m>& lift) {
+    result.lifts.emplace_back(number, lift);
+  });
+  return result;
+}
+
+/// Precondition: a rounding guard is alive.
+template <int m>
+void SpaceFormPoints<m>::add(const Candidate& candidate) {
   if (points_.size() == most_orbit_points)
     throw Rejection("a net of this radius has more than " + std::to_string(most_orbit_points) +
                     " points, which is the most that is supported");
   const auto label = static_cast<std::uint32_t>(points_.size());
-  points_.push_back(coordinates);
-  grid_.insert({label, {}}, x);
-  domain_.lifts().for_each_lift(x, [&](std::uint32_t number, const ModelPoint<Interval, m>& lift) {
-    grid_.insert({label, {}, number}, lift);
-  });
+  points_.push_back(candidate.coordinates);
+  for (LiftGrid<m>* grid : {&grid_, new_ ? &*new_ : nullptr}) {
+    if (grid == nullptr) continue;
+    grid->insert({label, {}}, candidate.place);
+    for (const auto& [number, lift] : candidate.lifts) grid->insert({label, {}, number}, lift);
+  }
+}
+
+template <int m>
+bool SpaceFormPoints<m>::insert(const Vector<double, m>& coordinates, double least_distance) {
+  const auto found = candidate(coordinates, least_distance);
+  const RoundingGuard guard;
+  if (found) add(*found);
+  return found.has_value();
+}
+
+template <int m>
+void SpaceFormPoints<m>::begin_round() {
+  new_.emplace(empty_grid(reach_));  // few points, and wide queries
+}
+
+template <int m>
+bool SpaceFormPoints<m>::insert_candidate(const Candidate& candidate, double least_distance) {
+  const RoundingGuard guard;
+  if (least_distance > 0 && new_->approximately_occupied(candidate.place, least_distance)) return false;
+  add(candidate);
   return true;
+}
+
+template <int m>
+bool SpaceFormPoints<m>::has_new_about(std::uint32_t label) const {
+  // What a query adds to its distance grows with the grid, by less than this.
+  constexpr double more = 1 + 0x1p-20;
+  const RoundingGuard guard;
+  return new_->approximately_occupied(enclosed(points_[label]), reach_ * more);
 }
 
 template <int m>

@@ -39,6 +39,34 @@ TEST(SpaceFormPoints, are_seen_through_the_group) {
   EXPECT_NEAR(back[1], 0, 1e-12);
 }
 
+/// A candidate is compared with what was there when it was made, and at its turn with what is new.
+TEST(SpaceFormPoints, come_in_rounds) {
+  // On the projective plane (y, 0) with |y| near 2 is close to its opposite.
+  SpaceFormPoints<2> points(verify_space_form(find_space_form("projective-plane")), 0.5);
+  ASSERT_TRUE(points.insert({1.9, 0}, 0.1));
+  EXPECT_FALSE(points.candidate({-1.9, 0}, 0.2).has_value());
+  EXPECT_FALSE(points.candidate({0, 0x1p30}, 0).has_value());
+  const auto first = points.candidate({0, 1.9}, 0.2);
+  const auto second = points.candidate({0, -1.9}, 0.2);
+  const auto third = points.candidate({0.25, 0}, 0.2);
+  ASSERT_TRUE(first && second && third);
+  points.begin_round();
+  EXPECT_FALSE(points.has_new_about(0));
+  EXPECT_TRUE(points.insert_candidate(*first, 0.2));
+  EXPECT_FALSE(points.insert_candidate(*second, 0.2));  // the group takes it next to the first one
+  EXPECT_FALSE(points.has_new_about(0));
+  EXPECT_TRUE(points.has_new_about(1));
+  EXPECT_TRUE(points.insert_candidate(*third, 0.2));
+  EXPECT_EQ(points.size(), 3U);
+  points.begin_round();
+  EXPECT_FALSE(points.has_new_about(1));
+  const auto near_the_first = points.candidate({1.85, 0}, 0.01);
+  ASSERT_TRUE(near_the_first);
+  EXPECT_TRUE(points.insert_candidate(*near_the_first, 0.01));
+  EXPECT_TRUE(points.has_new_about(0));
+  EXPECT_FALSE(points.has_new_about(1));
+}
+
 TEST(SpaceFormPoints, are_put_in_order_and_exact) {
   SpaceFormPoints<2> points(verify_space_form(find_space_form("klein-bottle")), 0.3);
   for (const double x : {0.25, -0.25, 0.125, -0.125}) EXPECT_TRUE(points.insert({x, -x}, 0));
