@@ -1,5 +1,8 @@
 #include "proofs/checker/exact_number.hpp"
 
+#include <charconv>
+#include <cmath>
+#include <cstdint>
 #include <string>
 
 #include "proofs/checker/budget.hpp"
@@ -55,6 +58,19 @@ Parts split(std::string_view text) {
 }  // namespace
 
 bool is_exact_number(std::string_view text) { return split(text).valid; }
+
+std::optional<double> as_double(std::string_view text) {
+  constexpr std::size_t most_digits = 13;
+  constexpr int greatest_exponent = 900;
+  const Parts parts = split(text);
+  const bool is_known = parts.valid && parts.part.empty() && parts.whole.size() <= most_digits &&
+                        -greatest_exponent <= parts.exponent && parts.exponent <= greatest_exponent;
+  if (!is_known) return std::nullopt;
+  std::uint64_t whole = 0;
+  std::from_chars(parts.whole.data(), parts.whole.data() + parts.whole.size(), whole, parts.hexadecimal ? 16 : 10);
+  const double value = std::ldexp(static_cast<double>(whole), parts.exponent);
+  return parts.negative ? -value : value;
+}
 
 Rational exact_value(std::string_view text) {
   const Parts parts = split(text);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "proofs/checker/rational.hpp"
@@ -12,5 +13,9 @@ bool is_exact_number(std::string_view text);
 
 /// The value, without rounding. Precondition: is_exact_number(text).
 Rational exact_value(std::string_view text);
+
+/// The number as a double, if it is an integer of at most 52 binary digits times a power of 2, so written that this can
+/// be read off.
+std::optional<double> as_double(std::string_view text);
 
 }  // namespace delcert::checker

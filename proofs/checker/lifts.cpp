@@ -50,24 +50,29 @@ void Lifts::walk(std::vector<Seen> front, const F& go_on) {
   }
 }
 
-/// The walk starts at p'_i, and goes on from all points within radius + room of p_i.
-std::vector<Seen> Lifts::around(Label i, const Rational& radius) {
+Lifts::Reach Lifts::squared_chords(const Rational& radius) const {
   const int K = c_.space_form->K;
-  const double reach = (enclosure(radius) + Interval::between(0, room_)).upper();
-  if (K > 0 && !(reach < 1.57)) throw Undecided("a walk would leave a half-sphere");
-  double near = 0, far = 0;  // squared chords
+  const double far = (enclosure(radius) + Interval::between(0, room_)).upper();
+  if (K > 0 && !(far < 1.57)) throw Undecided("a walk would leave a half-sphere");
+  Reach result{radius, 0, 0};
   in_balls(64, [&] {
     Ball length;
-    arb_set_d(length.raw(), reach);
-    near = (Ball(2) * versed_sine(K, Ball(radius))).enclosure().upper();
-    far = (Ball(2) * versed_sine(K, length)).enclosure().upper();
+    arb_set_d(length.raw(), far);
+    result.near = (Ball(2) * versed_sine(K, Ball(radius))).enclosure().upper();
+    result.far = (Ball(2) * versed_sine(K, length)).enclosure().upper();
   });
+  return result;
+}
+
+/// The walk starts at p'_i, and goes on from all points within radius + room of p_i.
+std::vector<Seen> Lifts::around(Label i, const Rational& radius) {
+  if (!reach_ || !(reach_->radius == radius)) reach_ = squared_chords(radius);
   const Vector<Interval> centre = net_point<Interval>({i, 0});
   std::vector<Seen> result;
   const auto go_on = [&](const Seen& seen) {
     const double distance = form_.squared(point<Interval>(seen) - centre).lower();
-    if (distance <= near) result.push_back(seen);
-    return distance <= far;
+    if (distance <= reach_->near) result.push_back(seen);
+    return distance <= reach_->far;
   };
   go_on({i, 0});
   walk({{i, 0}}, go_on);

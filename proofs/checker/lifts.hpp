@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -68,6 +69,13 @@ class Lifts {
   const core::Form<Interval> form_;
   const bool is_delaunay_;
   double room_ = 0;  // how much farther than the lifts that are asked for the walk about p_i goes
+  /// What was asked for last, and the squares of the chords of it and of how far the walk goes.
+  struct Reach {
+    Rational radius;
+    double near = 0, far = 0;
+  };
+  Reach squared_chords(const Rational& radius) const;
+  std::optional<Reach> reach_;
   struct Met {
     std::uint32_t walk = 0;
     core::Elements::Id element = 0;

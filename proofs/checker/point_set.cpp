@@ -17,7 +17,11 @@ PointSet::PointSet(const Metric& metric, bool periodic, const std::vector<std::s
       periodic_(periodic),
       dimension_(static_cast<std::size_t>(metric.dimension())) {
   filter_.reserve(coordinates.size());
-  for (const std::string_view text : coordinates) filter_.push_back(enclosure(exact_value(text)));
+  for (const std::string_view text : coordinates) {
+    const std::optional<double> x = as_double(text);
+    Budget::spend(x ? text.size() : 0);
+    filter_.push_back(x ? Interval::between(*x, *x) : enclosure(exact_value(text)));
+  }
 }
 
 std::vector<Lift> PointSet::lifts_within(const Vertex& v, Label label, const Quantity& a, bool closed) const {

@@ -206,7 +206,7 @@ class Run {
       return is_done_here("all of level 4", report) ? check_delaunay_of_metric_field(*charts_, report) : "";
     }
     return level == level_0    ? check_level_0(c_, report)
-           : level == level_1  ? check_level_1(c_, report)
+           : level == level_1  ? check_level_1(c_, core_ ? &*core_ : nullptr, report)
            : level == level_2s ? check_level_2s(c_, report)
            : level == level_3  ? check_level_3(c_, report)
                                : "follows from levels 1 and 2";

@@ -13,10 +13,15 @@
 
 namespace delcert::checker {
 
+namespace core {
+class Core;
+}
+
 // Each function checks the rules of its level, records the broken ones in the report and returns in words what it
 // looked at. Throws Undecided. Levels 4, 5 and 6 are the core's (core/core.hpp).
 std::string check_level_0(const Certificate& c, Report& report);
-std::string check_level_1(const Certificate& c, Report& report);
+/// `core`: of a torus, else none.
+std::string check_level_1(const Certificate& c, core::Core* core, Report& report);
 /// The rules of level 2 but those that make the complex a manifold: 2.count, and 2.homology, which presumes them.
 std::string check_count(const Certificate& c, Report& report);
 std::string check_homology(const Certificate& c, Report& report);

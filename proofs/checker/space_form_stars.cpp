@@ -7,7 +7,6 @@
 #include "proofs/checker/simplex.hpp"
 
 namespace delcert::checker {
-
 void OpenChart::open(Label i) {
   label_ = i;
   base_ = charts_.base(i);
@@ -30,8 +29,8 @@ void SpaceFormStars::open_chart(Label i) {
 }
 
 SpaceFormStars::View SpaceFormStars::view(const Quantity& reach, const Quantity& margin) const {
-  View result{reach, margin};
   const int K = c_.space_form->K;
+  View result{reach, margin, 1, 0, AllCharts(K, c_.m_size(), reach)};
   if (K < 0) {
     const Interval ratio = in_balls(128, [&] { return (sine(K, Ball(reach.exact)) / Ball(reach.exact)).enclosure(); });
     result.stretch = square(ratio).upper();
@@ -78,15 +77,29 @@ bool SpaceFormStars::holds(const Shown& simplex, const Predicate& predicate) {
   });
 }
 
+const SimplexInSpace& SpaceFormStars::in_space(std::size_t s) {
+  std::optional<SimplexInSpace>& simplex = known_[s].simplex;
+  if (!simplex) simplex = in_space_.of(static_cast<std::uint32_t>(s));
+  return *simplex;
+}
+
+/// The reach is that of 1.vertices, so a radius within the bound says that the charts show what they have to.
+bool SpaceFormStars::is_thick_and_protected(std::size_t s, const View& view) {
+  return lifts_.are_delaunay() && view.all.fits(in_space(s), c_.circumradius, c_.thickness, view.margin);
+}
+
+double SpaceFormStars::protected_within(std::size_t s, const View& view) {
+  if (!lifts_.are_delaunay()) return -1;
+  const AllCharts::Bounds bounds = view.all.bounds(in_space(s));
+  if (!bounds.known || !(bounds.radius < bounds.nearest)) return -1;
+  const Interval room = view.reach.filter - Interval::between(bounds.radius, bounds.radius) -
+                        Interval::between(bounds.centre, bounds.centre);
+  return room.lower() > 0 ? view.all.squared_chord(room.lower()) : -1;
+}
+
 double SpaceFormStars::reach_of(const Shown& simplex, const View& view) {
-  Known& known = known_[simplex.number];
-  if (known.covered < 0) {
-    known.covered = 0;
-    known.centre =
-        core::Circumball<Interval>(complex_.data, lifts_.form<Interval>(), complex_.lifts<Interval>(simplex.number))
-            .centre();
-  }
-  const Vector<Interval> centre = chart_.place(complex_.elements.moved(simplex.element, known.centre));
+  const Vector<Interval> centre =
+      chart_.place(complex_.elements.moved(simplex.element, in_space(simplex.number).centre));
   if (!(squared(centre, c_.m_size()).upper() <= square(view.reach.filter).lower()))
     return std::numeric_limits<double>::infinity();
   const double length = upper_root(squared(centre - simplex.filter->centre(), c_.m_size())) +
@@ -107,7 +120,7 @@ const std::vector<Seen>& SpaceFormStars::near(const Shown& simplex, const View& 
     for (std::size_t k = 0; k < complex_.vertices(); ++k)
       vertices.push_back({complex_.label(simplex.number, k), complex_.element(simplex.number, k)});
     known.covered = std::min(more * reach, view.most);
-    known.near = lifts_.around_circumcentre(known.centre, vertices, known.covered);
+    known.near = lifts_.around_circumcentre(in_space(simplex.number).centre, vertices, known.covered);
   }
   near_.clear();
   for (const auto& [seen, chord_squared] : known.near) {
@@ -143,6 +156,7 @@ std::string SpaceFormStars::name(std::size_t s, Label i) const {
 
 /// In the chart of its k-th vertex.
 void SpaceFormStars::check_simplex(std::size_t s, std::size_t k, const View& view, Report& report) {
+  if (is_decided(is_thick_and_protected(s, view))) return;
   const Shown simplex = shown(s, complex_.elements.inverse(complex_.element(s, k)));
   const auto which = [&] { return name(s, complex_.label(s, k)); };
   if (const auto label = missing(simplex, view)) {
@@ -176,6 +190,10 @@ void SpaceFormStars::check_stable_simplex(std::size_t s, core::Elements::Id g, L
   check_protection(simplex, view, "2s.protection", which, report);
 }
 
+bool SpaceFormStars::is_within(const Vector<Interval>& x, const Vector<Interval>& y, double squared_chord) const {
+  return lifts_.form<Interval>().squared(x - y).upper() <= squared_chord;
+}
+
 /// How many simplices it looks at.
 std::uint64_t SpaceFormStars::check_star(Label i, const View& view, const Quantity& shift, Report& report) {
   const bool near = decide_enclosed([&]<class N>(In<N>) {
@@ -203,18 +221,21 @@ std::uint64_t SpaceFormStars::check_star(Label i, const View& view, const Quanti
   return simplices;
 }
 
-/// In the chart of j, the stars of all its neighbours, and so its own. `seen` says of each simplex in the chart of
-/// which label it was looked at last.
-void SpaceFormStars::check_stable_star(Label j, const View& view, std::vector<Label>& seen, Report& report) {
+/// In the chart of j, the stars of all its neighbours, and so its own.
+void SpaceFormStars::check_stable_star(Label j, const View& view, std::vector<Met>& met, Report& report) {
   open_chart(j);
+  const Vector<Interval> home = lifts_.net_point<Interval>({j, 0});
   for (std::size_t at = 0; at < complex_.neighbours.size(j); ++at) {
     const auto [i, phi] = complex_.neighbours.of(j)[at];
     for (std::size_t in = 0; in < complex_.star.size(i); ++in) {
       const auto [s, k] = complex_.star.of(i)[in];
-      if (seen[s] == j) continue;
-      seen[s] = j;
+      if (met[s].label == j) continue;
+      if (met[s].label == c_.n) met[s].within = protected_within(s, view);
+      met[s].label = j;
       const core::Elements::Id g = complex_.elements.product(phi, complex_.elements.inverse(complex_.element(s, k)));
-      check_stable_simplex(s, g, i, view, report);
+      const bool is_near =
+          met[s].within > 0 && is_within(home, complex_.elements.moved(g, in_space(s).centre), met[s].within);
+      if (!is_decided(is_near)) check_stable_simplex(s, g, i, view, report);
     }
   }
 }
@@ -250,8 +271,8 @@ std::string SpaceFormStars::check_stable_stars(Report& report) {
     return "every chart of a star sees the same star, as it is isometric and shows 4 circumradii";
   const View view = this->view(c_.reach_2s, Quantity(Rational(0)));
   const auto check = [&](std::size_t begin, std::size_t end, Report& found) {
-    std::vector<Label> seen(complex_.data.simplices(), c_.n);
-    for (auto j = static_cast<Label>(begin); j < end; ++j) check_stable_star(j, view, seen, found);
+    std::vector<Met> met(complex_.data.simplices(), Met{c_.n});
+    for (auto j = static_cast<Label>(begin); j < end; ++j) check_stable_star(j, view, met, found);
     return Counts{};
   };
   in_parts("2s.reach, 2s.protection", c_.n, report, check);

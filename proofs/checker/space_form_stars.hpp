@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "proofs/checker/all_charts.hpp"
 #include "proofs/checker/lifts.hpp"
 #include "proofs/checker/report.hpp"
 #include "proofs/checker/straight_simplex.hpp"
@@ -57,12 +58,18 @@ class OpenChart {
 };
 
 /// Levels 1 and 2s of space forms in the charts of the labels; of level 1 the rules that are not the core's. A simplex
-/// is compared with the lifts near it only (docs/levels/space-forms.md, Near a simplex).
+/// is looked at in a chart only if what is known of it in all charts does not suffice, and is compared with the lifts
+/// near it only (docs/levels/space-forms.md, In all charts, Near a simplex).
 class SpaceFormStars {
  public:
   /// Keeps references. Precondition: as Lifts.
   SpaceFormStars(const Certificate& c, core::Complex& complex, Lifts& lifts)
-      : c_(c), complex_(complex), lifts_(lifts), chart_(c, complex, lifts), known_(complex.data.simplices()) {}
+      : c_(c),
+        complex_(complex),
+        lifts_(lifts),
+        chart_(c, complex, lifts),
+        in_space_(complex),
+        known_(complex.data.simplices()) {}
 
   /// As the functions of run.hpp.
   std::string check_stars(Report& report);
@@ -74,6 +81,7 @@ class SpaceFormStars {
     Quantity reach, margin;
     double stretch = 1;  // the square of the greatest chord in the space, divided by that of its length in a chart
     double most = 0;     // greatest square of a chord that is looked for
+    AllCharts all;
   };
   /// A simplex, straight in the open chart, where the element takes it.
   struct Shown {
@@ -84,12 +92,27 @@ class SpaceFormStars {
   };
   /// What is known of a simplex in the space, with its first vertex at the lift of the identity.
   struct Known {
-    Vector<Interval> centre{};
-    double covered = -1;            // all lifts whose chords from the centre have squares up to this are known,
+    std::optional<SimplexInSpace> simplex;
+    double covered = 0;             // all lifts whose chords from the centre have squares up to this are known,
     std::vector<Lifts::Near> near;  // besides the vertices
   };
 
+  /// A simplex in charts one after the other: that of which label was the last, and within what charts need not be
+  /// looked at.
+  struct Met {
+    Label label;
+    double within = -1;
+  };
+
   View view(const Quantity& reach, const Quantity& margin) const;
+  /// Precondition: the complex is Delaunay.
+  const SimplexInSpace& in_space(std::size_t s);
+  /// Whether all rules of level 1 hold for the simplex in the charts of its vertices, by what is known of it in all
+  /// charts.
+  bool is_thick_and_protected(std::size_t s, const View& view);
+  /// How far from the circumcentre of the simplex, as the square of a chord, charts can be centred in which the rules
+  /// of level 2s hold by what is known of it in all charts.
+  double protected_within(std::size_t s, const View& view);
   std::string fault_of_reach(const char* name, const Rational& reach) const;
   Shown shown(std::size_t s, core::Elements::Id g);
   /// The label of a vertex that the chart does not show, if there is one.
@@ -105,17 +128,19 @@ class SpaceFormStars {
 
   void open_chart(Label i);
   std::uint64_t check_star(Label i, const View& view, const Quantity& shift, Report& report);
-  void check_stable_star(Label j, const View& view, std::vector<Label>& seen, Report& report);
+  void check_stable_star(Label j, const View& view, std::vector<Met>& met, Report& report);
   void check_simplex(std::size_t s, std::size_t k, const View& view, Report& report);
   void check_stable_simplex(std::size_t s, core::Elements::Id g, Label centre, const View& view, Report& report);
   template <class Which>
   void check_protection(const Shown& simplex, const View& view, const char* rule, const Which& which, Report& report);
+  bool is_within(const Vector<Interval>& x, const Vector<Interval>& y, double squared_chord) const;
   std::string name(std::size_t s, Label i) const;
 
   const Certificate& c_;
   core::Complex& complex_;
   Lifts& lifts_;
   OpenChart chart_;
+  SimplicesInSpace in_space_;
   std::vector<Known> known_;
   std::vector<Seen> near_;
   std::optional<std::vector<Seen>> all_;  // that the open chart shows

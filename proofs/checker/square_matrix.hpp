@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <type_traits>
 #include <vector>
 
 #include "proofs/checker/number_field.hpp"
@@ -11,7 +13,9 @@ namespace delcert::checker {
 template <class E>
 class SquareMatrix {
  public:
-  explicit SquareMatrix(std::size_t order = 0) : order_(order), entries_(order * order) {}
+  explicit SquareMatrix(std::size_t order = 0) : order_(order) {
+    if constexpr (!is_small) entries_.resize(order * order);
+  }
   static SquareMatrix identity(std::size_t order) {
     SquareMatrix result(order);
     for (std::size_t k = 0; k < order; ++k) result(k, k) = E(1);
@@ -61,27 +65,26 @@ class SquareMatrix {
   }
 
   /// The determinant of the first `size` rows and columns, by the first row.
-  E leading_minor(std::size_t size) const {
-    std::vector<std::size_t> columns;
-    for (std::size_t k = 0; k < size; ++k) columns.push_back(k);
-    return minor_of(0, columns);
-  }
+  E leading_minor(std::size_t size) const { return minor_of(0, (1U << size) - 1); }
 
  private:
-  E minor_of(std::size_t row, const std::vector<std::size_t>& columns) const {
-    if (columns.empty()) return E(1);
+  /// Of the rows from this one on, and of columns, as bits.
+  E minor_of(std::size_t row, unsigned columns) const {
+    if (columns == 0) return E(1);
     E sum(0);
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      std::vector<std::size_t> rest = columns;
-      rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(k));
-      const E term = (*this)(row, columns[k]) * minor_of(row + 1, rest);
-      sum = k % 2 == 0 ? sum + term : sum - term;
+    bool even = true;
+    for (std::size_t k = 0; k < order_; ++k) {
+      if ((columns >> k & 1U) == 0) continue;
+      const E term = (*this)(row, k) * minor_of(row + 1, columns & ~(1U << k));
+      sum = even ? sum + term : sum - term;
+      even = !even;
     }
     return sum;
   }
 
+  static constexpr bool is_small = std::is_same_v<E, Interval>;
   std::size_t order_;
-  std::vector<E> entries_;
+  std::conditional_t<is_small, std::array<E, 16>, std::vector<E>> entries_{};
 };
 
 /// Whether all leading minors of a symmetric matrix are positive: whether it is positive definite.

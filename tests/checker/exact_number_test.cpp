@@ -43,6 +43,26 @@ TEST(ExactNumber, of_a_hexadecimal_float_is_what_the_C_library_reads) {
   }
 }
 
+TEST(ExactNumber, is_a_double_only_if_it_has_so_few_digits) {
+  std::mt19937_64 random(3);
+  for (int k = 0; k < 10000; ++k) {
+    const auto whole = random() >> (random() % 64);
+    char text[64];
+    std::snprintf(text, sizeof text, "%s0x%llxp%d", k % 2 == 0 ? "" : "-", static_cast<unsigned long long>(whole),
+                  static_cast<int>(random() % 2400) - 1200);
+    const auto found = checker::as_double(text);
+    if (found) {
+      EXPECT_EQ(exact(*found), exact_value(text)) << text;
+      EXPECT_LT(whole, std::uint64_t{1} << 52) << text;
+    }
+    EXPECT_EQ(checker::as_double("0x" + std::string(14, 'f')), std::nullopt);
+  }
+  EXPECT_EQ(checker::as_double("-0x21c6fd298c697p-48"), -0x21c6fd298c697p-48);
+  EXPECT_EQ(checker::as_double("-17"), -17.0);
+  for (const char* other : {"1/2", "0x1.8p1", "0x1p901", "0x1p-901", "12345678901234", "", "x"})
+    EXPECT_EQ(checker::as_double(other), std::nullopt) << other;
+}
+
 TEST(ExactNumber, lies_in_its_enclosure_whatever_its_magnitude) {
   const test::Upwards upwards;
   std::mt19937_64 random(2);

@@ -16,6 +16,14 @@ class Form {
   N squared(const Vector<N>& x) const {
     return K_ == 0 ? squared_by(gram_, x) : N(K_) * square(x[0]) + squared_tail(x);
   }
+  N product(const Vector<N>& x, const Vector<N>& y) const {
+    if (K_ != 0) {
+      N sum = N(K_) * x[0] * y[0];
+      for (std::size_t k = 1; k <= m_; ++k) sum = sum + x[k] * y[k];
+      return sum;
+    }
+    return dot(x, gram_ * y, m_);
+  }
   /// The vector u with form(x) = <u, x>. K = 0.
   Vector<N> vector(const Vector<N>& form) const { return inverse_ * form; }
   /// |u|^2 of this vector. K = 0.

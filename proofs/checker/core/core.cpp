@@ -48,6 +48,12 @@ bool Core::is_delaunay() {
   return hinges_->findings.empty();
 }
 
+bool Core::is_delaunay_quotient() {
+  Report found;
+  check_quotient(found);
+  return found.findings.empty() && is_delaunay();
+}
+
 std::string Core::check_delaunay(Report& report) {
   check_quotient(report);
   is_delaunay();

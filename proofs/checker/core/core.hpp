@@ -20,6 +20,8 @@ class Core {
   void check_quotient(Report& report);
   /// Whether core.hinges holds. Looked at once.
   bool is_delaunay();
+  /// Whether those rules hold, too.
+  bool is_delaunay_quotient();
   std::string check_delaunay(Report& report);       // 4
   std::string check_triangulation(Report& report);  // 5
   std::string check_metric(Report& report);         // 6

@@ -1,5 +1,4 @@
-#include <algorithm>
-
+#include "proofs/checker/core/around_simplex.hpp"
 #include "proofs/checker/core/circumball.hpp"
 #include "proofs/checker/core/rules.hpp"
 #include "proofs/checker/parts.hpp"
@@ -42,7 +41,7 @@ class Margins {
         tangent_(tangent, complex.data.K, circumradius, circumradius.exact),
         sine_(sine, complex.data.K, protection, protection.exact),
         versed_sine_(versed_sine, complex.data.K, protection, square(protection.exact) / Rational(2)),
-        seen_(complex.size()) {}
+        around_(complex) {}
 
   void check(std::uint32_t s) {
     const Circumball<Interval> filter = balls_.filter(s);
@@ -50,21 +49,7 @@ class Margins {
       return less_equal(ball.tangent_squared(), square(tangent_.as<N>()));
     });
     if (!small) report_.reject("4.ball", [&] { return complex_.name(s) + " has no circumball so small"; });
-    const Label* labels = &complex_.data.labels[s * complex_.vertices()];
-    for (std::size_t k = 0; k < complex_.vertices(); ++k) {
-      const Label i = labels[k];
-      const Elements::Id g = complex_.element(s, k);
-      for (std::size_t at = 0; at < complex_.neighbours.size(i); ++at) {
-        const Neighbour& neighbour = complex_.neighbours.of(i)[at];
-        // By core.edges a label of the simplex is one of its vertices here.
-        if (std::find(labels, labels + complex_.vertices(), neighbour.label) != labels + complex_.vertices()) continue;
-        const Elements::Id moved = complex_.elements.product(g, neighbour.phi);
-        const Seen now{s, moved};
-        if (seen_[neighbour.label] == now) continue;
-        seen_[neighbour.label] = now;
-        check(s, filter, neighbour.label, moved);
-      }
-    }
+    around_.visit(s, [&](Label j, Elements::Id moved) { check(s, filter, j, moved); });
   }
 
  private:
@@ -79,16 +64,11 @@ class Margins {
     });
   }
 
-  struct Seen {
-    std::uint32_t simplex = UINT32_MAX;
-    Elements::Id element = 0;
-    bool operator==(const Seen&) const = default;
-  };
   Complex& complex_;
   Report& report_;
   Circumballs balls_;
   OfStatedLength tangent_, sine_, versed_sine_;
-  std::vector<Seen> seen_;  // of each label, where it was looked at last
+  AroundSimplex around_;
 };
 
 /// r + delta < pi / 2 on a sphere.

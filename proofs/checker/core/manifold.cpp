@@ -27,20 +27,20 @@ void check_edges(Complex& complex, Report& report) {
     Elements::Id phi;
     auto tied() const { return std::tie(i, j, phi); }
   };
-  std::vector<Edge> edges;
-  const std::size_t vertices = complex.vertices();
-  edges.reserve(complex.data.simplices() * vertices * (vertices - 1) / 2);
-  for (std::size_t s = 0; s < complex.data.simplices(); ++s) {
-    for (std::size_t a = 0; a < vertices; ++a) {
-      for (std::size_t b = a + 1; b < vertices; ++b) {
+  std::vector<Edge> edges, of_label;  // sorted: those from each label to greater ones, label after label
+  for (Label i = 0; i < complex.size(); ++i) {
+    of_label.clear();
+    for (std::size_t at = 0; at < complex.star.size(i); ++at) {
+      const auto [s, a] = complex.star.of(i)[at];
+      for (std::size_t b = a + 1; b < complex.vertices(); ++b) {
         const Elements::Id phi = complex.elements.relative(complex.element(s, a), complex.element(s, b));
-        edges.push_back({complex.label(s, a), complex.label(s, b), phi});
+        of_label.push_back({i, complex.label(s, b), phi});
       }
     }
+    std::sort(of_label.begin(), of_label.end(), [](const Edge& x, const Edge& y) { return x.tied() < y.tied(); });
+    const auto same = [](const Edge& x, const Edge& y) { return x.tied() == y.tied(); };
+    edges.insert(edges.end(), of_label.begin(), std::unique(of_label.begin(), of_label.end(), same));
   }
-  std::sort(edges.begin(), edges.end(), [](const Edge& x, const Edge& y) { return x.tied() < y.tied(); });
-  const auto same = [](const Edge& x, const Edge& y) { return x.tied() == y.tied(); };
-  edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());
   for (std::size_t at = 1; at < edges.size(); ++at) {
     const Edge& edge = edges[at];
     if (edge.i != edges[at - 1].i || edge.j != edges[at - 1].j) continue;
@@ -75,43 +75,56 @@ bool are_opposite(Complex& complex, const Hinge& hinge) {
   return product <= 0;  // 0: core.sign
 }
 
+struct Facet {
+  std::array<Label, 4> labels{};
+  std::uint32_t simplex = 0, apex = 0;
+};
+
+/// Of the simplices that have the same facet. Adds a hinge.
+void check_facet(Complex& complex, std::vector<Facet>::const_iterator begin, std::vector<Facet>::const_iterator end,
+                 Report& report) {
+  const auto facet_of = [&] {
+    return complex.name(begin->simplex) + " without its label " +
+           std::to_string(complex.label(begin->simplex, begin->apex));
+  };
+  if (end - begin != 2) {
+    report.reject("core.facets", [&] { return facet_of() + " is in " + std::to_string(end - begin) + " simplices"; });
+    return;
+  }
+  const Facet &first = *begin, &second = begin[1];
+  const Hinge hinge{{first.simplex, second.simplex},
+                    {static_cast<std::uint8_t>(first.apex), static_cast<std::uint8_t>(second.apex)}};
+  if (!are_opposite(complex, hinge)) {
+    report.reject("core.facets", [&] {
+      return complex.name(first.simplex) + " and " + complex.name(second.simplex) + " are on the same side of a facet";
+    });
+  }
+  complex.hinges.push_back(hinge);
+}
+
 /// Finds the hinges.
 void check_facets(Complex& complex, Report& report) {
-  struct Facet {
-    std::array<Label, 4> labels{};
-    std::uint32_t simplex = 0, apex = 0;
-  };
   std::vector<Facet> facets;
-  facets.reserve(complex.data.labels.size());
-  for (std::uint32_t s = 0; s < complex.data.simplices(); ++s) {
-    for (std::uint32_t apex = 0; apex < complex.vertices(); ++apex) {
-      Facet& facet = facets.emplace_back(Facet{{}, s, apex});
-      for (std::size_t k = 0; k + 1 < complex.vertices(); ++k)
-        facet.labels[k] = complex.label(s, k + (k >= apex ? 1 : 0));
+  complex.hinges.reserve(complex.data.labels.size() / 2);
+  for (Label i = 0; i < complex.size(); ++i) {
+    facets.clear();
+    for (std::size_t at = 0; at < complex.star.size(i); ++at) {
+      const auto [s, place] = complex.star.of(i)[at];
+      // Those of which this is the least label.
+      if (place > 1) continue;
+      for (std::uint32_t apex = place == 0 ? 1 : 0; apex < (place == 0 ? complex.vertices() : 1); ++apex) {
+        Facet& facet = facets.emplace_back(Facet{{}, s, apex});
+        for (std::size_t k = 0; k + 1 < complex.vertices(); ++k)
+          facet.labels[k] = complex.label(s, k + (k >= apex ? 1 : 0));
+      }
     }
-  }
-  std::sort(facets.begin(), facets.end(), [](const Facet& x, const Facet& y) { return x.labels < y.labels; });
-  complex.hinges.reserve(facets.size() / 2);
-  for (auto begin = facets.begin(), end = begin; begin != facets.end(); begin = end) {
-    while (end != facets.end() && end->labels == begin->labels) ++end;
-    const auto facet_of = [&] {
-      return complex.name(begin->simplex) + " without its label " +
-             std::to_string(complex.label(begin->simplex, begin->apex));
-    };
-    if (end - begin != 2) {
-      report.reject("core.facets", [&] { return facet_of() + " is in " + std::to_string(end - begin) + " simplices"; });
-      continue;
+    std::sort(facets.begin(), facets.end(), [](const Facet& x, const Facet& y) {
+      return std::tie(x.labels, x.simplex) < std::tie(y.labels, y.simplex);
+    });
+    for (auto begin = facets.begin(), end = begin; begin != facets.end(); begin = end) {
+      while (end != facets.end() && end->labels == begin->labels) ++end;
+      check_facet(complex, begin, end, report);
     }
-    const Facet &first = *begin, &second = begin[1];
-    const Hinge hinge{{first.simplex, second.simplex},
-                      {static_cast<std::uint8_t>(first.apex), static_cast<std::uint8_t>(second.apex)}};
-    if (!are_opposite(complex, hinge)) {
-      report.reject("core.facets", [&] {
-        return complex.name(first.simplex) + " and " + complex.name(second.simplex) +
-               " are on the same side of a facet";
-      });
-    }
-    complex.hinges.push_back(hinge);
   }
 }
 

@@ -39,10 +39,9 @@ SquareMatrix<N> gram_of(std::size_t m, const Lengths<N>& squared) {
 
 /// With k = cos^2 rho (1/cosh^2 rho): B^2 k G_D - G_C and G_C - (A^2 / k) G_D are positive definite.
 template <class N>
-Verdict is_stretched_within(Complex& complex, std::size_t s, const N& least, const N& greatest) {
+Verdict is_stretched_within(Complex& complex, const Form<N>& form, std::size_t s, const N& least, const N& greatest) {
   const Data& data = complex.data;
   const std::size_t m = data.m;
-  const Form<N> form(data);
   const Lifts<N> lifts = complex.lifts<N>(s);
   const N bent = Circumball<N>(data, form, lifts).tangent_squared();
   const N k = data.K > 0 ? N(1) / (N(1) + bent) : N(1) - bent;
@@ -84,11 +83,12 @@ void check_cotangents(Complex& complex, const Quantity& weight, Report& report) 
 }
 
 void check_stretching(Complex& complex, const Quantity& least, const Quantity& greatest, Report& report) {
+  const Circumballs balls(complex);
   const auto fits = [&](std::size_t s) {
     return decide_enclosed([&]<class N>(In<N>) {
       if (complex.data.K == 0)  // an isometry
         return conjunction(less_equal(least.as<N>(), N(1)), less_equal(N(1), greatest.as<N>()));
-      return is_stretched_within<N>(complex, s, least.as<N>(), greatest.as<N>());
+      return is_stretched_within<N>(complex, balls.form<N>(), s, least.as<N>(), greatest.as<N>());
     });
   };
   const std::size_t number = complex.data.K == 0 ? 1 : complex.data.simplices();
