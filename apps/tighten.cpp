@@ -6,7 +6,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "apps/growth.hpp"
 #include "apps/interruption.hpp"
+#include "apps/list_option.hpp"
 #include "apps/other_programs.hpp"
 #include "apps/progress_line.hpp"
 #include "apps/search_options.hpp"
@@ -25,6 +27,7 @@ struct TightenOptions {
   SearchOptions search{4000};
   std::string log;
   bool latex = false;
+  AlongOptions along;
 };
 
 const std::string& conclusion_of(const SearchTarget& target) {
@@ -133,16 +136,28 @@ void add_tighten(CLI::App& program, Action& chosen) {
   CLI::App* command = add_named(program, about_tighten);
   CLI::Option* json =
       add_search_options(*command, options->search, "conclusion", "witness files of the worst instances");
-  command->add_option("--log", options->log,
-                      "JSON lines, one for each finished search; the same command goes on from there");
-  command->add_flag("--latex", options->latex, "Print the table in LaTeX (longtable, booktabs)")->excludes(json);
+  CLI::Option* log = command->add_option(
+      "--log", options->log, "JSON lines, one for each finished search; the same command goes on from there");
+  CLI::Option* latex =
+      command->add_flag("--latex", options->latex, "Print the table in LaTeX (longtable, booktabs)")->excludes(json);
+  CLI::Option* along = command->add_option("--along", options->along.quantity,
+                                           "A quantity, such as thickness(s): how the worst ratio depends on it, with "
+                                           "the exponent fitted; k: on the shapes");
+  along->excludes(latex)->excludes(log);
+  add_exact_list_option(*command, "--values", options->along.values, "The values of the quantity, such as 1/4,1/8,1/16")
+      ->needs(along);
   command->footer(
       "The ratio is that of the side which the conclusion calls smaller to the other side. It is certified; above 1\n"
       "the conclusion is refuted (exit status 1).\n\n"
       "Examples:\n"
       "  delcert tighten thickness-and-singular-value --shape 2,2\n"
-      "  delcert tighten --all --evaluations 20000 --log search.jsonl --witnesses worst");
-  command->callback([options, &chosen] { chosen = [options] { return run_tighten(*options); }; });
+      "  delcert tighten --all --evaluations 20000 --log search.jsonl --witnesses worst\n"
+      "  delcert tighten circumradius-under-distortion --shape 3,3 --along 'thickness(s)' --values 1/4,1/8,1/16");
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      return options->along.quantity.empty() ? run_tighten(*options) : run_growth(options->search, options->along);
+    };
+  });
 }
 
 }  // namespace delcert

@@ -1,6 +1,9 @@
 #include "properties/attack/directed_search.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
 #include <exception>
 #include <limits>
 #include <nlopt.hpp>
@@ -42,12 +45,13 @@ struct Scored {
 class Search {
  public:
   Search(const Claim& claim, const Shape& shape, const DrawScore& score, std::uint64_t evaluations,
-         const Progress& progress)
+         CounterRandom random, const Progress& progress)
       : claim_(claim),
         class_(instance_class(claim.instance)),
         shape_(shape),
         score_(score),
         budget_(evaluations),
+        random_(random),
         progress_(progress) {}
 
   void start(std::uint64_t count, std::uint64_t seed, const std::string& stream) {
@@ -62,10 +66,19 @@ class Search {
     std::stable_sort(pool_.begin(), pool_.end(), is_better);
   }
 
+  /// In rounds: after each the better half of the starts goes on, with twice as many evaluations each.
   void climb() {
-    const std::size_t count = pool_.size();
-    for (std::size_t at = 0; at < count && used_ < budget_; ++at) {
-      climb_from(pool_[at], (budget_ - used_) / (count - at));
+    std::vector<Scored*> active;
+    for (Scored& start : pool_) active.push_back(&start);
+    const auto rounds = static_cast<std::uint64_t>(std::bit_width(active.size()));
+    for (std::uint64_t round = 0; round < rounds && used_ < budget_; ++round) {
+      const std::uint64_t end = used_ + (budget_ - used_) / (rounds - round);
+      for (std::size_t at = 0; at < active.size() && used_ < end; ++at) {
+        climb_from(*active[at], (end - used_) / (active.size() - at), round);
+      }
+      std::stable_sort(active.begin(), active.end(),
+                       [](const Scored* x, const Scored* y) { return is_better(*x, *y); });
+      active.resize((active.size() + 1) / 2);
     }
   }
 
@@ -126,9 +139,56 @@ class Search {
         known);
   }
 
-  void climb_from(Scored& start, std::uint64_t budget) {
-    std::vector<double> x(start.choices.begin(), start.choices.begin() + static_cast<std::ptrdiff_t>(std::min(
-                                                                             start.choices.size(), most_choices)));
+  /// A quarter at random, the rest by Subplex, which begins anew where it ends early.
+  void climb_from(Scored& start, std::uint64_t budget, std::uint64_t round) {
+    const std::uint64_t end = used_ + budget;
+    if (start.choices.empty()) return;
+    change_at_random(start, budget / 4);
+    // Every other time wider, so that it leaves where it has ended.
+    for (std::uint64_t at = round; used_ < end; ++at) {
+      constexpr std::array<double, 4> steps = {0.05, 0.01, 0.2, 0.002};
+      const std::uint64_t before = used_;
+      climb_by_subplex(start, end - used_, steps[at % steps.size()]);
+      if (used_ == before) return;
+      change_at_random(start, std::min((end - used_) / 4, used_ - before));
+    }
+  }
+
+  /// Changes a few of the choices, each to any number or to one nearby, and keeps what is better. Most choices of an
+  /// instance are about kinds, and have no slope.
+  void change_at_random(Scored& best, std::uint64_t count) {
+    for (std::uint64_t at = 0; at < count; ++at) {
+      std::vector<double> choices = best.choices;
+      do {
+        double& choice = choices[below(searched(best))];
+        constexpr std::size_t finest = 20;
+        const double size = std::ldexp(1.0, -static_cast<int>(below(finest)));
+        choice = random_.next_unit() < 0.5 ? random_.next_unit()
+                                           : std::clamp(choice + size * (random_.next_unit() - 0.5), 0.0, 1.0);
+      } while (random_.next_unit() < 0.5);
+      keep_better(best, choices);
+    }
+  }
+
+  /// 0 … count − 1.
+  std::size_t below(std::size_t count) {
+    return std::min(count - 1, static_cast<std::size_t>(random_.next_unit() * static_cast<double>(count)));
+  }
+
+  static std::size_t searched(const Scored& start) { return std::min(start.choices.size(), most_choices); }
+
+  double keep_better(Scored& best, const std::vector<double>& choices) {
+    const double score = scored(choices, best.is_structured, best.score);
+    if (score > best.score) {
+      best.score = score;
+      best.choices = choices;
+    }
+    return score;
+  }
+
+  void climb_by_subplex(Scored& start, std::uint64_t budget, double step) {
+    const auto count = static_cast<std::ptrdiff_t>(searched(start));
+    std::vector<double> x(start.choices.begin(), start.choices.begin() + count);
     if (x.empty() || budget == 0) return;
     nlopt::opt optimiser(nlopt::LN_SBPLX, static_cast<unsigned>(x.size()));
     optimiser.set_lower_bounds(0);
@@ -136,7 +196,7 @@ class Search {
     // 0 would mean without end.
     optimiser.set_maxeval(static_cast<int>(std::min<std::uint64_t>(budget, std::numeric_limits<int>::max())));
     optimiser.set_xtol_abs(0x1p-40);
-    optimiser.set_initial_step(0.05);
+    optimiser.set_initial_step(step);
     Context context{this, &start, start.choices, nullptr};
     optimiser.set_max_objective(&Search::objective, &context);
     double value = 0;
@@ -159,12 +219,7 @@ class Search {
     auto& context = *static_cast<Context*>(data);
     try {
       std::copy(x.begin(), x.end(), context.choices.begin());
-      const double score = context.search->scored(context.choices, context.best->is_structured, context.best->score);
-      if (score > context.best->score) {
-        context.best->score = score;
-        context.best->choices = context.choices;
-      }
-      return score;
+      return context.search->keep_better(*context.best, context.choices);
     } catch (...) {
       context.failure = std::current_exception();
       throw nlopt::forced_stop();
@@ -176,6 +231,7 @@ class Search {
   Shape shape_;
   const DrawScore& score_;
   std::uint64_t budget_;
+  CounterRandom random_;
   const Progress& progress_;
   std::uint64_t used_ = 0;
   std::vector<Scored> pool_;
@@ -186,7 +242,9 @@ class Search {
 std::optional<SearchResult> directed_search(const Claim& claim, const Shape& shape, const std::string& stream,
                                             const DrawScore& score, std::uint64_t evaluations, std::uint64_t seed,
                                             const Progress& progress) {
-  Search search(claim, shape, score, evaluations, progress);
+  constexpr std::uint32_t changes = 0xffffffff;
+  Search search(claim, shape, score, evaluations,
+                CounterRandom(seed, RandomPurpose::instances, stream_of(stream + " changes"), changes), progress);
   search.start(std::max<std::uint64_t>(1, evaluations / 4), seed, stream);
   search.climb();
   return search.best();

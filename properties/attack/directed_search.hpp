@@ -27,9 +27,11 @@ struct SearchResult {
 using DrawScore = std::function<double(const LimitedDraw& draw, double known)>;
 
 /// Searches for the choices with the greatest score: random ones first, then, where the class has them, structured ones
-/// (`InstanceClass::draw_structured`), then a local search without derivatives (Subplex) from each of the best.
-/// Every 20 000 evaluations add six local searches, up to 48. The same for the same seed and stream. What `score` and
-/// `progress` throw passes through. Nothing if all are worthless. Precondition: the claim outlives the result.
+/// (`InstanceClass::draw_structured`), then local searches from the best of both, a few changed choices at a time and
+/// by a method without derivatives (Subplex). Half of them are left off after each round, so that the best gets most of
+/// the evaluations. Every 20 000 evaluations add six starts, up to 48. The same for the same seed and stream. What
+/// `score` and `progress` throw passes through. Nothing if all are worthless. Precondition: the claim outlives the
+/// result.
 [[nodiscard]] std::optional<SearchResult> directed_search(const Claim& claim, const Shape& shape,
                                                           const std::string& stream, const DrawScore& score,
                                                           std::uint64_t evaluations, std::uint64_t seed,

@@ -35,7 +35,7 @@ struct PowerTarget {
 /// What a search found that an attack would notice of a change at a place.
 struct Power {
   /// The scale nearest to 1 with which the conclusion was refuted: below 1 for a place whose conclusion says more when
-  /// it is smaller, else above; 1 if the conclusion itself is refuted. Nothing: no power, as far as 2^±40.
+  /// it is smaller, else above; 1 if the conclusion itself is refuted. Nothing: no power, as far as 2^±128.
   std::optional<Rational> scale;
   /// Whether the term can be deleted at all (`without_place`), and whether that was refuted.
   bool can_be_deleted = false;
@@ -51,9 +51,9 @@ struct Power {
   std::string changed;
 };
 
-/// The powers of two that are divided into 64 equal steps: 1, 65/64 … 2, 65/32 … Precondition: 0 <= level <= 2560.
+/// The powers of two that are divided into 64 equal steps: 1, 65/64 … 2, 65/32 … Precondition: 0 <= level <= 8192.
 [[nodiscard]] Rational power_step(int level);
-inline constexpr int last_power_step = 40 * 64;
+inline constexpr int last_power_step = 128 * 64;
 
 /// Searches for the smallest change at a place that some instance refutes. Directed: the score of an instance is the
 /// scale with which it begins to refute; for a hypothesis, the scale of the bound at which the conclusion fails on the

@@ -6,6 +6,7 @@
 #include "properties/attack/claim_library.hpp"
 #include "properties/attack/claim_text.hpp"
 #include "properties/attack/claim_variants.hpp"
+#include "properties/attack/power.hpp"
 #include "properties/attack/shrink.hpp"
 #include "properties/attack/tally.hpp"
 #include "properties/attack/tighten.hpp"
@@ -60,12 +61,28 @@ std::optional<Witness> refute_at_random(const Claim& claim, const std::vector<Sh
   return std::nullopt;
 }
 
+/// Where there is no ratio to climb: a path along which the bound of a hypothesis is reached after the conclusion
+/// fails.
+std::optional<Witness> refute_on_paths(const Claim& claim, std::size_t conclusion, const Shape& shape,
+                                       std::uint64_t evaluations, std::uint64_t seed, const Progress& progress) {
+  for (const PowerPlace& place : power_places(claim)) {
+    if (!place.is_hypothesis) continue;
+    const Power power = power_of({claim, place, conclusion, shape, evaluations}, seed, progress);
+    if (power.scale == Rational(1)) return shrunk_witness(claim, conclusion, *power.witness, progress);
+  }
+  return std::nullopt;
+}
+
 std::optional<Witness> refute_by_search(const Claim& claim, const std::vector<Shape>& shapes, const Effort& effort,
                                         const Progress& progress) {
   for (const Shape& shape : shapes) {
     for (std::size_t at = 0; at < claim.conclusions.size(); ++at) {
-      const auto found = tighten(claim, at, shape, part_of(effort.evaluations, claim, shape), effort.seed, progress);
+      const std::uint64_t evaluations = part_of(effort.evaluations, claim, shape);
+      const auto found = tighten(claim, at, shape, evaluations, effort.seed, progress);
       if (found && is_refuted(found->verdict)) return shrunk_witness(claim, at, found->bindings, progress);
+      if (found) continue;
+      auto witness = refute_on_paths(claim, at, shape, evaluations, effort.seed, progress);
+      if (witness) return witness;
     }
   }
   return std::nullopt;

@@ -130,6 +130,33 @@ class Draw {
     return result_;
   }
 
+  /// Of the facet opposite to the moved vertex both bounds are attained, up to 2^−depth: the radius and the distance of
+  /// that vertex from its sphere.
+  std::optional<Configuration> tight_properties() {
+    constexpr long least_depth = 60;
+    constexpr long greatest_depth = 400;
+    const Skeleton skeleton{in_a_cap(choices_.unit()), false, {}, {}};
+    const long depth = choices_.between(least_depth, greatest_depth);
+    const auto first = static_cast<std::size_t>(choices_.between(0, static_cast<long>(k_) + 1));
+    const Rational short_of = Rational(1) - Rational::power_of_two(-depth);
+    const Rational longest = square_root_upper(squared_longest_edge(edge_gram_from_points(skeleton.points)), root_bits);
+    const Rational radius = minimum(Rational(2), Rational(5) / Rational(2) / longest) * short_of;
+    if (!draw_separation(scaled_points(skeleton.points, radius))) return std::nullopt;
+    if (!draw_flake_parameter(cube(result_.mu0) * Rational::power_of_two(-17)) || !draw_protection()) {
+      return std::nullopt;
+    }
+    const Rational shift = result_.hoop_bound() * radius * short_of;
+    for (std::size_t at = 0; at < k_ + 2; ++at) {
+      for (const Rational& here : {-shift, shift}) {
+        set_points(skeleton.points, (first + at) % (k_ + 2), radius, here, Rational(0));
+        if (!has_forbidden_properties(result_)) continue;
+        finish(Rational(1));
+        return result_;
+      }
+    }
+    return std::nullopt;
+  }
+
   std::optional<Configuration> forbidden_properties() {
     Skeleton skeleton = draw_skeleton(k_, choices_);
     if (!skeleton.is_sliver && choices_.happens(0.6)) skeleton.points = in_a_cap(choices_.unit());
@@ -448,6 +475,12 @@ std::optional<Configuration> draw_forbidden_properties(const Shape& shape, const
                                                        Choices& choices) {
   if (shape.k < 2 || shape.k > shape.m) return std::nullopt;
   return Draw(shape, bound, limits, choices).forbidden_properties();
+}
+
+std::optional<Configuration> draw_tight_properties(const Shape& shape, const Bindings& bound, const Limits& limits,
+                                                   Choices& choices) {
+  if (shape.k < 2 || shape.k > shape.m) return std::nullopt;
+  return Draw(shape, bound, limits, choices).tight_properties();
 }
 
 }  // namespace delcert

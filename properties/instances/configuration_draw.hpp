@@ -43,6 +43,12 @@ struct Configuration {
 [[nodiscard]] std::optional<Configuration> draw_forbidden_properties(const Shape& shape, const Bindings& bound,
                                                                      const Limits& limits, Choices& choices);
 
+/// One with the four properties of which a facet attains two of the bounds, up to 2⁻⁶⁰ to 2⁻⁴⁰⁰: its radius is 2ε, and
+/// the vertex opposite is α₀R off its sphere. So the least distortion can carry it past both. Nothing where another
+/// facet would be past them, as for most choices. Precondition: `bound` has k and m.
+[[nodiscard]] std::optional<Configuration> draw_tight_properties(const Shape& shape, const Bindings& bound,
+                                                                 const Limits& limits, Choices& choices);
+
 /// Whether the vertices are μ₀′ε′ apart and the simplex is a forbidden configuration; decided exactly.
 [[nodiscard]] bool is_forbidden_configuration(const Configuration& configuration);
 /// Whether the simplex has the properties P1 … P4; decided exactly.

@@ -1,5 +1,6 @@
 #include "properties/instances/configuration_map.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -7,6 +8,8 @@
 #include "kernel/simplex/matrix_norm.hpp"
 #include "properties/instances/configuration_geometry.hpp"
 #include "properties/instances/exact_point.hpp"
+#include "properties/instances/map_object.hpp"
+#include "properties/instances/pair_distortion.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
@@ -24,7 +27,43 @@ SymmetricMatrix<Rational> matrix_of(const std::vector<std::vector<Rational>>& ro
   return result;
 }
 
+/// The number of a point among some; their count if it is not there.
+std::size_t number_of(const SimplexObject::Points& points, const std::vector<Rational>& point) {
+  return static_cast<std::size_t>(std::find(points.begin(), points.end(), point) - points.begin());
+}
+
+SimplexObject::Points points_from(const Json& json, const std::string& key) {
+  if (!json.is_array()) throw InputError("a configuration map: " + key + " is not a list");
+  SimplexObject::Points result;
+  for (const Json& point : json) result.push_back(rationals_from(point, key));
+  return result;
+}
+
 }  // namespace
+
+ConfigurationMap::ConfigurationMap(Finite finite) : finite_(std::move(finite)) {
+  const auto& [points, images, distortion] = *finite_;
+  if (points.empty() || points.size() != images.size()) {
+    throw InputError("a configuration map: as many images as points, and not none");
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].empty() || points[i].size() != points[0].size() || images[i].size() != points[0].size()) {
+      throw InputError("a configuration map: its parts are not of one dimension");
+    }
+  }
+  if (distortion < Rational(0) || Rational(1) <= distortion) {
+    throw InputError("a configuration map: its distortion is not below 1");
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Rational squared = squared_distance_between(points[i], points[j]);
+      if (!lengths_differ_by_at_most(squared, squared_distance_between(images[i], images[j]),
+                                     square(distortion) * squared)) {
+        throw InputError("a configuration map: a distance is distorted more than certified");
+      }
+    }
+  }
+}
 
 ConfigurationMap::ConfigurationMap(Data data) : data_(std::move(data)) {
   const std::size_t m = data_.mirror.size();
@@ -43,7 +82,19 @@ ConfigurationMap::ConfigurationMap(Data data) : data_(std::move(data)) {
   if (Rational(1) <= distortion()) throw InputError("a configuration map: its distortion is not below 1");
 }
 
+bool ConfigurationMap::is_defined_on(const SimplexObject::Points& points) const {
+  return std::all_of(points.begin(), points.end(), [this](const auto& point) {
+    return point.size() == dimension() && (!finite_ || number_of(finite_->points, point) < finite_->points.size());
+  });
+}
+
 SimplexObject::Points ConfigurationMap::image(const SimplexObject::Points& points) const {
+  if (finite_) {
+    if (!is_defined_on(points)) throw InputError("a configuration map: it is not defined on a point");
+    SimplexObject::Points result;
+    for (const auto& point : points) result.push_back(finite_->images[number_of(finite_->points, point)]);
+    return result;
+  }
   const SymmetricMatrix<Rational> stretching = matrix_of(data_.stretching);
   SimplexObject::Points result = points;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -61,6 +112,14 @@ SimplexObject::Points ConfigurationMap::image(const SimplexObject::Points& point
 
 Json ConfigurationMap::json() const {
   Json result;
+  if (finite_) {
+    for (const auto& [key, list] : {std::pair("points", &finite_->points), std::pair("images", &finite_->images)}) {
+      result[key] = Json::array();
+      for (const auto& point : *list) result[key].push_back(json_of(point));
+    }
+    result["distortion"] = exact_text(finite_->distortion);
+    return result;
+  }
   result["mirror"] = json_of(data_.mirror);
   result["stretching"] = Json::array();
   for (const auto& row : data_.stretching) result["stretching"].push_back(json_of(row));
@@ -81,6 +140,10 @@ ObjectPointer ConfigurationMap::read(const Json& json) {
     if (!part(key).is_string()) throw InputError("a configuration map: " + key + " is not an exact number in quotes");
     return parse_exact(part(key).get<std::string>());
   };
+  if (json.is_object() && json.contains("points")) {
+    return std::make_shared<ConfigurationMap>(
+        Finite{points_from(part("points"), "points"), points_from(part("images"), "images"), number("distortion")});
+  }
   Data data;
   data.mirror = rationals_from(part("mirror"), "mirror");
   if (!part("stretching").is_array()) throw InputError("a configuration map: stretching is not a list");

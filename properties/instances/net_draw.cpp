@@ -23,8 +23,9 @@ const Rational& margin() {
 template <int m>
 class NetDraw {
  public:
-  NetDraw(long factor, const Rational& slack, const Bindings& given, const Limits& limits, Choices& choices)
-      : factor_(factor), slack_(slack), limits_(limits), choices_(choices) {
+  NetDraw(NetKind kind, long factor, const Rational& slack, const Bindings& given, const Limits& limits,
+          Choices& choices)
+      : kind_(kind), factor_(factor), slack_(slack), limits_(limits), choices_(choices) {
     result_.instance.bindings = given;
   }
 
@@ -48,7 +49,8 @@ class NetDraw {
   Bindings& bindings() { return result_.instance.bindings; }
 
   bool bind_net() {
-    auto sample = draw_net<m>(slack_ > Rational(0) ? factor_ + 1 : factor_, choices_);
+    const long reach = slack_ > Rational(0) ? factor_ + 1 : factor_;
+    auto sample = kind_ == NetKind::any ? draw_net<m>(reach, choices_) : draw_nearly_degenerate_net<m>(reach, choices_);
     points_ = std::move(sample.points);
     result_.is_cospherical = sample.family == NetFamily::lattice;
     const Rational wanted = sample.radius * (Rational(1) + Rational::power_of_two(-20)) * (Rational(1) + slack_);
@@ -85,6 +87,10 @@ class NetDraw {
 
   /// Moves the points; by the algorithm, those that can matter for Q′.
   void move() {
+    if (kind_ == NetKind::nearly_degenerate) {
+      moved_ = points_;
+      return;
+    }
     const auto seed = static_cast<std::uint64_t>(choices_.between(0, (1L << 40) - 1));
     const long kind = choices_.between(0, 4);
     const Rational length = perturbation_ * epsilon_;
@@ -168,7 +174,9 @@ class NetDraw {
     }
     // In space, with larger ones nearly everything is nearly a flake, and the search takes long.
     const Rational first = m == 2 ? *limit : minimum(*limit, Rational::power_of_two(-4));
-    Rational flake_parameter = rounded_down(first, binary_exponent(first) - 10) * (Rational(1) - choices_.fraction(3));
+    const unsigned bits = kind_ == NetKind::any ? 3 : 8;
+    Rational flake_parameter =
+        rounded_down(first, binary_exponent(first) - 10) * (Rational(1) - choices_.fraction(bits));
     const long powers = choices_.between(1, m + 1);
     const auto protection_for = [&](const Rational& flake) {
       bindings()["gamma0"] = flake;
@@ -221,6 +229,7 @@ class NetDraw {
     return false;
   }
 
+  NetKind kind_;
   long factor_;
   Rational slack_;
   const Limits& limits_;
@@ -269,9 +278,9 @@ Signature net_signature() {
 }
 
 std::optional<PerturbedNet> draw_perturbed_net(int dimension, long factor, const Rational& slack, const Bindings& given,
-                                               const Limits& limits, Choices& choices) {
+                                               const Limits& limits, Choices& choices, NetKind kind) {
   return with_net_dimension(dimension,
-                            [&]<int m>() { return NetDraw<m>(factor, slack, given, limits, choices).run(); });
+                            [&]<int m>() { return NetDraw<m>(kind, factor, slack, given, limits, choices).run(); });
 }
 
 std::vector<Bindings> simpler_nets(const Bindings& bindings) {

@@ -200,6 +200,22 @@ NetSample<m> draw_net(long factor, Choices& choices) {
 }
 
 template <int m>
+NetSample<m> draw_nearly_degenerate_net(long factor, Choices& choices) {
+  Basis<m> basis{};
+  constexpr unsigned bits = 12;
+  const Rational amount = Rational::power_of_two(-choices.between(1, 12));
+  for (std::size_t row = 0; row < m; ++row) {
+    basis[row][row] = row == 0 ? Rational(1) : Rational(1) - choices.fraction(bits) / Rational(2);
+    for (std::size_t axis = 0; axis < row; ++axis) basis[row][axis] = amount * choices.symmetric(bits);
+  }
+  NetSample<m> result;
+  result.family = NetFamily::lattice;
+  result.radius = lattice_covering_radius<m>(basis);
+  result.points = lattice_points<m>(basis, (Rational(factor) + rim()) * result.radius);
+  return result;
+}
+
+template <int m>
 std::vector<Vector<Rational, m>> moved_points(const std::vector<Vector<Rational, m>>& points, const Rational& length,
                                               NetMotion motion, const Vector<Rational, m>& centre,
                                               const Rational& reach, std::uint64_t seed) {
@@ -262,6 +278,7 @@ Vector<Rational, m> centre_of(const std::vector<Vector<Rational, m>>& points, co
 
 #define DELCERT_INSTANTIATE(m)                                                                                        \
   template NetSample<m> draw_net<m>(long, Choices&);                                                                  \
+  template NetSample<m> draw_nearly_degenerate_net<m>(long, Choices&);                                                \
   template std::vector<Vector<Rational, m>> moved_points<m>(const std::vector<Vector<Rational, m>>&, const Rational&, \
                                                             NetMotion, const Vector<Rational, m>&, const Rational&,   \
                                                             std::uint64_t);                                           \

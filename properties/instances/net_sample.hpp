@@ -32,6 +32,11 @@ struct NetSample {
 template <int m>
 [[nodiscard]] NetSample<m> draw_net(long factor, Choices& choices);
 
+/// A lattice whose first point has cells that are nearly degenerate: in the plane nearly a rectangle, sheared by some
+/// 2⁻¹ to 2⁻¹², in space nearly a box. There the stars depend on the metric most.
+template <int m>
+[[nodiscard]] NetSample<m> draw_nearly_degenerate_net(long factor, Choices& choices);
+
 /// How points of a net are perturbed.
 enum class NetMotion : unsigned char {
   random,   ///< uniformly in the ball

@@ -69,25 +69,15 @@ class StableNetClass : public InstanceClass {
 
   std::optional<Instance> draw(const Shape& shape, const Bindings& given, const Limits& limits,
                                Choices& choices) const override {
-    const Rational slack = Rational::power_of_two(choices.happens(0.5) ? -4 : -choices.between(5, 40));
-    auto drawn = draw_perturbed_net(shape.m, net_factor, slack, given, limits, choices);
-    if (!drawn) return std::nullopt;
-    Bindings& bindings = drawn->instance.bindings;
-    const auto& epsilon = number_in(bindings, "epsilon");
-    const auto vertices = star_vertices(object_in<NetObject>(bindings, "q"), Rational(2) * epsilon);
-    if (vertices.empty()) return std::nullopt;
-    const std::uint32_t j =
-        vertices[static_cast<std::size_t>(choices.between(0, static_cast<long>(vertices.size()) - 1))];
-    bindings["j"] = static_cast<long>(j);
-    const auto limit = limits.most("xi", bindings, false);
-    const Rational most = limit ? maximum(Rational(0), minimum(slack, *limit)) : slack;
-    const bool all = choices.happens(0.5);
-    const Rational xi = all ? most : most * choices.fraction(6);
-    if (limit && xi == *limit) drawn->instance.traits.insert(Trait::boundary);
-    bindings["xi"] = xi;
-    bindings["phi"] = ObjectPointer(std::make_shared<PointObject>(draw_chart_map(shape.m, xi, choices)));
-    bindings["w"] = ObjectPointer(std::make_shared<NetObject>(seen_from(bindings, j), epsilon, Rational(0)));
-    return std::move(drawn->instance);
+    return draw_of(NetKind::any, shape, given, limits, choices);
+  }
+
+  bool has_structure(const Shape&) const override { return true; }
+
+  /// Lattices next to degenerate ones.
+  std::optional<Instance> draw_structured(const Shape& shape, const Bindings& given, const Limits& limits,
+                                          Choices& choices) const override {
+    return draw_of(NetKind::nearly_degenerate, shape, given, limits, choices);
   }
 
   std::vector<Bindings> simpler(const Bindings&) const override { return {}; }
@@ -114,6 +104,30 @@ class StableNetClass : public InstanceClass {
     if (object_in<NetObject>(bindings, "w").points() != seen_from(bindings, static_cast<std::size_t>(j))) {
       throw InputError("w is not what the chart of j sees");
     }
+  }
+
+ private:
+  static std::optional<Instance> draw_of(NetKind kind, const Shape& shape, const Bindings& given, const Limits& limits,
+                                         Choices& choices) {
+    const Rational slack = Rational::power_of_two(choices.happens(0.5) ? -4 : -choices.between(5, 40));
+    auto drawn = draw_perturbed_net(shape.m, net_factor, slack, given, limits, choices, kind);
+    if (!drawn) return std::nullopt;
+    Bindings& bindings = drawn->instance.bindings;
+    const auto& epsilon = number_in(bindings, "epsilon");
+    const auto vertices = star_vertices(object_in<NetObject>(bindings, "q"), Rational(2) * epsilon);
+    if (vertices.empty()) return std::nullopt;
+    const std::uint32_t j =
+        vertices[static_cast<std::size_t>(choices.between(0, static_cast<long>(vertices.size()) - 1))];
+    bindings["j"] = static_cast<long>(j);
+    const auto limit = limits.most("xi", bindings, false);
+    const Rational most = limit ? maximum(Rational(0), minimum(slack, *limit)) : slack;
+    const bool all = choices.happens(0.5);
+    const Rational xi = all ? most : most * choices.fraction(6);
+    if (limit && xi == *limit) drawn->instance.traits.insert(Trait::boundary);
+    bindings["xi"] = xi;
+    bindings["phi"] = ObjectPointer(std::make_shared<PointObject>(draw_chart_map(shape.m, xi, choices)));
+    bindings["w"] = ObjectPointer(std::make_shared<NetObject>(seen_from(bindings, j), epsilon, Rational(0)));
+    return std::move(drawn->instance);
   }
 };
 

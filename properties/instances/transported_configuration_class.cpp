@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 
 #include "properties/instances/configuration_draw.hpp"
+#include "properties/instances/configuration_finite_map.hpp"
 #include "properties/instances/configuration_map.hpp"
 #include "properties/instances/random_simplex.hpp"
 #include "support/error.hpp"
@@ -133,8 +134,10 @@ class TransportedConfigurationClass : public InstanceClass {
   std::string name() const override { return "transported-configuration"; }
   std::string meaning() const override {
     return "a simplex t of dimension k + 1 in R^m, k >= 2, with the properties P1 ... P4 of forbidden configurations "
-           "for gamma0, delta0, mu0 and the radius epsilon_j, and its image u under the map f of distortion xi; "
-           "epsilon_i <= (1 + epsilon0)*epsilon_j";
+           "for gamma0, delta0, mu0 and the radius epsilon_j, and its image u under the map f of distortion xi, which "
+           "is "
+           "defined on all of R^m or on the vertices and the circumcentres of the facets; epsilon_i <= (1 + "
+           "epsilon0)*epsilon_j";
   }
   Signature signature() const override {
     return {{"t", types::simplex},       {"u", types::simplex},        {"f", types::configuration_map},
@@ -150,31 +153,24 @@ class TransportedConfigurationClass : public InstanceClass {
 
   std::optional<Instance> draw(const Shape& shape, const Bindings& given, const Limits& limits,
                                Choices& choices) const override {
-    Instance instance{given, {Trait::cospherical}};
-    Bindings& bound = instance.bindings;
-    bound["k"] = static_cast<long>(shape.k);
-    bound["m"] = static_cast<long>(shape.m);
+    Instance instance = begun(shape, given);
     const bool by_definition = choices.happens(0.3);
     const LemmaLimits within(limits);
-    auto configuration = by_definition ? draw_forbidden_configuration(shape, bound, within, choices)
-                                       : draw_forbidden_properties(shape, bound, within, choices);
+    auto configuration = by_definition ? draw_forbidden_configuration(shape, instance.bindings, within, choices)
+                                       : draw_forbidden_properties(shape, instance.bindings, within, choices);
     if (!configuration || (by_definition && !has_forbidden_properties(*configuration))) return std::nullopt;
-    bound["gamma0"] = configuration->gamma0;
-    bound["delta0"] = configuration->delta0;
-    bound["mu0"] = configuration->mu0;
-    bool at_boundary = configuration->at_boundary;
-    bound["xi"] = draw_distortion(shape, limits, bound, choices, at_boundary);
-    draw_radii(limits, bound, choices, at_boundary);
-    const Rational factor = number_in(bound, "epsilon_j") / configuration->epsilon;
-    *configuration = scaled(*std::move(configuration), factor);
-    const auto map = std::make_shared<ConfigurationMap>(
-        random_map(static_cast<std::size_t>(shape.m), number_in(bound, "xi"), configuration->points, choices));
-    bound["f"] = ObjectPointer(map);
-    bound["u"] = ObjectPointer(std::make_shared<SimplexObject>(map->image(configuration->points)));
-    bound["t"] = ObjectPointer(std::make_shared<SimplexObject>(std::move(configuration->points)));
-    if (at_boundary) instance.traits.insert(Trait::boundary);
-    if (configuration->gamma0 < Rational::power_of_two(-10)) instance.traits.insert(Trait::nearly_degenerate);
-    return instance;
+    return transported(std::move(instance), *std::move(configuration), shape, limits, choices);
+  }
+
+  bool has_structure(const Shape&) const override { return true; }
+
+  /// Those at two of the bounds, where the least distortion leads beyond.
+  std::optional<Instance> draw_structured(const Shape& shape, const Bindings& given, const Limits& limits,
+                                          Choices& choices) const override {
+    Instance instance = begun(shape, given);
+    auto configuration = draw_tight_properties(shape, instance.bindings, LemmaLimits(limits), choices);
+    if (!configuration) return std::nullopt;
+    return transported(std::move(instance), *std::move(configuration), shape, limits, choices);
   }
 
   std::vector<Bindings> simpler(const Bindings& bindings) const override {
@@ -196,6 +192,7 @@ class TransportedConfigurationClass : public InstanceClass {
     };
     const auto& points = object_in<SimplexObject>(bindings, "t").points();
     const std::size_t m = map.dimension();
+    if (map.is_finite()) return simpler_images(bindings, map.finite());
     const std::vector<Rational> zero(m, Rational(0));
     if (map.data().mirror != zero) {
       ConfigurationMap::Data data = map.data();
@@ -243,7 +240,9 @@ class TransportedConfigurationClass : public InstanceClass {
       refuse("epsilon_i is above (1 + epsilon0)*epsilon_j");
     }
     if (number_in(bindings, "xi") < map.distortion()) refuse("f has a distortion above xi");
-    if (map.image(t.points()) != u.points()) refuse("u is not the image of t under f");
+    if (!map.is_defined_on(t.points()) || map.image(t.points()) != u.points()) {
+      refuse("u is not the image of t under f");
+    }
     Configuration configuration;
     configuration.points = t.points();
     configuration.gamma0 = number_in(bindings, "gamma0");
@@ -251,9 +250,64 @@ class TransportedConfigurationClass : public InstanceClass {
     configuration.mu0 = number_in(bindings, "mu0");
     configuration.epsilon = number_in(bindings, "epsilon_j");
     if (!has_forbidden_properties(configuration)) refuse("t has not the properties P1 ... P4");
+    if (map.is_finite() && !map.is_defined_on(circumcentres_of_facets(t.points()))) {
+      refuse("f is not defined on the circumcentre of a facet");
+    }
   }
 
  private:
+  /// Images with rounder coordinates.
+  std::vector<Bindings> simpler_images(const Bindings& bindings, const ConfigurationMap::Finite& map) const {
+    std::vector<Bindings> result;
+    for (auto& images : simpler_points(map.images, map.images.size(), map.images.front().size())) {
+      Bindings candidate = bindings;
+      try {
+        const auto changed =
+            std::make_shared<ConfigurationMap>(ConfigurationMap::Finite{map.points, std::move(images), map.distortion});
+        candidate["u"] = ObjectPointer(
+            std::make_shared<SimplexObject>(changed->image(object_in<SimplexObject>(bindings, "t").points())));
+        candidate["f"] = ObjectPointer(changed);
+        require(candidate);
+      } catch (const InputError&) {
+        continue;
+      }
+      result.push_back(std::move(candidate));
+    }
+    return result;
+  }
+
+  static Instance begun(const Shape& shape, const Bindings& given) {
+    Instance result{given, {Trait::cospherical}};
+    result.bindings["k"] = static_cast<long>(shape.k);
+    result.bindings["m"] = static_cast<long>(shape.m);
+    return result;
+  }
+
+  /// With radii, a map, and the image.
+  static std::optional<Instance> transported(Instance instance, Configuration configuration, const Shape& shape,
+                                             const Limits& limits, Choices& choices) {
+    Bindings& bound = instance.bindings;
+    bound["gamma0"] = configuration.gamma0;
+    bound["delta0"] = configuration.delta0;
+    bound["mu0"] = configuration.mu0;
+    bool at_boundary = configuration.at_boundary;
+    bound["xi"] = draw_distortion(shape, limits, bound, choices, at_boundary);
+    draw_radii(limits, bound, choices, at_boundary);
+    configuration = scaled(std::move(configuration), number_in(bound, "epsilon_j") / configuration.epsilon);
+    auto map = std::make_shared<ConfigurationMap>(
+        random_map(static_cast<std::size_t>(shape.m), number_in(bound, "xi"), configuration.points, choices));
+    if (choices.happens(0.3)) {
+      auto finite = finite_configuration_map(configuration.points, number_in(bound, "xi"), choices);
+      if (finite) map = std::make_shared<ConfigurationMap>(*std::move(finite));
+    }
+    bound["f"] = ObjectPointer(map);
+    bound["u"] = ObjectPointer(std::make_shared<SimplexObject>(map->image(configuration.points)));
+    bound["t"] = ObjectPointer(std::make_shared<SimplexObject>(std::move(configuration.points)));
+    if (at_boundary) instance.traits.insert(Trait::boundary);
+    if (configuration.gamma0 < Rational::power_of_two(-10)) instance.traits.insert(Trait::nearly_degenerate);
+    return instance;
+  }
+
   static Rational draw_distortion(const Shape& shape, const Limits& limits, const Bindings& bound, Choices& choices,
                                   bool& at_boundary) {
     constexpr long lowest_exponent = 60;

@@ -24,3 +24,15 @@ delcert_cli_test(tighten-no-evaluations STATUS 3 OUTPUT "^$" ERROR "--evaluation
   COMMAND ${delcert} tighten ${claims}/circumradius-from-below.toml --evaluations 0)
 delcert_cli_test(tighten-impossible-shape STATUS 3 OUTPUT "^$" ERROR "--shape 3,2: the class simplex"
   COMMAND ${delcert} tighten ${claims}/circumradius-from-below.toml --shape 3,2)
+# The exponent of a quantity: a triangle of thickness v has a circumradius of some Δ/v.
+delcert_cli_test(tighten-along STATUS 0 ERROR "^$"
+  OUTPUT "circumradius-by-thickness / radius . k=2 m=2 . `thickness.s.` . -1 . -(0[.]9[0-9]|1[.]0[0-9]) ± 0[.][0-9]+ . 0[.][0-9]+ . 4 of 4 ."
+  COMMAND ${delcert} tighten ${claims}/circumradius-by-thickness.toml --evaluations 800 --seed 1 --shape 2,2 --along "thickness(s)" --values 1/8,1/32,1/128,1/512)
+delcert_cli_test(tighten-along-json STATUS 0 ERROR "^$" OUTPUT "\"exponent_in_bound\": \"0\".*\"exponent_found\": [-0-9.e]+.*\"ratio_lower\""
+  COMMAND ${delcert} tighten ${claims}/circumradius-by-thickness.toml --evaluations 40 --shape 1,1 --shape 2,2 --shape 3,3 --along k --json)
+delcert_cli_test(tighten-along-nothing STATUS 3 OUTPUT "^$" ERROR "\"thicknes.s.\" is no quantity of circumradius-by-thickness: column 1: "
+  COMMAND ${delcert} tighten ${claims}/circumradius-by-thickness.toml --along "thicknes(s)" --values 1/8,1/16,1/32)
+delcert_cli_test(tighten-along-two-values STATUS 3 OUTPUT "^$" ERROR "three values or more"
+  COMMAND ${delcert} tighten ${claims}/circumradius-by-thickness.toml --along "thickness(s)" --values 1/8,1/16)
+delcert_cli_test(tighten-values-of-nothing STATUS 64 OUTPUT "^$" ERROR "--along"
+  COMMAND ${delcert} tighten ${claims}/circumradius-by-thickness.toml --values 1/8,1/16,1/32)

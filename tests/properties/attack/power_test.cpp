@@ -139,12 +139,12 @@ TEST(Power, the_same_seed_gives_the_same_and_progress_can_end_it) {
       std::runtime_error);
 }
 
-TEST(Power, steps_grow_from_one_to_the_fortieth_power_of_two) {
+TEST(Power, steps_grow_from_one_to_the_128th_power_of_two) {
   EXPECT_EQ(power_step(0), Rational(1));
   EXPECT_EQ(power_step(1), one_step);
   EXPECT_EQ(power_step(64), Rational(2));
   EXPECT_EQ(power_step(96), Rational(3));
-  EXPECT_EQ(power_step(last_power_step), Rational::power_of_two(40));
+  EXPECT_EQ(power_step(last_power_step), Rational::power_of_two(128));
   for (int level = 0; level < last_power_step; ++level) {
     EXPECT_LT(power_step(level), power_step(level + 1));
     EXPECT_LE(power_step(level + 1), power_step(level) * one_step);

@@ -40,6 +40,19 @@ TEST_F(Twins, a_claim_has_those_that_it_does_not_excuse) {
   EXPECT_TRUE(conclusions_without_twin(excused).empty());
 }
 
+TEST_F(Twins, a_bare_truth_is_refuted_on_the_path_along_which_it_fails) {
+  // Without a ratio to climb, only the path along xi leads to an image that is so much longer.
+  const auto claim = [](const std::string& bound) {
+    return parse_claim("name = \"a\"\ninstance = \"simplex-pair\"\ngiven = [\"xi <= " + bound +
+                           "\"]\n[[show]]\nclaim = \"not (longest_edge(t) > 1001/1000*longest_edge(s))\"\n",
+                       "a.toml", full_vocabulary(), all_signatures());
+  };
+  const auto refuted = refute(claim("1/990"), {{1, 2}}, {1, 400, 1}, no_progress());
+  ASSERT_TRUE(refuted.has_value());
+  EXPECT_EQ(decide_witness(claim("1/990"), *refuted), Verdict::refuted);
+  EXPECT_FALSE(refute(claim("1/1001"), {{1, 2}}, {1, 400, 1}, no_progress()).has_value());
+}
+
 TEST_F(Twins, names_are_taken_apart_and_put_together) {
   const auto twins = twins_of(right_claim());
   EXPECT_EQ(original_name(twins[0]), "right");

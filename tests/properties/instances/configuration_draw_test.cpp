@@ -134,6 +134,24 @@ TEST(ConfigurationDraw, TheFourPropertiesHoldAndTheFirstHardly) {
   EXPECT_GT(hardly, 50);
 }
 
+TEST(ConfigurationDraw, TightOnesAttainBothBounds) {
+  for (const Shape& shape : {Shape{2, 2}, Shape{2, 3}, Shape{3, 3}}) {
+    std::size_t attained = 0;
+    const auto configurations = drawn(draw_tight_properties, LimitsOfTheLemma(), shape, draws);
+    for (const Configuration& configuration : configurations) {
+      EXPECT_TRUE(has_forbidden_properties(configuration));
+      // Smaller by 2⁻⁵⁹, the radius of the sphere or the hoop is too small for it.
+      Configuration smaller = configuration;
+      smaller.epsilon *= Rational(1) - Rational::power_of_two(-59);
+      Configuration narrower = configuration;
+      narrower.gamma0 *= Rational(1) - Rational::power_of_two(-59);
+      EXPECT_FALSE(has_forbidden_properties(narrower));
+      attained += has_forbidden_properties(smaller) ? 0 : 1;
+    }
+    EXPECT_GT(attained, draws / 10);
+  }
+}
+
 TEST(ConfigurationDraw, TrianglesAndTooHighDimensionsAreNotDrawn) {
   for (const Shape& shape : {Shape{1, 2}, Shape{3, 2}}) {
     EXPECT_TRUE(drawn(draw_forbidden_configuration, NoLimits(), shape, 3).empty());

@@ -82,6 +82,53 @@ TEST(ConfigurationMap, ReadsBackWhatItWrites) {
   EXPECT_EQ(dynamic_cast<const ConfigurationMap&>(*again).image({{1, 2}, {-3, 5}}), map.image({{1, 2}, {-3, 5}}));
 }
 
+/// Three points of a line, the last one moved off it: its distances √(1 + 1/64) and √(4 + 1/64).
+ConfigurationMap::Finite finite_example() {
+  return {{{0, 0}, {1, 0}, {2, 0}}, {{0, 0}, {1, 0}, {2, Rational(1) / Rational(8)}}, Rational(1) / Rational(64)};
+}
+
+TEST(ConfigurationMap, AFiniteMapIsDecidedPairByPair) {
+  const ConfigurationMap map(finite_example());
+  EXPECT_TRUE(map.is_finite());
+  EXPECT_EQ(map.distortion(), Rational(1) / Rational(64));
+  EXPECT_EQ(map.dimension(), 2U);
+  EXPECT_EQ(map.image({{2, 0}, {0, 0}}), (SimplexObject::Points{{2, Rational(1) / Rational(8)}, {0, 0}}));
+  // √(1 + 1/64) − 1 is between 1/129 and 1/128.
+  ConfigurationMap::Finite finite = finite_example();
+  finite.distortion = Rational(1) / Rational(128);
+  EXPECT_NO_THROW(ConfigurationMap{finite});
+  finite.distortion = Rational(1) / Rational(129);
+  EXPECT_THROW(ConfigurationMap{finite}, InputError);
+}
+
+TEST(ConfigurationMap, AFiniteMapIsDefinedOnItsPointsOnly) {
+  const ConfigurationMap map(finite_example());
+  EXPECT_TRUE(map.is_defined_on({{1, 0}, {2, 0}}));
+  EXPECT_FALSE(map.is_defined_on({{1, 0}, {1, 1}}));
+  EXPECT_FALSE(map.is_defined_on({{1, 0, 0}}));
+  EXPECT_THROW((void)map.image({{1, 1}}), InputError);
+  ConfigurationMap::Finite finite = finite_example();
+  finite.images.pop_back();
+  EXPECT_THROW(ConfigurationMap{finite}, InputError);
+  finite = finite_example();
+  finite.images[1] = {1, 0, 0};
+  EXPECT_THROW(ConfigurationMap{finite}, InputError);
+  EXPECT_THROW(ConfigurationMap(ConfigurationMap::Finite{}), InputError);
+  // Two points with one image.
+  EXPECT_THROW(ConfigurationMap(ConfigurationMap::Finite{{{0}, {1}}, {{0}, {0}}, Rational(1)}), InputError);
+}
+
+TEST(ConfigurationMap, AFiniteMapReadsBack) {
+  const ConfigurationMap map(finite_example());
+  const auto again = ConfigurationMap::read(map.json());
+  EXPECT_EQ(again->json(), map.json());
+  for (const char* key : {"points", "images", "distortion"}) {
+    auto wrong = map.json();
+    wrong[key] = 1;
+    EXPECT_THROW((void)ConfigurationMap::read(wrong), InputError) << key;
+  }
+}
+
 TEST(ConfigurationMap, MalformedWitnessesAreRefused) {
   const auto good = ConfigurationMap(example()).json();
   for (const char* key : {"mirror", "stretching", "stretch", "fold_direction", "fold_normal", "fold_offset", "fold"}) {

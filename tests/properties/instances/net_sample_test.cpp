@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/properties/instances/square_net.hpp"
 
 namespace delcert::test {
@@ -13,11 +15,11 @@ Rational squared_distance(const Vector<Rational, m>& a, const Vector<Rational, m
   return pairing(offset, offset);
 }
 
-template <int m>
-void check_nets(std::uint32_t count) {
+template <int m, class Draw>
+void check_nets(const Draw& draw, std::uint32_t count) {
   for (std::uint32_t number = 0; number < count; ++number) {
     RandomChoices choices(1, m, number);
-    const auto net = draw_net<m>(4, choices);
+    const NetSample<m> net = draw(4, choices);
     EXPECT_EQ(net.points[0], (Vector<Rational, m>{}));
     Rational least(1000);
     for (std::size_t a = 0; a < net.points.size(); ++a) {
@@ -32,8 +34,26 @@ void check_nets(std::uint32_t count) {
 }
 
 TEST(NetSample, is_a_net_of_the_radius_that_it_says) {
-  check_nets<2>(12);
-  check_nets<3>(2);
+  check_nets<2>(draw_net<2>, 12);
+  check_nets<3>(draw_net<3>, 2);
+}
+
+TEST(NetSample, a_nearly_degenerate_net_is_one_too_and_sheared_a_little) {
+  check_nets<2>(draw_nearly_degenerate_net<2>, 8);
+  check_nets<3>(draw_nearly_degenerate_net<3>, 2);
+  int sheared = 0;
+  for (std::uint32_t number = 0; number < 20; ++number) {
+    RandomChoices choices(2, 2, number);
+    const auto net = draw_nearly_degenerate_net<2>(2, choices);
+    // (1, 0) is a point, and no point is right above the origin.
+    EXPECT_NE(std::find(net.points.begin(), net.points.end(), Vector<Rational, 2>{Rational(1), Rational(0)}),
+              net.points.end());
+    sheared += std::none_of(net.points.begin() + 1, net.points.end(),
+                            [](const auto& point) { return point[0] == Rational(0); })
+                   ? 1
+                   : 0;
+  }
+  EXPECT_GT(sheared, 10);
 }
 
 TEST(NetSample, moves_no_point_farther_than_the_length) {

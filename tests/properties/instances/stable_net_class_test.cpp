@@ -14,6 +14,20 @@ TEST(StableNetClass, DrawsWhatItPromises) {
   EXPECT_GT(traits.at(Trait::boundary), 0);
 }
 
+TEST(StableNetClass, StructuredDrawsAreInstances) {
+  const FixedLimits limits({{"rho0", Rational::power_of_two(-4)}, {"xi", Rational::power_of_two(-60)}});
+  ASSERT_TRUE(stable_net_class().has_structure({0, 2}));
+  int found = 0;
+  for (std::uint32_t number = 0; number < 6; ++number) {
+    RandomChoices choices(3, 5, number);
+    const auto instance = stable_net_class().draw_structured({0, 2}, {}, limits, choices);
+    if (!instance) continue;
+    ++found;
+    EXPECT_NO_THROW(stable_net_class().require(instance->bindings));
+  }
+  EXPECT_GT(found, 3);
+}
+
 TEST(StableNetClass, RefusesWhatIsNoInstance) {
   const Bindings good = some_instance(stable_net_class(), {0, 2}, FixedLimits({{"rho0", Rational::power_of_two(-4)}}));
   ASSERT_NO_THROW(stable_net_class().require(good));

@@ -59,6 +59,43 @@ TEST(TransportedConfigurationClass, DrawsOfEveryShapeAreInstancesAndFewAreDiscar
   EXPECT_EQ(traits, (std::set<Trait>{Trait::boundary, Trait::nearly_degenerate, Trait::cospherical}));
 }
 
+TEST(TransportedConfigurationClass, StructuredDrawsAreAtTheirBoundsAndInstances) {
+  const HypothesisLimits limits(raw_claim());
+  int found = 0;
+  for (const Shape& shape : {Shape{2, 2}, Shape{2, 3}, Shape{3, 3}}) {
+    for (std::uint32_t i = 0; i < 40; ++i) {
+      RandomChoices choices(6, static_cast<std::uint32_t>(shape.k * 16 + shape.m), i);
+      const auto instance = transported_configuration_class().draw_structured(shape, {}, limits, choices);
+      if (!instance) continue;
+      ++found;
+      EXPECT_NO_THROW(transported_configuration_class().require(instance->bindings));
+    }
+  }
+  EXPECT_GT(found, 10);
+}
+
+/// The first one whose map is of finitely many points, or is not.
+Instance with_finite_map(bool is_finite) {
+  for (std::uint32_t number = 0;; ++number) {
+    auto instance = draw(raw_claim(), {2, 3}, number);
+    if (instance && object_in<ConfigurationMap>(instance->bindings, "f").is_finite() == is_finite) return *instance;
+  }
+}
+
+TEST(TransportedConfigurationClass, AFiniteMapHasTheCircumcentresInItsDomain) {
+  const Bindings good = with_finite_map(true).bindings;
+  EXPECT_NO_THROW(transported_configuration_class().require(good));
+  ConfigurationMap::Finite map = object_in<ConfigurationMap>(good, "f").finite();
+  map.points.pop_back();
+  map.images.pop_back();
+  Bindings bad = good;
+  bad["f"] = ObjectPointer(std::make_shared<ConfigurationMap>(map));
+  EXPECT_THROW(transported_configuration_class().require(bad), InputError);
+  for (const Bindings& simpler : transported_configuration_class().simpler(good)) {
+    EXPECT_NO_THROW(transported_configuration_class().require(simpler));
+  }
+}
+
 TEST(TransportedConfigurationClass, WhatIsNotTheImageOrHasNotTheFourPropertiesIsRefused) {
   const Bindings good = some_transported_configuration().bindings;
   const auto refused = [&good](const std::string& name, const Binding& value) {
@@ -89,15 +126,17 @@ TEST(TransportedConfigurationClass, WhatIsNotTheImageOrHasNotTheFourPropertiesIs
 }
 
 TEST(TransportedConfigurationClass, AWitnessReadsBackBitForBit) {
-  const Instance instance = some_transported_configuration();
-  Bindings again = instance.bindings;
-  for (const auto& [name, kind] :
-       std::map<std::string, std::string>{{"t", "simplex"}, {"u", "simplex"}, {"f", "configuration-map"}}) {
-    const auto& object = std::get<ObjectPointer>(instance.bindings.at(name));
-    again[name] = full_vocabulary().read(kind, nlohmann::ordered_json::parse(object->json().dump()));
-    EXPECT_EQ(std::get<ObjectPointer>(again.at(name))->json(), object->json());
+  for (const bool is_finite : {false, true}) {
+    const Instance instance = with_finite_map(is_finite);
+    Bindings again = instance.bindings;
+    for (const auto& [name, kind] :
+         std::map<std::string, std::string>{{"t", "simplex"}, {"u", "simplex"}, {"f", "configuration-map"}}) {
+      const auto& object = std::get<ObjectPointer>(instance.bindings.at(name));
+      again[name] = full_vocabulary().read(kind, nlohmann::ordered_json::parse(object->json().dump()));
+      EXPECT_EQ(std::get<ObjectPointer>(again.at(name))->json(), object->json());
+    }
+    EXPECT_NO_THROW(transported_configuration_class().require(again));
   }
-  EXPECT_NO_THROW(transported_configuration_class().require(again));
 }
 
 TEST(TransportedConfigurationClass, SimplerInstancesAreInstances) {
