@@ -61,7 +61,8 @@ struct Effort {
 
 /// An instance that refutes the claim, made simpler: found at random, a few samples in each shape in turn, then by
 /// directed search; for conclusions that are bare truths on paths along which a bounded number, such as a distortion,
-/// grows (`power_of`): the claim is refuted where one fails at the bound already. Nothing if none was found. The same for the same seed.
+/// grows (`power_of`): the claim is refuted where one fails at the bound already. Nothing if none was found. The same
+/// for the same seed.
 [[nodiscard]] std::optional<Witness> refute(const Claim& claim, const std::vector<Shape>& shapes, const Effort& effort,
                                             const Progress& progress);
 
