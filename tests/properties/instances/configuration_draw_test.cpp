@@ -146,7 +146,7 @@ TEST(ConfigurationDraw, TightOnesAttainBothBounds) {
       Configuration narrower = configuration;
       narrower.gamma0 *= Rational(1) - Rational::power_of_two(-59);
       EXPECT_FALSE(has_forbidden_properties(narrower));
-      attained += has_forbidden_properties(smaller) ? 0 : 1;
+      attained += has_forbidden_properties(smaller) ? 0U : 1U;
     }
     EXPECT_GT(attained, draws / 10);
   }
