@@ -32,7 +32,7 @@ std::size_t number_of(const SimplexObject::Points& points, const std::vector<Rat
   return static_cast<std::size_t>(std::find(points.begin(), points.end(), point) - points.begin());
 }
 
-SimplexObject::Points points_from(const Json& json, const std::string& key) {
+SimplexObject::Points listed_points(const Json& json, const std::string& key) {
   if (!json.is_array()) throw InputError("a configuration map: " + key + " is not a list");
   SimplexObject::Points result;
   for (const Json& point : json) result.push_back(rationals_from(point, key));
@@ -142,7 +142,7 @@ ObjectPointer ConfigurationMap::read(const Json& json) {
   };
   if (json.is_object() && json.contains("points")) {
     return std::make_shared<ConfigurationMap>(
-        Finite{points_from(part("points"), "points"), points_from(part("images"), "images"), number("distortion")});
+        Finite{listed_points(part("points"), "points"), listed_points(part("images"), "images"), number("distortion")});
   }
   Data data;
   data.mirror = rationals_from(part("mirror"), "mirror");
