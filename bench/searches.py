@@ -6,9 +6,10 @@
   bench/searches.py check [--build build/release]                     whether the pages are those of the records, and the
                                                                       claims those of which the records are
 
-NAME is one of tightness, deep, exponents, power; without --only all of them run, which takes hours. The records are
-docs/tables/{tightness,exponents,power}.json, and searches.json, which has the SHA-256 of what each claim said when it was
-searched, and what a few cheap searches found then: a page says so if the program finds something else now.
+NAME is a key of PLAN; without --only all of them run, which takes hours. With --logs, a folder, tighten goes on from
+what it has finished. The records are docs/tables/{tightness,exponents,power}.json, and searches.json, which has the SHA-256
+of what each claim said when it was searched, and what a few cheap searches found then: a page says so if the program
+finds something else now.
 """
 
 import argparse
@@ -26,31 +27,34 @@ CLAIMS = ROOT / "proofs/claims"
 SIMPLICES = ["circumradius-under-distortion", "circumscribing-balls-under-distortion"]
 SHAPES = [part for k in range(1, 6) for part in ("--shape", f"{k},{k}")]
 SLIVERS = [part for k in range(2, 4) for part in ("--shape", f"{k},{k}")]
+HOOPS = ["--shape", "2,2", "--shape", "3,3", "--seed", "1", "--evaluations", "100"]
 THIN = "1/4,1/8,1/16,1/32,1/64,1/128"
 SMALL = "1/1024,1/4096,1/16384,1/65536,1/262144"
-# By the name of the record: the commands, whose lists are put one after another.
+# By the name of the searches: the file of the record, and the command.
 PLAN = {
-    "tightness": [["tighten", "--all", "--seed", "1", "--evaluations", "2000"]],
-    "deep": [["tighten", "circumradius-under-distortion", "--shape", "3,3", "--shape", "4,4", "--shape", "5,5", "--seed", "1",
-              "--evaluations", "100000"],
-             ["tighten", "circumscribing-balls-under-distortion", "--shape", "3,3", "--shape", "5,5", "--seed", "1",
-              "--evaluations", "100000"]],
-    "exponents": [
-        ["tighten", *SIMPLICES, *SLIVERS, "--seed", "1", "--evaluations", "6000", "--along", "thickness(s)", "--values", THIN],
-        ["tighten", *SIMPLICES, *SLIVERS, "--seed", "1", "--evaluations", "2000", "--along", "xi", "--values", SMALL],
-        ["tighten", *SIMPLICES, *SHAPES, "--seed", "1", "--evaluations", "4000", "--along", "k"],
-        ["tighten", "raw-hoop-distortion-sharper", "hoop-distortion-sharper", "--shape", "2,2", "--seed", "1", "--evaluations", "200",
-         "--along", "gamma0", "--values", "1/1048576,1/4194304,1/16777216,1/67108864"],
-    ],
-    "power": [
-        ["power", "circumradius-under-distortion", "circumradius-under-distortion-sharper", "circumscribing-balls-under-distortion",
-         "circumscribing-balls-under-distortion-sharper", "thickness-under-distortion", "crude-circumradius-bound",
-         "--shape", "1,1", "--shape", "2,2", "--shape", "3,3", "--seed", "1", "--evaluations", "1000"],
-        ["power", "raw-hoop-distortion", "raw-hoop-distortion-sharper", "hoop-distortion", "hoop-distortion-sharper",
-         "--shape", "2,2", "--shape", "3,3", "--seed", "1", "--evaluations", "100"],
-        ["power", "stable-stars", "delaunay-metric-stability", "--shape", "2", "--seed", "1", "--evaluations", "2000"],
-    ],
+    "tightness": ("tightness", ["tighten", "--all", "--seed", "1", "--evaluations", "2000"]),
+    "deep-circumradii": ("tightness", ["tighten", "circumradius-under-distortion", "--shape", "3,3", "--shape", "4,4", "--shape", "5,5",
+                                       "--seed", "1", "--evaluations", "100000"]),
+    "balls": ("tightness", ["tighten", "circumscribing-balls-under-distortion", "--shape", "3,3", "--shape", "4,4", "--shape", "5,5",
+                            "--seed", "1", "--evaluations", "2000"]),
+    "exponents-thickness": ("exponents", ["tighten", *SIMPLICES, *SLIVERS, "--seed", "1", "--evaluations", "2000",
+                                          "--along", "thickness(s)", "--values", THIN]),
+    "exponents-distortion": ("exponents", ["tighten", *SIMPLICES, *SLIVERS, "--seed", "1", "--evaluations", "500",
+                                           "--along", "xi", "--values", SMALL]),
+    "exponents-dimension": ("exponents", ["tighten", *SIMPLICES, *SHAPES, "--seed", "1", "--evaluations", "1000", "--along", "k"]),
+    "exponents-hoops": ("exponents", ["tighten", "raw-hoop-distortion", "--shape", "2,2", "--seed", "1", "--evaluations", "200",
+                                      "--along", "gamma0", "--values", "1/1048576,1/4194304,1/16777216,1/67108864"]),
+    "power-simplices": ("power", ["power", "circumradius-under-distortion", "circumradius-under-distortion-sharper",
+                                  "circumscribing-balls-under-distortion", "circumscribing-balls-under-distortion-sharper",
+                                  "thickness-under-distortion", "crude-circumradius-bound",
+                                  "--shape", "1,1", "--shape", "2,2", "--shape", "3,3", "--seed", "1", "--evaluations", "1000"]),
+    "power-hoops": ("power", ["power", "raw-hoop-distortion", *HOOPS]),
+    "power-other-hoops": ("power", ["power", "raw-hoop-distortion-sharper", "hoop-distortion", "hoop-distortion-sharper", *HOOPS]),
+    "power-stars": ("power", ["power", "stable-stars", "delaunay-metric-stability", "--shape", "2", "--seed", "1",
+                              "--evaluations", "2000"]),
 }
+# Claims that are no statements of the paper, but readings of some.
+READINGS = ["circumcentres-under-distortion", "top-simplices-suffice"]
 CANARIES = ["tighten", "circumradius-under-distortion", "circumscribing-balls-under-distortion", "raw-hoop-distortion",
             "thickness-and-singular-value", "--shape", "2,2", "--seed", "1", "--evaluations", "40", "--json"]
 
@@ -77,37 +81,39 @@ def read(name):
 
 
 def write(name, content):
-    (TABLES / f"{name}.json").write_text(json.dumps(content, indent=1, ensure_ascii=False) + "\n")
+    (TABLES / f"{name}.json").write_text(json.dumps(content, indent=2 if name == "power" else 1, ensure_ascii=False) + "\n")
 
 
-def row_key(row):
-    return row["claim"], row["conclusion"], row["k"], row["m"]
+def search_key(row):
+    return [row["claim"], row.get("along", ""), row.get("k", 0), row.get("m", 0)]
 
 
 def merged(old, new):
-    """The new rows in the place of those of the same search with no more evaluations."""
-    rows = {row_key(row): row for row in old}
-    for row in new:
-        known = rows.get(row_key(row))
-        if known is None or known.get("evaluations", 0) <= row.get("evaluations", 0):
-            rows[row_key(row)] = row
-    return [rows[key] for key in sorted(rows)]
+    """The new rows in the place of those of the same searches; a ratio from more evaluations stays."""
+    more = {str(search_key(row)) for row in old for other in new if search_key(row) == search_key(other) and "lower" in row
+            and row["evaluations"] > other.get("evaluations", 0)}
+    new = [row for row in new if str(search_key(row)) not in more]
+    replaced = {str(search_key(row)) for row in new}
+    kept = [row for row in old if str(search_key(row)) not in replaced]
+    searched = {row["claim"] for row in new}
+    result = []
+    for claim in dict.fromkeys(row["claim"] for row in [*old, *new]):
+        rows = [row for row in [*kept, *new] if row["claim"] == claim]
+        result += sorted(rows, key=search_key) if claim in searched else rows
+    return result
 
 
 def canaries(build):
     return [[row["claim"], row["conclusion"], row.get("lower")] for row in json.loads(run(build, CANARIES))]
 
 
-def measure(build, only):
+def measure(build, only, logs):
     record = json.loads((TABLES / "searches.json").read_text()) if (TABLES / "searches.json").exists() else {}
     for name in only or PLAN:
-        rows = [row for command in PLAN[name] for row in json.loads(run(build, [*command, "--json"]))]
-        if name == "deep":
-            write("tightness", merged(read("tightness"), rows))
-        elif name == "tightness":
-            write("tightness", merged([row for row in read("tightness") if row.get("evaluations", 0) > 2000], rows))
-        else:
-            write(name, rows)
+        file, command = PLAN[name]
+        log = ["--log", str(logs / f"{name}.jsonl")] if logs and command[0] == "tighten" and "--along" not in command else []
+        rows = json.loads(run(build, [*command, *log, "--json"]))
+        write(file, merged(read(file), rows))
         record[name] = {"claims": {claim: statement_hash(claim) for claim in sorted({row["claim"] for row in rows})},
                         "canaries": canaries(build)}
         write("searches", record)
@@ -120,7 +126,7 @@ TIGHTNESS_HEAD = """# How tight
 
 For each conclusion in each shape the worst ratio, of the smaller side to the larger one, that a directed search found: random and
 structured instances, then local searches from the best of them ([attacks.md](../attacks.md#by-how-much-would-a-constant-have-to-be-wrong)).
-The ratio is certified; that there is no worse instance is not. Above 1 the statement is refuted. *Equality, exactly*: both sides are
+The ratio is certified, the lower end of an interval; that there is no worse instance is not. Above 1 the statement is refuted. *Equality, exactly*: both sides are
 the same number, decided exactly; a ratio printed as 1 without that note is within 10⁻⁹ of it. With `--witnesses` the commands write
 the instances, exactly. `tightness.json` has what they print, of two searches of the same conclusion the one with more instances
 (fewer than asked for where an instance is costly):
@@ -143,15 +149,26 @@ from the printed one says what these searches found, and proves nothing. A quant
 *other*: the bound is no product of powers of it.
 
 @COMMANDS@
-`bench/searches.py measure --only exponents` runs them and writes this page; `exponents.json` has all points.
+`bench/searches.py measure` runs them and writes this page; `exponents.json` has all points.
 """
+
+
+def searches_of(file):
+    """Those behind a record, the widest first: it was begun before there was searches.json, so it may not be named there."""
+    known = json.loads((TABLES / "searches.json").read_text())
+    return [name for name, plan in PLAN.items() if plan[0] == file and (name in known or name == file)]
 
 
 def command_text(names):
     lines = []
     for name in names:
-        for command in PLAN[name]:
-            lines.append("delcert " + " ".join(f"'{part}'" if "(" in part else part for part in command) + " --json")
+        line = "delcert"
+        for part in [f"'{part}'" if "(" in part else part for part in PLAN[name][1]] + ["--json"]:
+            if len(line) + len(part) > 116:
+                lines.append(line + " \\")
+                line = "   "
+            line += " " + part
+        lines.append(line)
     return "```\n" + "\n".join(lines) + "\n```"
 
 
@@ -162,7 +179,13 @@ def number(x):
 def age_note(names, now):
     record = json.loads((TABLES / "searches.json").read_text())
     old = [name for name in names if record.get(name, {}).get("canaries") != now]
-    return ("\nThe searches " + " and ".join(old) + " are older than the program: it finds something else now.\n") if old else ""
+    commands = " and ".join(f"number {1 + names.index(name)}" for name in old)
+    return f"\nOf these commands the program finds something else now: {commands}; their rows are older.\n" if old else ""
+
+
+def note(row):
+    text = row.get("note", "no instance with a ratio")
+    return "reading refuted" if text == "REFUTED" and row["claim"] in READINGS else text
 
 
 def dimensions(row):
@@ -171,8 +194,8 @@ def dimensions(row):
 
 def tightness_page(now):
     rows = read("tightness")
-    text = TIGHTNESS_HEAD.replace("@COMMANDS@", command_text(["tightness", "deep"]))
-    text += age_note(["tightness", "deep"], now)
+    text = TIGHTNESS_HEAD.replace("@COMMANDS@", command_text(searches_of("tightness")))
+    text += age_note(searches_of("tightness"), now)
     text += "\n## With 100 000 instances\n\nThe worst ratio for each k, in ℝᵏ.\n\n| claim / conclusion | "
     deep = [row for row in rows if row.get("evaluations", 0) >= 100000]
     ks = sorted({row["k"] for row in deep if row["k"] == row["m"]})
@@ -191,13 +214,13 @@ def tightness_page(now):
     text += "\n## All\n\n| claim / conclusion | shape | worst ratio found | evaluations | |\n|---|---|--:|--:|---|\n"
     for row in rows:
         text += (f"| {row['claim']} / {row['conclusion']} | {dimensions(row)} | {number(row.get('lower'))} | "
-                 f"{row.get('evaluations', 0)} | {row.get('note', 'no instance with a ratio')} |\n")
+                 f"{row.get('evaluations', 0)} | {note(row)} |\n")
     return text
 
 
 def exponents_page(now):
-    text = EXPONENTS_HEAD.replace("@COMMANDS@", command_text(["exponents"]))
-    text += age_note(["exponents"], now)
+    text = EXPONENTS_HEAD.replace("@COMMANDS@", command_text(searches_of("exponents")))
+    text += age_note(searches_of("exponents"), now)
     for along, title in [("thickness(s)", "Thickness"), ("xi", "Distortion"), ("gamma0", "Γ₀"), ("k", "Dimension")]:
         text += f"\n## {title}\n\n| claim / conclusion | shape | in the bound | of the worst found | residual | values |\n|---|---|--:|--:|--:|--:|\n"
         for row in read("exponents"):
@@ -245,10 +268,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("what", choices=["measure", "render", "check"])
     parser.add_argument("--build", type=Path, default=ROOT / "build/release")
+    parser.add_argument("--logs", type=Path)
     parser.add_argument("--only", action="append", choices=list(PLAN))
     options = parser.parse_args()
     if options.what == "measure":
-        measure(options.build, options.only)
+        measure(options.build, options.only, options.logs)
     elif options.what == "render":
         render(options.build)
     else:
