@@ -130,8 +130,8 @@ class Draw {
     return result_;
   }
 
-  /// Of the facet opposite to the moved vertex both bounds are attained, up to 2^−depth: the radius and the distance of
-  /// that vertex from its sphere.
+  /// Of the facet opposite to the moved vertex the distance of that vertex from its sphere is attained, up to 2^−depth,
+  /// and the radius where the bound of edges leaves room.
   std::optional<Configuration> tight_properties() {
     constexpr long least_depth = 60;
     constexpr long greatest_depth = 400;

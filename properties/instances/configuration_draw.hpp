@@ -43,9 +43,9 @@ struct Configuration {
 [[nodiscard]] std::optional<Configuration> draw_forbidden_properties(const Shape& shape, const Bindings& bound,
                                                                      const Limits& limits, Choices& choices);
 
-/// One with the four properties of which a facet attains two of the bounds, up to 2⁻⁶⁰ to 2⁻⁴⁰⁰: its radius is 2ε, and
-/// the vertex opposite is α₀R off its sphere. So the least distortion can carry it past both. Nothing where another
-/// facet would be past them, as for most choices. Precondition: `bound` has k and m.
+/// One with the four properties of which a facet attains bounds, up to 2⁻⁶⁰ to 2⁻⁴⁰⁰: the vertex opposite is α₀R off
+/// its sphere, and its radius is 2ε where no edge would be longer than allowed. So the least distortion can carry it
+/// past them. Nothing where another facet would be past them, as for most choices. Precondition: `bound` has k and m.
 [[nodiscard]] std::optional<Configuration> draw_tight_properties(const Shape& shape, const Bindings& bound,
                                                                  const Limits& limits, Choices& choices);
 
