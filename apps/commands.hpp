@@ -19,6 +19,7 @@ void add_constants(CLI::App& program, Action& chosen);
 void add_sample(CLI::App& program, Action& chosen);
 void add_certify(CLI::App& program, Action& chosen);
 void add_check(CLI::App& program, Action& chosen);
+void add_split(CLI::App& program, Action& chosen);
 void add_info(CLI::App& program, Action& chosen);
 void add_cite(CLI::App& program, Action& chosen);
 void add_figure(CLI::App& program, Action& chosen);

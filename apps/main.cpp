@@ -15,10 +15,10 @@
 namespace delcert {
 namespace {
 
-constexpr AddCommand commands[] = {add_constants, add_sample,    add_certify,  add_check,  add_info,   add_cite,
-                                   add_figure,    add_bundle,    add_homology, add_export, add_claims, add_attack,
-                                   add_campaign,  add_tighten,   add_power,    add_prove,  add_errata, add_tables,
-                                   add_formalise, add_manifolds, add_report};
+constexpr AddCommand commands[] = {add_constants, add_sample,    add_certify,   add_check,    add_split,  add_info,
+                                   add_cite,      add_figure,    add_bundle,    add_homology, add_export, add_claims,
+                                   add_attack,    add_campaign,  add_tighten,   add_power,    add_prove,  add_errata,
+                                   add_tables,    add_formalise, add_manifolds, add_report};
 
 /// Rigour rests on rounding that is really directed, on no contraction, on the libraries: refuse to go on without.
 bool arithmetic_is_sound() {

@@ -20,6 +20,7 @@ Prints one line for each level; only if every checked level holds is the word "v
 
 Usage: delcert-check [OPTIONS] FILE…
        delcert-check --part K/N --receipt RECEIPT FILE
+       delcert-check --chunk K --receipt RECEIPT FOLDER
        delcert-check --merge RECEIPT… [FILE]
 
   FILE                    certificates, plain or compressed with zstd
@@ -31,7 +32,8 @@ Usage: delcert-check [OPTIONS] FILE…
   --memory-limit MIB      end undecided where more than so many MiB would be in use, for each FILE
   --threads N             divide the work among so many processes; says the same (default 1)
   --part K/N              check part K of N, 1 <= K <= N
-  --receipt RECEIPT       write what the part has found to this file
+  --chunk K               check chunk K of the certificate in chunks in FOLDER
+  --receipt RECEIPT       write what the part or the chunk has found to this file
   --merge                 put the receipts of all parts together: say what a check of the whole would have said.
                           Whoever merges receipts trusts those who made them. With FILE: they are of this certificate
   --json                  print one JSON object for each FILE, each in one line
@@ -68,11 +70,12 @@ enum Option : int {
   part,
   receipt,
   merge,
+  chunk,
   version,
   without_rule
 };
 
-constexpr std::array<option, 15> known = {{{"help", no_argument, nullptr, 'h'},
+constexpr std::array<option, 16> known = {{{"help", no_argument, nullptr, 'h'},
                                            {"version", no_argument, nullptr, version},
                                            {"levels", required_argument, nullptr, levels},
                                            {"expect-manifold", required_argument, nullptr, expect_manifold},
@@ -85,6 +88,7 @@ constexpr std::array<option, 15> known = {{{"help", no_argument, nullptr, 'h'},
                                            {"part", required_argument, nullptr, part},
                                            {"receipt", required_argument, nullptr, receipt},
                                            {"merge", no_argument, nullptr, merge},
+                                           {"chunk", required_argument, nullptr, chunk},
 #ifdef DELCERT_CHECK_TESTING
                                            {"without-rule", required_argument, nullptr, without_rule},
 #else
@@ -115,6 +119,14 @@ Share share_of(std::string_view text) {
   return share;
 }
 
+std::uint64_t chunk_of(std::string_view text) {
+  std::uint64_t result = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), result);
+  if (error != std::errc() || end != text.data() + text.size() || result < 1 || result > 1'000'000)
+    throw std::invalid_argument("--chunk: expected a number from 1 to 1000000, found " + std::string(text));
+  return result;
+}
+
 /// Throws std::invalid_argument unless the options go together.
 void require_together(const Arguments& arguments, bool has_part) {
   const auto require = [](bool holds, const char* what) {
@@ -122,11 +134,16 @@ void require_together(const Arguments& arguments, bool has_part) {
   };
   require(!arguments.files.empty(), "FILE is required");
   const bool selects = !arguments.levels.empty() || !arguments.expected.empty();
-  require(has_part == !arguments.receipt.empty(), "--part and --receipt need one another");
+  const bool has_chunk = arguments.chunk > 0;
+  require(!has_part || !has_chunk, "--part and --chunk exclude one another");
+  require((has_part || has_chunk) == !arguments.receipt.empty(),
+          has_chunk ? "--chunk needs --receipt" : "--part and --receipt need one another");
+  require(!has_chunk || arguments.files.size() == 1, "--chunk is for one FOLDER");
+  require(!has_chunk || !selects, "--chunk checks all levels: without --levels and --expect-manifold");
   require(!has_part || arguments.files.size() == 1, "--part is for one FILE");
   require(!has_part || !selects, "--part checks all levels: without --levels and --expect-manifold");
-  require(!arguments.merge ||
-              (!has_part && !selects && arguments.seconds == 0 && arguments.mebibytes == 0 && arguments.threads == 1),
+  require(!arguments.merge || (!has_part && !has_chunk && !selects && arguments.seconds == 0 &&
+                               arguments.mebibytes == 0 && arguments.threads == 1),
           "--merge checks nothing: of the options only --json, --quiet and --report go with it");
 }
 
@@ -180,6 +197,9 @@ Arguments parse_arguments(int argc, char** argv) {
       case part:
         arguments.part = share_of(::optarg);
         has_part = true;
+        break;
+      case chunk:
+        arguments.chunk = chunk_of(::optarg);
         break;
       case receipt:
         arguments.receipt = ::optarg;

@@ -16,6 +16,7 @@ struct Arguments {
   double seconds = 0;               // limit of time for each file; 0: none
   double mebibytes = 0;             // limit of memory for each file; 0: none
   Share part;                       // what is checked of each file
+  std::uint64_t chunk = 0;          // which chunk of a certificate in chunks is checked, from 1; 0: none
   std::string receipt;              // the file to which a receipt of the part is written; empty: none
   bool merge = false;               // the files are receipts, and perhaps their certificate
   unsigned threads = 1;             // how many processes share the work on each file

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "proofs/checker/budget.hpp"
+#include "proofs/checker/chunk_items.hpp"
 #include "proofs/checker/exact_number.hpp"
 #include "proofs/checker/input.hpp"
 #include "proofs/checker/report.hpp"
@@ -18,7 +19,11 @@ Certificate::Certificate(std::string_view text) {
   Report::require("seal", content == cursor.string(), "the SHA-256 of the content is not the one it is sealed with");
   cursor.expect("}");
   cursor.expect_end();
+  take();
+}
 
+/// What was read, understood.
+void Certificate::take() {
   n = static_cast<Label>(points_text.size() / static_cast<std::size_t>(m));
   require_lengths();
   Budget::open(n);
@@ -122,7 +127,8 @@ void Certificate::require_mode() const {
   for (std::size_t k = 0; k < points_text.size(); ++k) {
     const Rational original = points_are_moves() ? Rational(0) : exact_value(net_text[k]);
     if (exact_value(points_text[k]) == original) continue;
-    Report::require("form.mode", false, "the mode is none, but label " + std::to_string(k / m_size()) + " is moved");
+    Report::require("form.mode", false,
+                    "the mode is none, but label " + name_of(static_cast<Label>(k / m_size())) + " is moved");
   }
 }
 
@@ -175,7 +181,7 @@ std::vector<Level> rests_on(std::size_t level, Kind kind) {
 
 std::string label_set(const Label* begin, const Label* end) {
   std::string text = "{";
-  for (const Label* j = begin; j != end; ++j) text += (j == begin ? "" : ", ") + std::to_string(*j);
+  for (const Label* j = begin; j != end; ++j) text += (j == begin ? "" : ", ") + name_of(*j);
   return text + "}";
 }
 

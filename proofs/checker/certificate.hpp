@@ -43,10 +43,15 @@ struct LoopStep {
   std::uint32_t simplex, from, to;
 };
 
+class ChunkView;
+
 /// A certificate of the right form. Neither copied nor moved: the point sets refer to it, and it refers to the text.
 struct Certificate {
   /// Reads the whole text. Throws Malformed: `form.*` or `seal`.
   explicit Certificate(std::string_view text);
+  /// Reads of a certificate in chunks what is so many edges from a chunk or nearer: labels and simplices have numbers
+  /// of their own (chunk_items.hpp). Throws Malformed: `form.*`, `chunk.*` or `seal`.
+  Certificate(ChunkView& view, unsigned edges);
   Certificate(const Certificate&) = delete;
   Certificate& operator=(const Certificate&) = delete;
 
@@ -94,6 +99,7 @@ struct Certificate {
   std::vector<std::uint64_t> star_begin;  // star(i) is simplices star_begin[i] … star_begin[i + 1] - 1
   std::vector<Label> star_labels;         // m to a simplex
 
+  ChunkView* chunk = nullptr;  // none if the whole was read
   Metric metric;
   PointSet net, points;
   std::vector<Quantity> units;  // see `at`; none: all are 1. On a torus none exceeds 1
@@ -180,10 +186,13 @@ struct Certificate {
 
  private:
   double greatest_unit_ = 1;
+  void take();
   void parse(Cursor& cursor);
+  void parse_claims(Cursor& cursor);
   void parse_manifold(Cursor& cursor);
   void parse_parameters(Cursor& cursor);
   void parse_levels(Cursor& cursor);
+  void parse_elements(Cursor& cursor);
   void parse_complex(Cursor& cursor);
   void require_lengths() const;
   void require_parameters() const;

@@ -43,7 +43,9 @@ std::string read_expected(const std::string& file) {
 /// The SHA-256 with which a certificate is sealed.
 std::string content_of(const std::string& text) {
   const std::size_t seal = text.rfind(R"(,"sha256":")");
-  if (!text.starts_with(R"({"format":"delcert-certificate",)") || seal == std::string::npos)
+  const bool is_certificate =
+      text.starts_with(R"({"format":"delcert-certificate",)") || text.starts_with(R"({"format":"delcert-chunks",)");
+  if (!is_certificate || seal == std::string::npos)
     throw Malformed("merge.receipt", "is neither a receipt nor a certificate");
   const std::string content = sha256(std::string_view(text).substr(0, seal));
   Report::require("seal", text.substr(seal) == R"(,"sha256":")" + content + "\"}\n",
@@ -63,6 +65,14 @@ void set_limits(const std::string& file, const Arguments& arguments) {
   if (arguments.seconds > 0) limit_time(arguments.seconds, words("the limit of time was reached"));
 }
 
+int print(const std::string& file, const Arguments& arguments, const Outcome& outcome) {
+  lift_time_limit();
+  std::cout << both(file, outcome);
+  if (!arguments.receipt.empty() && outcome.identity)
+    std::cout << '\0' << receipt_text({DELCERT_CHECK_VERSION, outcome});
+  return outcome.status;
+}
+
 int check_here(const std::string& file, const Arguments& arguments) {
   try {
     set_limits(file, arguments);
@@ -73,6 +83,7 @@ int check_here(const std::string& file, const Arguments& arguments) {
     if (!fault.empty()) return fail(internal_error, "refusing to check anything: " + fault);
     Outcome outcome;
     try {
+      if (arguments.chunk > 0) return print(file, arguments, check_chunk(file, arguments.chunk - 1));
       const std::string expected = arguments.expected.empty() ? "" : read_expected(arguments.expected);
       std::string bytes = read_bytes(file);
       const std::string digest = sha256(bytes);
@@ -82,11 +93,7 @@ int check_here(const std::string& file, const Arguments& arguments) {
       outcome.status = 3;
       outcome.malformed = Finding{reason.rule, reason.what()};
     }
-    lift_time_limit();
-    std::cout << both(file, outcome);
-    if (!arguments.receipt.empty() && outcome.identity)
-      std::cout << '\0' << receipt_text({DELCERT_CHECK_VERSION, outcome});
-    return outcome.status;
+    return print(file, arguments, outcome);
   } catch (const Unreadable& reason) {
     return fail(unreadable_file, reason.what());
   } catch (const std::invalid_argument& reason) {

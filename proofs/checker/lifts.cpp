@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "proofs/checker/chunk_items.hpp"
+
 namespace delcert::checker {
 
 Lifts::Lifts(const Certificate& c, core::Complex& complex, bool is_delaunay)
@@ -41,6 +43,7 @@ void Lifts::walk(std::vector<Seen> front, const F& go_on) {
   while (!front.empty()) {
     const Seen from = front.back();
     front.pop_back();
+    require_star(from.label);
     for (std::size_t at = 0; at < complex_.neighbours.size(from.label); ++at) {
       Budget::spend(20);
       const auto& [label, phi] = complex_.neighbours.of(from.label)[at];

@@ -1,6 +1,7 @@
 #include "proofs/checker/merge.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 namespace delcert::checker {
@@ -31,8 +32,8 @@ void require_same(const std::vector<NamedReceipt>& all, const std::string& check
     require("merge.certificate", content.empty() || other.content == content, foreign,
             one.file + ": of a certificate with the SHA-256 " + other.content + ", not of this one with " + content);
     const auto stated = [](const Outcome& outcome) {
-      return std::tie(outcome.content, outcome.points, outcome.simplices, outcome.euler_characteristic,
-                      outcome.identity->manifold_digest);
+      return std::tuple(outcome.content, outcome.points, outcome.simplices, outcome.euler_characteristic,
+                        outcome.identity->manifold_digest, outcome.chunk ? outcome.chunk->root : std::string());
     };
     require("merge.certificate", stated(other) == stated(first), foreign,
             one.file + ": of another certificate than " + all.front().file);
@@ -90,6 +91,60 @@ void require_the_whole(const std::vector<NamedReceipt>& all) {
     if (share.number * covered.of > covered.number * share.of) covered = share;
   }
   require_up_to(1, 1);
+}
+
+/// The chunks have each label and each simplex once, in the order of their numbers; and their trees are joined to one.
+/// Precondition: sorted, and together the whole.
+void require_the_chunks(const std::vector<NamedReceipt>& all) {
+  std::uint64_t label = 0, simplex = 0;
+  std::vector<std::uint64_t> first_tree{0};
+  for (const NamedReceipt& one : all) {
+    const Outcome::Chunk& chunk = *one.receipt.outcome.chunk;
+    if (one.receipt.outcome.share.of != all.size())
+      throw Refused{{"merge.chunks", part_of(one) + " is of another number of chunks"}, not_the_whole};
+    require("merge.chunks", chunk.first_label == label && chunk.first_simplex == simplex, not_the_whole,
+            part_of(one) + " does not begin where the chunk before it ends");
+    label = chunk.end_label;
+    simplex = chunk.end_simplex;
+    first_tree.push_back(first_tree.back() + chunk.trees);
+  }
+  const Outcome& last = all.back().receipt.outcome;
+  require("merge.chunks", label == last.points && simplex == last.simplices, not_the_whole,
+          part_of(all.back()) + " does not end with the last label and the last simplex");
+  const Outcome& first = all.front().receipt.outcome;
+  for (std::size_t level = 0; level < first.levels.size(); ++level) {
+    for (std::size_t loop = 0; loop < first.levels[level].ranges.size(); ++loop) {
+      std::uint64_t items = 0;
+      for (const NamedReceipt& one : all) {
+        const Range& range = one.receipt.outcome.levels[level].ranges[loop];
+        items += range.end - range.begin;
+      }
+      const Range& range = first.levels[level].ranges[loop];
+      require("merge.count", items == range.size, not_the_whole,
+              "level " + first.levels[level].level + ", " + range.rules + ": expected are " +
+                  std::to_string(range.size) + " items, and the receipts add up to " + std::to_string(items));
+    }
+  }
+  std::vector<std::uint64_t> parent(first_tree.back());
+  std::iota(parent.begin(), parent.end(), std::uint64_t{0});
+  const auto root = [&](std::uint64_t tree) {
+    while (parent[tree] != tree) tree = parent[tree] = parent[parent[tree]];
+    return tree;
+  };
+  std::uint64_t components = parent.size();
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    for (const auto& [tree, before, there] : all[k].receipt.outcome.chunk->joins) {
+      require("merge.chunks", there < first_tree[before + 1] - first_tree[before], not_the_whole,
+              part_of(all[k]) + " is joined to a tree that " + part_of(all[before]) + " has not");
+      if (there >= first_tree[before + 1] - first_tree[before]) continue;
+      const std::uint64_t a = root(first_tree[k] + tree), b = root(first_tree[before] + there);
+      if (a == b) continue;
+      parent[a] = b;
+      --components;
+    }
+  }
+  require("merge.connected", components == 1, not_the_whole,
+          "the complex has " + std::to_string(components) + " components");
 }
 
 /// Of the parts, that which has done what is not divided.
@@ -162,6 +217,7 @@ Outcome merged(std::vector<NamedReceipt> receipts, const std::string& checker, c
   require_same_rules(receipts);
   Outcome sum = first_part(receipts);
   require_the_whole(receipts);
+  if (sum.chunk) require_the_chunks(receipts);
   const Share first = sum.share;
   for (const NamedReceipt& one : receipts) {
     const Outcome& other = one.receipt.outcome;
@@ -169,6 +225,7 @@ Outcome merged(std::vector<NamedReceipt> receipts, const std::string& checker, c
   }
   require_counts(sum);
   sum.share = {};
+  sum.chunk.reset();
   return sum;
 }
 

@@ -26,6 +26,8 @@ struct NamedReceipt {
 ///   merge.doubled      no part, and no undivided rule, is there twice;
 ///   merge.overlap      parts do not overlap;
 ///   merge.missing      together they are all that there is;
+///   merge.chunks       chunks have each label and each simplex once,
+///   merge.connected    and are connected with each other;
 ///   merge.count        simplices and Euler characteristic add up to what the certificate states.
 /// `content`: the SHA-256 in the seal of the certificate, if it is known; empty otherwise.
 Outcome merged(std::vector<NamedReceipt> receipts, const std::string& checker, const std::string& content);

@@ -244,6 +244,19 @@ void Certificate::parse_stretch(Cursor& cursor) {
   cursor.expect("]");
 }
 
+/// The keys software, manifold, parameters, levels; the first one has been read.
+void Certificate::parse_claims(Cursor& cursor) {
+  parse_software(cursor);
+  cursor.expect(",\"manifold\":");
+  const std::size_t before = cursor.passed().size();
+  parse_manifold(cursor);
+  manifold_text = cursor.passed().substr(before);
+  cursor.expect(",\"parameters\":");
+  parse_parameters(cursor);
+  cursor.expect(",\"levels\":");
+  parse_levels(cursor);
+}
+
 void Certificate::parse(Cursor& cursor) {
   const auto parse_points = [&](std::vector<std::string_view>& points_of, std::size_t length) {
     cursor.array([&] { cursor.row(static_cast<int>(length), [&] { points_of.push_back(cursor.number()); }); });
@@ -254,15 +267,7 @@ void Certificate::parse(Cursor& cursor) {
   cursor.expect("{\"format\":\"delcert-certificate\",\"version\":");
   if (cursor.accept("1,")) throw Malformed("form.version", "version 1 is read by delcert 0.1");
   cursor.expect("2,\"software\":");
-  parse_software(cursor);
-  cursor.expect(",\"manifold\":");
-  const std::size_t before = cursor.passed().size();
-  parse_manifold(cursor);
-  manifold_text = cursor.passed().substr(before);
-  cursor.expect(",\"parameters\":");
-  parse_parameters(cursor);
-  cursor.expect(",\"levels\":");
-  parse_levels(cursor);
+  parse_claims(cursor);
   cursor.expect(",\"net\":");
   parse_points(net_text, net_size());
   if (chart_size() != 0) {

@@ -62,14 +62,28 @@ bool is_done_here(std::string_view rule, Report& report) {
   return own_share.number == 1;
 }
 
-Counts in_parts(std::string_view rules, std::size_t size, Report& report,
-                const std::function<Counts(std::size_t begin, std::size_t end, Report& report)>& work,
+namespace {
+
+/// Which items of a loop are looked at: from which to which one, and where the first is in the whole, of how many.
+ChunkItems::Part own_part(Items items, std::uint64_t size) {
+  if (!chunk_items || items == Items::others) {
+    const auto [begin, end] = range_of(own_share, size);
+    return {begin, end, begin, size};
+  }
+  if (items == Items::facets) return {0, size, 0, chunk_items->facets};
+  return items == Items::labels ? chunk_items->labels : chunk_items->simplices;
+}
+
+}  // namespace
+
+Counts in_parts(std::string_view rules, Items items, std::size_t size, Report& report, const LoopBody& work,
                 const std::vector<std::string>& names) {
-  const auto [first, last] = range_of(own_share, size);
+  const ChunkItems::Part own = own_part(items, size);
+  const std::uint64_t first = own.begin, last = own.end;
   const Decisions before = decisions;
   const std::size_t length = last - first;
   const std::size_t parts = std::max<std::size_t>(1, std::min<std::size_t>(most_parts, length / least_part));
-  const auto begin = [=, first = first](std::size_t part) { return first + part * length / parts; };
+  const auto begin = [=](std::size_t part) { return first + part * length / parts; };
   std::list<Elsewhere> others;
   for (std::size_t part = 1; part < parts; ++part) {
     others.emplace_back([&work, first = begin(part), end = begin(part + 1)](Report& found) {
@@ -83,7 +97,7 @@ Counts in_parts(std::string_view rules, std::size_t size, Report& report,
     std::istringstream(other.result(report)) >> counts[0] >> counts[1];
     for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += counts[k];
   }
-  Range range{std::string(rules), size, first, last, {}};
+  Range range{std::string(rules), own.of, own.first, own.first + length, {}};
   for (std::size_t k = 0; k < names.size(); ++k) range.counts.emplace_back(names[k], sum[k]);
   report.ranges.push_back(std::move(range));
   in_ranges.filtered += decisions.filtered - before.filtered;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "proofs/checker/chunk_items.hpp"
 #include "proofs/checker/decide.hpp"
 #include "proofs/checker/report.hpp"
 #include "proofs/checker/separate_process.hpp"
@@ -65,9 +66,14 @@ using Counts = std::array<std::int64_t, 2>;
 /// up what they return. The outcome is that of one call for the whole share, and those of all shares add up to that of
 /// one call for 0 ... size - 1. The range is recorded in the report, with the rules that it is about and the counts
 /// that have names; a summary has "{name}" for such a count. Precondition: what the work does for a number depends on
-/// nothing that it has done for others, and a loop has other rules than the other loops of its level.
-Counts in_parts(std::string_view rules, std::size_t size, Report& report,
-                const std::function<Counts(std::size_t begin, std::size_t end, Report& report)>& work,
+/// nothing that it has done for others, and a loop has other rules than the other loops of its level. In the check of a
+/// chunk (chunk_items.hpp) it is called for the items of the chunk.
+using LoopBody = std::function<Counts(std::size_t begin, std::size_t end, Report& report)>;
+Counts in_parts(std::string_view rules, Items items, std::size_t size, Report& report, const LoopBody& work,
                 const std::vector<std::string>& names = {});
+inline Counts in_parts(std::string_view rules, std::size_t size, Report& report, const LoopBody& work,
+                       const std::vector<std::string>& names = {}) {
+  return in_parts(rules, Items::others, size, report, work, names);
+}
 
 }  // namespace delcert::checker

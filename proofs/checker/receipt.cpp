@@ -39,6 +39,23 @@ Json as_json(const LevelResult& level) {
           {"ranges", ranges},         {"done", level.done},
           {"left", level.left},       {"microseconds", static_cast<std::int64_t>(std::llround(1e6 * level.seconds))}};
 }
+Json as_json(const Outcome::Chunk& chunk) {
+  return {{"root", chunk.root},
+          {"labels", {chunk.first_label, chunk.end_label}},
+          {"simplices", {chunk.first_simplex, chunk.end_simplex}},
+          {"trees", chunk.trees},
+          {"joins", chunk.joins}};
+}
+Outcome::Chunk chunk_of(const Json& json) {
+  return {json.at("root"),
+          json.at("labels").at(0),
+          json.at("labels").at(1),
+          json.at("simplices").at(0),
+          json.at("simplices").at(1),
+          json.at("trees"),
+          json.at("joins").get<std::vector<std::array<std::uint64_t, 3>>>()};
+}
+
 LevelResult level_of(const Json& json) {
   LevelResult level;
   level.level = json.at("level");
@@ -74,6 +91,7 @@ Receipt read(const Json& json) {
   receipt.checker = json.at("checker");
   Outcome& outcome = receipt.outcome;
   outcome.share = {json.at("part").at("number"), json.at("part").at("of")};
+  if (json.contains("chunk")) outcome.chunk = chunk_of(json.at("chunk"));
   const Json& certificate = json.at("certificate");
   outcome.content = certificate.at("sha256");
   outcome.points = certificate.at("points");
@@ -98,10 +116,38 @@ bool is_plain(int depth, Json::parse_event_t, const Json& parsed) {
   return true;
 }
 
+std::uint64_t facets_of(const Outcome& outcome) {
+  return outcome.simplices * static_cast<std::uint64_t>(outcome.identity->dimension + 1) / 2;
+}
+
+/// Whether the range is that of the part: of a chunk its labels, its simplices or as many facets as it has.
+bool is_of_part(const Range& range, const Outcome& outcome) {
+  const std::pair here(range.begin, range.end);
+  if (!outcome.chunk) return here == range_of(outcome.share, range.size);
+  const Outcome::Chunk& chunk = *outcome.chunk;
+  return (range.size == outcome.points && here == std::pair(chunk.first_label, chunk.end_label)) ||
+         (range.size == outcome.simplices && here == std::pair(chunk.first_simplex, chunk.end_simplex)) ||
+         (range.size == facets_of(outcome) && range.begin == 0 && range.end <= range.size) ||
+         (range.size == 1 && here == range_of(outcome.share, range.size));
+}
+
+void require_sense(const Outcome::Chunk& chunk, const Outcome& outcome) {
+  const bool fits = chunk.root.size() == 64 && chunk.first_label < chunk.end_label &&
+                    chunk.end_label <= outcome.points && chunk.first_simplex <= chunk.end_simplex &&
+                    chunk.end_simplex <= outcome.simplices && chunk.trees >= 1 &&
+                    chunk.trees <= chunk.end_label - chunk.first_label;
+  if (!fits) malformed("there is no such chunk");
+  for (const auto& [tree, before, there] : chunk.joins) {
+    if (tree >= chunk.trees || before + 1 >= outcome.share.number || there >= outcome.points)
+      malformed("there is no such tree");
+  }
+}
+
 /// What no part of a check says of itself.
 void require_sense(const Outcome& outcome) {
   const Share& share = outcome.share;
   if (share.number < 1 || share.number > share.of || share.of > most_shares) malformed("there is no such part");
+  if (outcome.chunk) require_sense(*outcome.chunk, outcome);
   int worst = 0;
   for (const LevelResult& level : outcome.levels) {
     if (level.status < 0 || level.status > 2 || (level.status == 1) != !level.findings.empty())
@@ -110,7 +156,7 @@ void require_sense(const Outcome& outcome) {
     if (!(share.number == 1 ? level.left : level.done).empty())
       malformed("level " + level.level + ": the first part, and only the first, does what is not divided");
     for (const Range& range : level.ranges) {
-      if (std::pair(range.begin, range.end) != range_of(share, range.size))
+      if (!is_of_part(range, outcome))
         malformed("level " + level.level + ": the range of " + range.rules + " is not that of the part");
       for (const auto& [name, number] : range.counts) {
         if (number < -largest_count || number > largest_count) malformed("the count of " + name + " is too large");
@@ -129,23 +175,22 @@ std::string receipt_text(const Receipt& receipt) {
   const Outcome& outcome = receipt.outcome;
   Json levels = Json::array();
   for (const LevelResult& level : outcome.levels) levels.push_back(as_json(level));
-  const Json object = {{"format", "delcert-receipt"},
-                       {"version", receipt_version},
-                       {"checker", receipt.checker},
-                       {"part", {{"number", outcome.share.number}, {"of", outcome.share.of}}},
-                       {"certificate",
-                        {{"sha256", outcome.content},
-                         {"points", outcome.points},
-                         {"simplices", outcome.simplices},
-                         {"euler_characteristic", outcome.euler_characteristic}}},
-                       {"status", outcome.status},
-                       {"manifold", as_json(*outcome.identity)},
-                       {"levels", levels},
-                       {"unchecked", outcome.unchecked},
-                       {"decisions",
-                        {{"intervals", outcome.decisions.filtered},
+  Json object = {{"format", "delcert-receipt"},
+                 {"version", receipt_version},
+                 {"checker", receipt.checker},
+                 {"part", {{"number", outcome.share.number}, {"of", outcome.share.of}}}};
+  if (outcome.chunk) object["chunk"] = as_json(*outcome.chunk);
+  object["certificate"] = {{"sha256", outcome.content},
+                           {"points", outcome.points},
+                           {"simplices", outcome.simplices},
+                           {"euler_characteristic", outcome.euler_characteristic}};
+  object["status"] = outcome.status;
+  object["manifold"] = as_json(*outcome.identity);
+  object["levels"] = levels;
+  object["unchecked"] = outcome.unchecked;
+  object["decisions"] = {{"intervals", outcome.decisions.filtered},
                          {"rationals", outcome.decisions.exact},
-                         {"balls", outcome.decisions.enclosed}}}};
+                         {"balls", outcome.decisions.enclosed}};
   std::string text = object.dump(-1, ' ', true, Json::error_handler_t::replace);
   text.pop_back();
   return text + R"(,"sha256":")" + sha256(text) + "\"}\n";

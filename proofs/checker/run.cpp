@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "proofs/checker/chunk_view.hpp"
 #include "proofs/checker/core/core.hpp"
 #include "proofs/checker/expectation.hpp"
 #include "proofs/checker/glued_charts.hpp"
@@ -245,13 +246,19 @@ class Run {
 
 }  // namespace
 
-Outcome check(std::string_view text, const std::vector<std::string>& selected, std::string_view expected) {
+namespace {
+
+/// `read` makes a Certificate.
+template <class Read>
+Outcome check_what_is_read(const Read& read, const std::vector<std::string>& selected, std::string_view expected) {
   Outcome outcome;
   outcome.share = own_share;
   decisions = in_ranges = {};
   Budget::open(0);
   try {
-    const Certificate certificate(text);
+    const std::unique_ptr<const Certificate> whole = read();
+    const Certificate& certificate = *whole;
+    outcome.share = own_share;  // which chunk it is, the header says
     const Levels chosen = selection(certificate, selected);
     outcome.identity = identify(certificate);
     outcome.content = certificate.content;
@@ -281,6 +288,42 @@ Outcome check(std::string_view text, const std::vector<std::string>& selected, s
   }
   outcome.decisions = own_share.number == 1 ? decisions : in_ranges;
   return outcome;
+}
+
+}  // namespace
+
+Outcome check(std::string_view text, const std::vector<std::string>& selected, std::string_view expected) {
+  chunk_items.reset();
+  return check_what_is_read([&] { return std::make_unique<const Certificate>(text); }, selected, expected);
+}
+
+Outcome check_chunk(const std::string& folder, std::size_t number) {
+  // What is so far is read first; where it does not suffice, more.
+  constexpr unsigned first_edges = 6, most_edges = 96;
+  own_share = {number + 1, number + 2};  // no whole, whatever happens
+  Chunks chunks(folder);
+  ChunkView view(chunks, number);
+  for (unsigned edges = first_edges;; edges *= 2) {
+    try {
+      Outcome outcome = check_what_is_read([&] { return std::make_unique<const Certificate>(view, edges); }, {}, {});
+      if (outcome.malformed || !outcome.identity) return outcome;
+      outcome.points = chunks.points();
+      outcome.chunk = {chunks.root(),
+                       chunks.first(number),
+                       chunks.end(number),
+                       chunks.simplices_before(number),
+                       chunks.simplices_before(number + 1),
+                       view.trees(),
+                       view.joins()};
+      return outcome;
+    } catch (const NotRead&) {
+      if (edges < most_edges) continue;
+      Outcome outcome;
+      outcome.status = 2;
+      outcome.levels.push_back({"chunk", 2, "what a level looks at is too far from the chunk", {}, 0, {}, {}, {}});
+      return outcome;
+    }
+  }
 }
 
 }  // namespace delcert::checker

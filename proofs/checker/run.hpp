@@ -61,6 +61,14 @@ struct Outcome {
   std::string content;  // its SHA-256, as in the seal
   std::uint64_t points = 0, simplices = 0;
   std::int64_t euler_characteristic = 0;
+  // Of a chunk.
+  struct Chunk {
+    std::string root;
+    std::uint64_t first_label = 0, end_label = 0, first_simplex = 0, end_simplex = 0, trees = 0;
+    std::vector<std::array<std::uint64_t, 3>> joins;
+    bool operator==(const Chunk&) const = default;
+  };
+  std::optional<Chunk> chunk;
 
   bool is_verified() const { return status == 0 && share.is_whole(); }
 };
@@ -71,6 +79,9 @@ struct Outcome {
 /// rejected (manifold.expected) and no level is looked at. Checks what belongs to `own_share`. Precondition:
 /// self_test() found nothing in this thread, and no level is selected for a part.
 Outcome check(std::string_view text, const std::vector<std::string>& selected, std::string_view expected = {});
+
+/// The same of one chunk, from 0, of the certificate in the folder: all levels.
+Outcome check_chunk(const std::string& folder, std::size_t number);
 
 /// A line for each level and one for the whole; or one JSON object. Only the outcome of a whole that is verified has
 /// the word "verified".

@@ -1,3 +1,4 @@
+#include "proofs/checker/chunk_view.hpp"
 #include "proofs/checker/parts.hpp"
 #include "proofs/checker/run.hpp"
 #include "proofs/checker/space_form_levels.hpp"
@@ -39,15 +40,15 @@ std::string check_input_on_space_form(const Certificate& c, Lifts& lifts, Report
         });
         if (apart) continue;
         found.reject("0.separation", [&] {
-          return "labels " + std::to_string(i) + " and " + std::to_string(seen.label) +
-                 " are closer than separation epsilon";
+          return "labels " + name_of(i) + " and " + name_of(seen.label) + " are closer than separation epsilon";
         });
       }
     }
     return Counts{};
   };
-  in_parts("0.separation", c.n, report, check);
-  return std::to_string(c.n) + " points, separation >= " + rounded_down(c.mu.exact * c.epsilon.exact) +
+  in_parts("0.separation", Items::labels, c.n, report, check);
+  return std::to_string(c.chunk == nullptr ? c.n : c.chunk->chunks().points()) +
+         " points, separation >= " + rounded_down(c.mu.exact * c.epsilon.exact) +
          ", density <= " + rounded_up(c.density.exact) +
          (less(c.density.exact, c.epsilon.exact) == Verdict::proved ? ", below" : ", not below") +
          " the sampling radius, distortion <= " + rounded_up(c.transition_distortion.exact) +

@@ -140,8 +140,8 @@ void SpaceFormStars::check_protection(const Shown& simplex, const View& view, co
     });
     if (clear) continue;
     report.reject(rule, [&] {
-      return which() + " has label " + std::to_string(q.label) + " within circumradius + " +
-             rounded_up(view.margin.exact) + " of its circumcentre";
+      return which() + " has label " + name_of(q.label) + " within circumradius + " + rounded_up(view.margin.exact) +
+             " of its circumcentre";
     });
   }
 }
@@ -151,7 +151,7 @@ std::string SpaceFormStars::name(std::size_t s, Label i) const {
   for (std::size_t k = 0; k < complex_.vertices(); ++k) {
     if (complex_.label(s, k) != i) others.push_back(complex_.label(s, k));
   }
-  return "simplex " + label_set(others.data(), others.data() + others.size()) + " in the star of " + std::to_string(i);
+  return "simplex " + label_set(others.data(), others.data() + others.size()) + " in the star of " + name_of(i);
 }
 
 /// In the chart of its k-th vertex.
@@ -160,7 +160,7 @@ void SpaceFormStars::check_simplex(std::size_t s, std::size_t k, const View& vie
   const Shown simplex = shown(s, complex_.elements.inverse(complex_.element(s, k)));
   const auto which = [&] { return name(s, complex_.label(s, k)); };
   if (const auto label = missing(simplex, view)) {
-    return report.reject("1.vertices", [&] { return which() + ": its chart does not show " + std::to_string(*label); });
+    return report.reject("1.vertices", [&] { return which() + ": its chart does not show " + name_of(*label); });
   }
   const auto small = [&]<class N>(const StraightSimplex<N>& t) {
     return less_equal(t.radius_squared(), square(c_.circumradius.as<N>()));
@@ -180,9 +180,9 @@ void SpaceFormStars::check_simplex(std::size_t s, std::size_t k, const View& vie
 void SpaceFormStars::check_stable_simplex(std::size_t s, core::Elements::Id g, Label centre, const View& view,
                                           Report& report) {
   const Shown simplex = shown(s, g);
-  const auto which = [&] { return name(s, centre) + ", in the chart of " + std::to_string(chart_.label()) + ","; };
+  const auto which = [&] { return name(s, centre) + ", in the chart of " + name_of(chart_.label()) + ","; };
   if (const auto label = missing(simplex, view))
-    return report.reject("2s.reach", [&] { return which() + " has no label " + std::to_string(*label); });
+    return report.reject("2s.reach", [&] { return which() + " has no label " + name_of(*label); });
   const auto within = [&]<class N>(const StraightSimplex<N>& t) {
     return is_ball_within(squared(t.centre(), c_.m_size()), t.radius_squared(), view.reach.as<N>());
   };
@@ -208,7 +208,7 @@ std::uint64_t SpaceFormStars::check_star(Label i, const View& view, const Quanti
   });
   if (!near) {
     report.reject("1.perturbation",
-                  [&] { return "label " + std::to_string(i) + " is moved by more than perturbation epsilon"; });
+                  [&] { return "label " + name_of(i) + " is moved by more than perturbation epsilon"; });
   }
   open_chart(i);
   std::uint64_t simplices = 0;
@@ -227,6 +227,7 @@ void SpaceFormStars::check_stable_star(Label j, const View& view, std::vector<Me
   const Vector<Interval> home = lifts_.net_point<Interval>({j, 0});
   for (std::size_t at = 0; at < complex_.neighbours.size(j); ++at) {
     const auto [i, phi] = complex_.neighbours.of(j)[at];
+    require_star(i);
     for (std::size_t in = 0; in < complex_.star.size(i); ++in) {
       const auto [s, k] = complex_.star.of(i)[in];
       if (met[s].label == j) continue;
@@ -253,7 +254,8 @@ std::string SpaceFormStars::check_stars(Report& report) {
     for (auto i = static_cast<Label>(begin); i < end; ++i) simplices += check_star(i, view, shift, found);
     return Counts{static_cast<std::int64_t>(simplices)};
   };
-  in_parts("1.perturbation, 1.vertices, 1.radius, 1.thickness, 1.protection", c_.n, report, check, {"shown"});
+  in_parts("1.perturbation, 1.vertices, 1.radius, 1.thickness, 1.protection", Items::labels, c_.n, report, check,
+           {"shown"});
   return "{shown} simplices in the charts of their vertices, protection >= " + rounded_down(c_.protection.exact) +
          ", thickness >= " + rounded_down(c_.thickness.exact) +
          ", circumradius <= " + rounded_up(c_.circumradius.exact);
@@ -275,7 +277,7 @@ std::string SpaceFormStars::check_stable_stars(Report& report) {
     for (auto j = static_cast<Label>(begin); j < end; ++j) check_stable_star(j, view, met, found);
     return Counts{};
   };
-  in_parts("2s.reach, 2s.protection", c_.n, report, check);
+  in_parts("2s.reach, 2s.protection", Items::labels, c_.n, report, check);
   return "every chart of a star sees the same star";
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "proofs/checker/chunk_items.hpp"
+#include "proofs/checker/core/around_simplex.hpp"
 #include "proofs/checker/core/reader.hpp"
 #include "proofs/checker/core/rules.hpp"
 #include "tests/checker/support/space_form_samples.hpp"
@@ -135,6 +137,63 @@ TEST(Lifts, are_not_found_without_edges) {
   items.erase(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(first));
   for (std::size_t i = 1; i < begin.size(); ++i) begin[i] -= first;
   EXPECT_EQ(lifts.around(0, reach).size(), 1U);
+}
+
+/// While it lives, a chunk has all labels, and of all but one all simplices have been read.
+class AllButOneRead {
+ public:
+  AllButOneRead(checker::Label size, checker::Label one) {
+    checker::chunk_items.emplace();
+    checker::chunk_items->whole.assign(size, true);
+    if (one < size) checker::chunk_items->whole[one] = false;
+  }
+  ~AllButOneRead() { checker::chunk_items.reset(); }
+  AllButOneRead(const AllButOneRead&) = delete;
+  AllButOneRead& operator=(const AllButOneRead&) = delete;
+};
+
+/// A walk that comes to a label of which simplices are missing finds nothing, not less.
+TEST(Lifts, of_a_chunk_need_all_simplices_that_the_walk_comes_to) {
+  const test::Upwards upwards;
+  Read read(klein_bottle());
+  const checker::Label size = read.complex.size();
+  checker::Lifts lifts(read.certificate, read.complex, true);
+  const checker::Rational reach = checker::Rational(1) / checker::Rational(5);
+  std::set<checker::Label> near;
+  for (const checker::Seen& seen : lifts.around(0, reach)) near.insert(seen.label);
+  const std::size_t found = lifts.around(0, reach).size();
+  std::size_t thrown = 0;
+  for (checker::Label one = 0; one <= size; ++one) {
+    const AllButOneRead chunk(size, one);
+    try {
+      EXPECT_EQ(lifts.around(0, reach).size(), found);
+      EXPECT_FALSE(near.contains(one)) << one;
+    } catch (const checker::NotRead&) {
+      ++thrown;
+    }
+  }
+  EXPECT_GE(thrown, near.size());
+  EXPECT_LT(thrown, size);
+}
+
+/// So do the points beside a simplex.
+TEST(AroundSimplex, in_a_chunk_needs_all_simplices_of_its_vertices) {
+  const test::Upwards upwards;
+  Read read(klein_bottle());
+  const checker::Label size = read.complex.size();
+  checker::core::AroundSimplex around(read.complex);
+  std::set<checker::Label> needed;
+  for (checker::Label one = 0; one <= size; ++one) {
+    const AllButOneRead chunk(size, one);
+    try {
+      around.visit(5, [](checker::Label, checker::core::Elements::Id) {});
+    } catch (const checker::NotRead&) {
+      needed.insert(one);
+    }
+  }
+  std::set<checker::Label> vertices;
+  for (std::size_t k = 0; k < read.complex.vertices(); ++k) vertices.insert(read.complex.label(5, k));
+  EXPECT_EQ(needed, vertices);
 }
 
 }  // namespace

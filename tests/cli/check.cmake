@@ -23,3 +23,18 @@ delcert_cli_test(check-no-file STATUS 3 OUTPUT "^$" ERROR "^delcert-check: error
   COMMAND ${delcert} check no-such-file.json)
 delcert_cli_test(check-folder STATUS 3 OUTPUT "^$" ERROR "^delcert-check: error: alone: cannot be read\n$"
   COMMAND ${delcert} check alone)
+
+# delcert split divides certificates of space forms; what the checker says of chunks is tested in tests/checker.
+delcert_cli_test(split-help COMMAND ${delcert} split --help STATUS 0 OUTPUT "--chunks N.*Examples:.*delcert-check --chunk" ERROR "^$")
+delcert_cli_test(split-a-torus COMMAND ${delcert} split run-square.json.zst --chunks 2 --output split-square STATUS 3
+  OUTPUT "^$" ERROR "^delcert: error: run-square.json.zst: is no certificate of a space form" FIXTURES run-square)
+delcert_cli_test(split-without-number COMMAND ${delcert} split run-square.json.zst --output split-square STATUS 64
+  OUTPUT "^$" ERROR "--chunks is required")
+delcert_cli_test(check-chunk-and-part STATUS 64 OUTPUT "^$" ERROR "^delcert-check: error: --part and --chunk exclude one another"
+  COMMAND $<TARGET_FILE:delcert-check> --chunk 1 --part 1/2 --receipt r folder)
+delcert_cli_test(check-chunk-without-receipt STATUS 64 OUTPUT "^$" ERROR "^delcert-check: error: --chunk needs --receipt"
+  COMMAND $<TARGET_FILE:delcert-check> --chunk 1 folder)
+delcert_cli_test(check-chunk-zero STATUS 64 OUTPUT "^$" ERROR "--chunk: expected a number from 1 to 1000000, found 0"
+  COMMAND $<TARGET_FILE:delcert-check> --chunk 0 --receipt r folder)
+delcert_cli_test(check-chunk-of-no-folder STATUS 3 OUTPUT "^$" ERROR "^delcert-check: error: no-such-folder/header.json: cannot be read"
+  COMMAND $<TARGET_FILE:delcert-check> --chunk 1 --receipt r no-such-folder)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "proofs/checker/chunk_items.hpp"
 #include "proofs/checker/core/complex.hpp"
 
 namespace delcert::checker::core {
@@ -20,6 +21,7 @@ class AroundSimplex {
     const Label* end = labels + complex_.vertices();
     for (std::size_t k = 0; k < complex_.vertices(); ++k) {
       const Elements::Id g = complex_.element(s, k);
+      require_star(labels[k]);
       for (std::size_t at = 0; at < complex_.neighbours.size(labels[k]); ++at) {
         const Neighbour& neighbour = complex_.neighbours.of(labels[k])[at];
         const Seen now{s, complex_.elements.product(g, neighbour.phi)};

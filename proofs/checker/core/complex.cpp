@@ -1,5 +1,7 @@
 #include "proofs/checker/core/complex.hpp"
 
+#include "proofs/checker/chunk_items.hpp"
+
 namespace delcert::checker::core {
 
 Complex::Complex(const Data& given) : data(given), elements(given) {
@@ -16,7 +18,7 @@ Complex::Complex(const Data& given) : data(given), elements(given) {
 
 std::string Complex::name(std::size_t s) const {
   std::string text = "simplex {";
-  for (std::size_t k = 0; k < vertices(); ++k) text += (k == 0 ? "" : ", ") + std::to_string(label(s, k));
+  for (std::size_t k = 0; k < vertices(); ++k) text += (k == 0 ? "" : ", ") + name_of(label(s, k));
   return text + "}";
 }
 

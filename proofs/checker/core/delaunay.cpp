@@ -60,7 +60,7 @@ class Margins {
     });
     if (outside) return;
     report_.reject("4.empty", [&] {
-      return complex_.name(s) + " has label " + std::to_string(j) + " within protection of its circumball";
+      return complex_.name(s) + " has label " + name_of(j) + " within protection of its circumball";
     });
   }
 
@@ -102,7 +102,7 @@ void check_hinges(Complex& complex, Report& report) {
     });
   };
   if (complex.data.K < 0) {
-    in_parts("core.hinges, balls", complex.data.simplices(), report,
+    in_parts("core.hinges, balls", Items::simplices, complex.data.simplices(), report,
              [&](std::size_t begin, std::size_t end, Report& found) {
                for (std::size_t s = begin; s < end; ++s) check_ball(s, found);
                return Counts{};
@@ -112,7 +112,7 @@ void check_hinges(Complex& complex, Report& report) {
     for (std::size_t at = begin; at < end; ++at) check(complex.hinges[at], found);
     return Counts{static_cast<std::int64_t>(end - begin)};
   };
-  in_parts("core.hinges", complex.hinges.size(), report, check_all, {"facets"});
+  in_parts("core.hinges", Items::facets, complex.hinges.size(), report, check_all, {"facets"});
 }
 
 void check_margins(Complex& complex, const Quantity& circumradius, const Quantity& protection, Report& report) {
@@ -120,13 +120,14 @@ void check_margins(Complex& complex, const Quantity& circumradius, const Quantit
     report.reject("4.ball", [] { return "circumradius + protection is not below a quarter of a great circle"; });
     return;
   }
-  in_parts("4.ball, 4.empty", complex.data.simplices(), report, [&](std::size_t begin, std::size_t end, Report& found) {
-    Margins margins(complex, circumradius, protection, found);
-    for (auto s = static_cast<std::uint32_t>(begin); s < end; ++s) {
-      if (complex.sign[s] != 0) margins.check(s);
-    }
-    return Counts{};
-  });
+  in_parts("4.ball, 4.empty", Items::simplices, complex.data.simplices(), report,
+           [&](std::size_t begin, std::size_t end, Report& found) {
+             Margins margins(complex, circumradius, protection, found);
+             for (auto s = static_cast<std::uint32_t>(begin); s < end; ++s) {
+               if (complex.sign[s] != 0) margins.check(s);
+             }
+             return Counts{};
+           });
 }
 
 }  // namespace delcert::checker::core

@@ -45,7 +45,7 @@ void check_edges(Complex& complex, Report& report) {
     const Edge& edge = edges[at];
     if (edge.i != edges[at - 1].i || edge.j != edges[at - 1].j) continue;
     report.reject("core.edges", [&] {
-      return "the edge {" + std::to_string(edge.i) + ", " + std::to_string(edge.j) +
+      return "the edge {" + name_of(edge.i) + ", " + name_of(edge.j) +
              "} has different relative elements in two simplices";
     });
   }
@@ -84,8 +84,7 @@ struct Facet {
 void check_facet(Complex& complex, std::vector<Facet>::const_iterator begin, std::vector<Facet>::const_iterator end,
                  Report& report) {
   const auto facet_of = [&] {
-    return complex.name(begin->simplex) + " without its label " +
-           std::to_string(complex.label(begin->simplex, begin->apex));
+    return complex.name(begin->simplex) + " without its label " + name_of(complex.label(begin->simplex, begin->apex));
   };
   if (end - begin != 2) {
     report.reject("core.facets", [&] { return facet_of() + " is in " + std::to_string(end - begin) + " simplices"; });
@@ -107,6 +106,7 @@ void check_facets(Complex& complex, Report& report) {
   std::vector<Facet> facets;
   complex.hinges.reserve(complex.data.labels.size() / 2);
   for (Label i = 0; i < complex.size(); ++i) {
+    if (!is_own(i)) continue;
     facets.clear();
     for (std::size_t at = 0; at < complex.star.size(i); ++at) {
       const auto [s, place] = complex.star.of(i)[at];
@@ -147,7 +147,7 @@ void check_star(Complex& complex, Label i, Report& report) {
   // A flat simplex is no witness: core.sign.
   const auto* witness = std::find_if(begin, end, [&](const auto& place) { return complex.sign[place.simplex] != 0; });
   if (witness == end) {
-    if (begin == end) report.reject("core.stars", [&] { return "label " + std::to_string(i) + " is in no simplex"; });
+    if (begin == end) report.reject("core.stars", [&] { return "label " + name_of(i) + " is in no simplex"; });
     return;
   }
   for (const auto* place = begin; place != end; ++place) {
@@ -164,7 +164,7 @@ void check_star(Complex& complex, Label i, Report& report) {
     });
     if (outside) continue;
     report.reject("core.stars", [&] {
-      return "at label " + std::to_string(i) + ", " + complex.name(s) + " and " + complex.name(witness->simplex) +
+      return "at label " + name_of(i) + ", " + complex.name(s) + " and " + complex.name(witness->simplex) +
              " cover a direction twice";
     });
   }
@@ -176,7 +176,7 @@ void check_manifold(Complex& complex, Report& report) {
   check_signs(complex, report);
   check_edges(complex, report);
   check_facets(complex, report);
-  in_parts("core.stars", complex.size(), report, [&](std::size_t begin, std::size_t end, Report& found) {
+  in_parts("core.stars", Items::labels, complex.size(), report, [&](std::size_t begin, std::size_t end, Report& found) {
     for (auto i = static_cast<Label>(begin); i < end; ++i) check_star(complex, i, found);
     return Counts{};
   });

@@ -94,7 +94,7 @@ void check_riemannian_simplices(Complex& complex, const Quantity& thickness, con
       if (!holds(is_near)) found.reject("5.radius", [&] { return complex.name(s) + " is larger than radius"; });
     }
   };
-  in_parts("5.thickness, 5.radius", complex.data.simplices(), report,
+  in_parts("5.thickness, 5.radius", Items::simplices, complex.data.simplices(), report,
            [&](std::size_t begin, std::size_t end, Report& found) {
              for (std::size_t s = begin; s < end; ++s) check(s, found);
              return Counts{};
