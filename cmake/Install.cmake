@@ -67,7 +67,7 @@ install(FILES ${PROJECT_BINARY_DIR}/generated/delcertConfig.cmake
   DESTINATION ${DELCERT_PACKAGE_DIR} COMPONENT development)
 
 foreach(subcommand attack bundle campaign certify cite claims constants errata export figure formalise homology info manifolds power prove report sample
-    tables tighten)
+    split tables tighten)
   delcert_manual(delcert-${subcommand} delcert "delcert ${subcommand}" ${subcommand})
   if(TARGET manual-of-delcert-${subcommand})
     add_dependencies(manual-of-delcert-${subcommand} delcert-publish delcert-claims)
