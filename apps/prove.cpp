@@ -69,10 +69,10 @@ class Report {
   }
 
  private:
-  /// A file that was named and says nothing that can be proved is a mistake.
+  /// A file that was named and says nothing that can be proved is no success, whatever the others say.
   static void require_steps(const std::vector<Claim>& claims) {
     for (const Claim& claim : claims) {
-      if (claim.steps.empty()) throw InputError(claim.file + ": no [[step]], so there is nothing to prove");
+      if (claim.steps.empty()) throw Undecided(claim.file + ": no [[step]], so there is nothing to prove");
     }
   }
 

@@ -44,6 +44,8 @@ foreach(format off obj ply)
 endforeach()
 delcert_export_test(vtu-of-dimension-4 CERTIFICATE export-torus-4.json FIXTURE export-forged STATUS 3 OPTIONS --format vtu
   ERROR "vtu holds complexes of dimension 1 to 3, and this one has dimension 4\n$")
+delcert_export_test(off-of-dimension-4 CERTIFICATE export-torus-4.json FIXTURE export-forged STATUS 3 OPTIONS --format off
+  ERROR "off holds complexes of dimension 2, and this one has dimension 4\n$")
 delcert_export_test(snappea-of-a-surface CERTIFICATE run-square.json.zst FIXTURE run-square STATUS 3 OPTIONS --format snappea
   ERROR "snappea holds complexes of dimension 3, and this one has dimension 2\n$")
 delcert_export_test(simplify-with-coordinates CERTIFICATE run-square.json.zst FIXTURE run-square STATUS 64

@@ -32,9 +32,9 @@ delcert_cli_test(prove-malformed STATUS 3 OUTPUT "^$" ERROR "malformed.toml:4:22
   COMMAND ${delcert} prove prove/malformed.toml)
 delcert_cli_test(prove-unknown-step STATUS 3 OUTPUT "^.*$" ERROR "no step of the claims named is called nothing"
   COMMAND ${delcert} prove prove/right.toml --step nothing)
-delcert_cli_test(prove-without-steps STATUS 3 OUTPUT "^$" ERROR "^delcert: error: prove/no-steps.toml: no ..step.., so there is nothing to prove\n$"
+delcert_cli_test(prove-without-steps STATUS 2 OUTPUT "^$" ERROR "^delcert: error: prove/no-steps.toml: no ..step.., so there is nothing to prove\n$"
   COMMAND ${delcert} prove prove/right.toml prove/no-steps.toml)
-delcert_cli_test(prove-claim-without-steps STATUS 3 OUTPUT "^$" ERROR "adaptive-density.toml: no ..step.."
+delcert_cli_test(prove-claim-without-steps STATUS 2 OUTPUT "^$" ERROR "adaptive-density.toml: no ..step.."
   COMMAND ${delcert} prove adaptive-density)
 delcert_cli_test(prove-vacuous STATUS 4 ERROR "^$"
   OUTPUT "vacuous / only .* vacuous .* never: x > 1 .*0 proved, 0 refuted, 0 undecided, 1 vacuous, .*  vacuous: vacuous / only .user.\n$"

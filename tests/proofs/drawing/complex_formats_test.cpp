@@ -33,6 +33,29 @@ CertificateSummary three_sphere() {
   return result;
 }
 
+/// The sphere bundle over the circle that cannot be oriented, with nine vertices: the boundary of the 4-simplices
+/// {i, …, i + 4} modulo 9, a handle of dimension 4 (W. Kühnel, Higherdimensional analogues of Császár's torus, 1986).
+CertificateSummary sphere_bundle_that_cannot_be_oriented() {
+  constexpr std::uint32_t n = 9;
+  CertificateSummary result;
+  result.manifold.name = "S2~S1";
+  result.manifold.dimension = Dimension(3);
+  result.points.resize(n);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    // Without its first vertex or its last one it is glued to its neighbour.
+    for (std::uint32_t without = 1; without < 4; ++without) {
+      std::vector<std::uint32_t> row;
+      for (std::uint32_t k = 0; k < 5; ++k) {
+        if (k != without) row.push_back((i + k) % n);
+      }
+      std::sort(row.begin(), row.end());
+      row.resize(7);
+      result.simplices.push_back(row);
+    }
+  }
+  return result;
+}
+
 // What programs read of them is in tests/receivers.
 TEST(ComplexFormats, OfASphere) {
   const CertificateSummary certificate = three_sphere();
@@ -50,13 +73,28 @@ TEST(ComplexFormats, OfASphere) {
   EXPECT_EQ(text_of(certificate, complex, "isosig"), "fvPQccdedeegovcfb\n");
 }
 
+TEST(ComplexFormats, OnlySnapPeaRefusesWhatCannotBeOriented) {
+  const CertificateSummary certificate = sphere_bundle_that_cannot_be_oriented();
+  const LabelComplex complex = label_complex(certificate);
+  ASSERT_TRUE(complex.is_closed);
+  ASSERT_EQ(complex.simplex_count(), 27U);
+  EXPECT_NO_THROW((void)text_of(certificate, complex, "regina"));
+  EXPECT_NO_THROW((void)text_of(certificate, complex, "isosig"));
+  try {
+    (void)text_of(certificate, complex, "snappea");
+    ADD_FAILURE() << "it was written";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "this complex cannot be oriented, and is not written for SnapPea");
+  }
+}
+
 TEST(ComplexFormats, RefuseWhatTheyCannotHold) {
   const auto& klein = test::drawn_certificates().at("klein-bottle");
   EXPECT_THROW(export_format("snappea").check(klein), InputError);
   EXPECT_NO_THROW(export_format("snappea").check(three_sphere()));
   EXPECT_THROW(export_format("off").check(three_sphere()), InputError);
   CertificateSummary two = three_sphere();
-  // Another one beside it.
+  // A second one, apart from it.
   two.points.resize(10);
   for (std::size_t at = 0; at < 5; ++at) {
     two.simplices.push_back(two.simplices[at]);
