@@ -40,6 +40,16 @@ std::string rungs_text(const LadderStatistics& rungs) {
   return result;
 }
 
+/// Where the instances live; with shares if there are several manifolds.
+std::string manifolds_text(const Tally& tally) {
+  std::string result;
+  for (const auto& [name, count] : tally.manifolds) {
+    result += (result.empty() ? "" : " / ") + name;
+    if (tally.manifolds.size() > 1) result += " " + share(count, tally.met());
+  }
+  return result.empty() ? "–" : result;
+}
+
 /// The last of the targets from `first` on that are of the same claim and the same k > 0.
 std::size_t last_of_same_k(const std::vector<Target>& targets, std::size_t first) {
   std::size_t last = first;
@@ -92,17 +102,17 @@ std::string ratio_text(const std::optional<DoubleBounds>& ratio) {
 std::string attack_table(const std::vector<Target>& targets, const std::vector<Tally>& tallies,
                          std::uint64_t least_instances, bool is_short) {
   std::string result =
-      "| claim / conclusion | shape | samples | discarded | boundary | thin | cospherical | worst ratio | "
+      "| claim / conclusion | shape | manifolds | samples | discarded | boundary | thin | cospherical | worst ratio | "
       "interval / big / rational / algebraic | undecided | verdict |\n"
-      "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|---|\n";
+      "|---|---|---|--:|--:|--:|--:|--:|--:|--:|--:|---|\n";
   for (const AttackRow& row : attack_rows(targets, tallies, is_short)) {
     const Tally& tally = row.tally;
     const ConclusionTally& conclusion = row.conclusion();
     result +=
-        fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", row.name, row.shape, tally.samples,
-                    share(tally.samples - tally.met(), tally.samples), share(tally.traits[0], tally.met()),
-                    share(tally.traits[1], tally.met()), share(tally.traits[2], tally.met()),
-                    ratio_text(conclusion.worst), rungs_text(tally.rungs),
+        fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", row.name, row.shape,
+                    manifolds_text(tally), tally.samples, share(tally.samples - tally.met(), tally.samples),
+                    share(tally.traits[0], tally.met()), share(tally.traits[1], tally.met()),
+                    share(tally.traits[2], tally.met()), ratio_text(conclusion.worst), rungs_text(tally.rungs),
                     conclusion.undecided + tally.hypotheses_undecided, verdict_of_attack(conclusion, least_instances));
   }
   return result;

@@ -135,6 +135,9 @@ void require_record_of(const CampaignPlan& plan, const Block& block, const Block
   }
   require(violated == record.violations.size(),
           "there is an instance that violates a conclusion, and none was counted");
+  std::uint64_t somewhere = 0;
+  for (const auto& [manifold, instances] : tally.manifolds) somewhere += instances;
+  require(somewhere == tally.met(), "the instances on all manifolds are not those that meet the hypotheses");
 }
 
 Json record_json(const Block& block, const BlockRecord& record) {

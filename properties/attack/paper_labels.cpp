@@ -16,8 +16,6 @@ const std::vector<PaperLabel>& paper_labels() {
       "a relation between parameters, without an instance: `delcert constants`, and the steps of parameter-constraints";
   static const std::string domain = "a demand on the domains, met by construction and checked at level 0";
   static const std::string part = "a conclusion of the lemma it stands in";
-  static const std::string curved =
-      "about curved metrics, of which there are no instances: the steps of riemannian-constants";
   static const std::vector<PaperLabel> labels{
       {"def:forbidden.config",
        "a definition: `is_forbidden_configuration`, kernel/simplex/forbidden_configuration.hpp"},
@@ -43,8 +41,8 @@ const std::vector<PaperLabel>& paper_labels() {
       {"lem:loc.eucl.protect", ""},
       {"thm:man.mesh", ""},
       {"thm:output.del.cplx", ""},
-      {"eq:locsam.curv.bnd", curved},
-      {"eq:exp.distort", curved},
+      {"eq:locsam.curv.bnd", ""},
+      {"eq:exp.distort", ""},
       {"thm:riem.del.tri", ""},
       {"lem:bound.skP", ""},
       {"eq:bound.skP", "commented out; " + part},

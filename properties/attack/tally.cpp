@@ -72,6 +72,7 @@ void record(Tally& tally, const Claim& claim, const std::optional<Instance>& ins
     return;
   }
   for (const Trait trait : instance->traits) ++tally.traits[static_cast<std::size_t>(trait)];
+  ++tally.manifolds[instance_class(claim.instance).manifold(instance->bindings)];
   for (std::size_t at = 0; at < result.conclusions.size(); ++at) {
     record(tally.conclusions[at], result.conclusions[at], number);
   }
@@ -98,6 +99,7 @@ void Tally::add(const Tally& later) {
   hypotheses_not_met += later.hypotheses_not_met;
   hypotheses_undecided += later.hypotheses_undecided;
   for (std::size_t trait = 0; trait < traits.size(); ++trait) traits[trait] += later.traits[trait];
+  for (const auto& [name, count] : later.manifolds) manifolds[name] += count;
   rungs += later.rungs;
   conclusions.resize(std::max(conclusions.size(), later.conclusions.size()));
   for (std::size_t at = 0; at < later.conclusions.size(); ++at) {
@@ -121,6 +123,7 @@ Json tally_json(const Tally& tally) {
   result["hypotheses_not_met"] = tally.hypotheses_not_met;
   result["hypotheses_undecided"] = tally.hypotheses_undecided;
   result["traits"] = tally.traits;
+  result["manifolds"] = tally.manifolds;
   result["rungs"] = tally.rungs.settled;
   result["rungs_undecided"] = tally.rungs.undecided;
   result["conclusions"] = Json::array();
@@ -146,6 +149,7 @@ Tally tally_from(const Json& json) {
   json.at("hypotheses_not_met").get_to(result.hypotheses_not_met);
   json.at("hypotheses_undecided").get_to(result.hypotheses_undecided);
   json.at("traits").get_to(result.traits);
+  json.at("manifolds").get_to(result.manifolds);
   json.at("rungs").get_to(result.rungs.settled);
   json.at("rungs_undecided").get_to(result.rungs.undecided);
   for (const Json& one : json.at("conclusions")) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -30,8 +31,9 @@ struct Tally {
   std::uint64_t not_drawn = 0;  ///< the choices led to no instance
   std::uint64_t hypotheses_not_met = 0;
   std::uint64_t hypotheses_undecided = 0;
-  std::array<std::uint64_t, 3> traits{};  ///< by `Trait`, of the instances on which the hypotheses hold
-  LadderStatistics rungs;                 ///< of all decisions
+  std::array<std::uint64_t, 3> traits{};           ///< by `Trait`, of the instances on which the hypotheses hold
+  std::map<std::string, std::uint64_t> manifolds;  ///< by where they live, of the same instances
+  LadderStatistics rungs;                          ///< of all decisions
   std::vector<ConclusionTally> conclusions;
 
   [[nodiscard]] std::uint64_t met() const { return samples - not_drawn - hypotheses_not_met - hypotheses_undecided; }

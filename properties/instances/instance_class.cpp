@@ -12,6 +12,8 @@ namespace delcert {
 
 void InstanceClass::extend(Vocabulary&) const {}
 
+std::string InstanceClass::manifold(const Bindings&) const { return "ℝᵐ"; }
+
 std::uint64_t InstanceClass::cost(const Shape&) const { return 1; }
 
 bool InstanceClass::has_structure(const Shape&) const { return false; }

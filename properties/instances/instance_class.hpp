@@ -75,6 +75,9 @@ class InstanceClass {
   /// Adds the kinds and quantities that only this class has.
   virtual void extend(Vocabulary& vocabulary) const;
 
+  /// Where an instance lives, a word or two for tables: ℝᵐ unless the class says otherwise.
+  [[nodiscard]] virtual std::string manifold(const Bindings& bindings) const;
+
   /// The shapes that an attack goes through unless told otherwise, from small to large.
   [[nodiscard]] virtual std::vector<Shape> shapes() const = 0;
 

@@ -1,6 +1,8 @@
 #include "properties/instances/adaptive_sampling_class.hpp"
 #include "properties/instances/configuration_point_class.hpp"
+#include "properties/instances/curved_net_class.hpp"
 #include "properties/instances/distortion_map_class.hpp"
+#include "properties/instances/exponential_charts_class.hpp"
 #include "properties/instances/forbidden_configuration_class.hpp"
 #include "properties/instances/instance_class.hpp"
 #include "properties/instances/local_net_class.hpp"
@@ -17,7 +19,9 @@ namespace delcert {
 const std::vector<const InstanceClass*>& instance_classes() {
   static const std::vector<const InstanceClass*> classes{
       &adaptive_sampling_class(),
+      &curved_net_class(),
       &distortion_map_class(),
+      &exponential_charts_class(),
       &forbidden_configuration_class(),
       &local_net_class(),
       &configuration_point_class(),

@@ -52,6 +52,7 @@ class RunClass : public InstanceClass {
   void extend(Vocabulary& vocabulary) const override { add_run_quantities(vocabulary); }
   std::vector<Shape> shapes() const override { return {{0, 2}, {0, 3}}; }
   std::uint64_t cost(const Shape& shape) const override { return shape.m == 2 ? 100 : 2000; }
+  std::string manifold(const Bindings& bindings) const override { return run_in(bindings).recipe().manifold; }
 
   std::optional<Instance> draw(const Shape& shape, const Bindings& given, const Limits& limits,
                                Choices& choices) const override {

@@ -30,6 +30,7 @@ std::vector<Tally> tallies() {
   refuted.not_drawn = 4;
   refuted.hypotheses_not_met = 6;
   refuted.traits = {15, 0, 1};
+  refuted.manifolds = {{"hyperbolic space", 20}, {"sphere", 10}};
   refuted.rungs.settled = {999, 0, 1, 0};
   refuted.conclusions.resize(1);
   refuted.conclusions[0].held = 28;
@@ -44,13 +45,21 @@ std::vector<Tally> tallies() {
 
 TEST(AttackReport, the_table_has_a_row_for_each_conclusion_and_shape) {
   const std::string table = attack_table(targets(), tallies(), 100);
-  EXPECT_NE(table.find("| wrong / radius | k=2 m=2 | 40 | 25.0 % | 50.0 % | 0 | 3.3 % | 1.5 | "
+  EXPECT_NE(table.find("| wrong / radius | k=2 m=2 | hyperbolic space 66.7 % / sphere 33.3 % | 40 | 25.0 % | 50.0 % | "
+                       "0 | 3.3 % | 1.5 | "
                        "99.9 % / 0 / 0.1 % / 0 | 0 | REFUTED (2) |\n"),
             std::string::npos)
       << table;
-  EXPECT_NE(table.find("| right / radius | m=3 | 10 | 100.0 % | 0 | 0 | 0 | – | 0 / 0 / 0 / 0 | 0 | not attacked |\n"),
-            std::string::npos)
+  EXPECT_NE(
+      table.find("| right / radius | m=3 | – | 10 | 100.0 % | 0 | 0 | 0 | – | 0 / 0 / 0 / 0 | 0 | not attacked |\n"),
+      std::string::npos)
       << table;
+}
+
+TEST(AttackReport, one_manifold_is_named_without_a_share) {
+  auto some = tallies();
+  some[0].manifolds = {{"ℝᵐ", 30}};
+  EXPECT_NE(attack_table(targets(), some, 100).find("| k=2 m=2 | ℝᵐ | 40 |"), std::string::npos);
 }
 
 TEST(AttackReport, the_short_table_adds_up_the_shapes_of_the_same_k) {
@@ -60,12 +69,16 @@ TEST(AttackReport, the_short_table_adds_up_the_shapes_of_the_same_k) {
   many.push_back({test::right_claim(), {0, 3}, 10});
   const auto one = tallies();
   const std::string table = attack_table(many, {one[0], one[0], one[0], one[1], one[1]}, 100, true);
-  EXPECT_NE(table.find("| wrong / radius | k=2 m=2…3 | 80 | 25.0 % |"), std::string::npos) << table;
+  EXPECT_NE(table.find("| wrong / radius | k=2 m=2…3 | hyperbolic space 66.7 % / sphere 33.3 % | 80 | 25.0 % |"),
+            std::string::npos)
+      << table;
   EXPECT_NE(table.find("| REFUTED (4) |"), std::string::npos) << table;
-  EXPECT_NE(table.find("| wrong / radius | k=3 m=3 | 40 |"), std::string::npos) << table;
+  EXPECT_NE(table.find("| wrong / radius | k=3 m=3 | hyperbolic space 66.7 % / sphere 33.3 % | 40 |"),
+            std::string::npos)
+      << table;
   // Nets have no k: each dimension for itself.
-  EXPECT_NE(table.find("| right / radius | m=2 | 10 |"), std::string::npos) << table;
-  EXPECT_NE(table.find("| right / radius | m=3 | 10 |"), std::string::npos) << table;
+  EXPECT_NE(table.find("| right / radius | m=2 | – | 10 |"), std::string::npos) << table;
+  EXPECT_NE(table.find("| right / radius | m=3 | – | 10 |"), std::string::npos) << table;
 }
 
 TEST(AttackReport, verdicts_say_how_many_instances_there_were) {

@@ -134,6 +134,8 @@ TEST_F(CampaignLogFile, counts_that_do_not_add_up_are_refused) {
                  [&](LogLines& lines) { more(lines[2]["tally"]["samples"]); });
   EXPECT_REFUSED(3, "more samples were discarded", [&](LogLines& lines) { lines[2]["tally"]["not_drawn"] = 11; });
   EXPECT_REFUSED(3, "more instances have a trait", [&](LogLines& lines) { lines[2]["tally"]["traits"][0] = 11; });
+  EXPECT_REFUSED(3, "the instances on all manifolds",
+                 [&](LogLines& lines) { lines[2]["tally"]["manifolds"]["sphere"] = 1; });
   EXPECT_REFUSED(3, "the claim has 1 conclusions, and 2 were counted",
                  [&](LogLines& lines) { lines[2]["tally"]["conclusions"].push_back(conclusion(lines)); });
   EXPECT_REFUSED(3, "sample 10 of the worst ratio is not of the block",

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "properties/attack/attempt.hpp"
+#include "properties/attack/claim_library.hpp"
 #include "support/error.hpp"
 #include "tests/properties/attack/small_claims.hpp"
 
@@ -67,6 +68,7 @@ TEST(Tally, what_was_counted_is_what_single_samples_say) {
   EXPECT_EQ(tally.conclusions[0].worst->lower, worst);
   EXPECT_EQ(tally.not_drawn, not_drawn);
   EXPECT_EQ(tally.met(), 40 - not_drawn);
+  EXPECT_EQ(tally.manifolds, (std::map<std::string, std::uint64_t>{{"ℝᵐ", tally.met()}}));
   EXPECT_TRUE(tally.is_refuted());
   EXPECT_EQ(tally.undecided(), 0U);
 }
@@ -80,6 +82,15 @@ TEST(Tally, hypotheses_that_fail_are_discards) {
   EXPECT_EQ(never.met(), 0U);
   EXPECT_EQ(never.hypotheses_not_met + never.not_drawn, 10U);
   EXPECT_FALSE(never.is_refuted());
+}
+
+TEST(Tally, instances_are_counted_by_the_manifolds_they_live_in) {
+  const Tally tally = attack_block(find_claim("exponential-chart-distances"), {0, 2}, 1, 0, 40);
+  ASSERT_EQ(tally.manifolds.size(), 2U);
+  EXPECT_GT(tally.manifolds.at("sphere"), 5U);
+  EXPECT_GT(tally.manifolds.at("hyperbolic space"), 5U);
+  EXPECT_EQ(tally.manifolds.at("sphere") + tally.manifolds.at("hyperbolic space"), tally.met());
+  EXPECT_EQ(tally_from(tally_json(tally)).manifolds, tally.manifolds);
 }
 
 TEST(Tally, json_reads_back_with_infinite_bounds_too) {
