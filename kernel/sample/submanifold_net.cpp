@@ -206,13 +206,13 @@ class SubmanifoldPoints {
 [[noreturn]] void refuse_part(const EmbeddedManifold& manifold, const CoverReport& report) {
   const BoxPart& part = report.open.front();
   if (!manifold.is_smooth())
-    throw Undecided(manifold.name() + ": undecided near " + rough_text(part.lower) +
-                    ": this part of the mesh is not certainly in a patch");
-  throw Undecided(manifold.name() + ": undecided at the part of the box from " + rough_text(part.lower) + " to " +
-                  rough_text(part.upper) +
-                  ": it may have zeros of the equations, and is in no patch; there may be a singular point, a "
-                  "component of the manifold "
-                  "that is too small for the sampling radius, or the manifold may go through the side of the box");
+    throw UncoveredPart(manifold.name() + ": undecided near " + rough_text(part.lower) +
+                        ": this part of the mesh is not certainly in a patch");
+  throw UncoveredPart(manifold.name() + ": undecided at the part of the box from " + rough_text(part.lower) + " to " +
+                      rough_text(part.upper) +
+                      ": it may have zeros of the equations, and is in no patch; there may be a singular point, a "
+                      "component of the manifold "
+                      "that is too small for the sampling radius, or the manifold may go through the side of the box");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "kernel/manifold/submanifold/cover_check.hpp"
 #include "kernel/manifold/submanifold/submanifold_atlas.hpp"
 #include "kernel/sample/sizing.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 
@@ -19,6 +20,12 @@ struct SubmanifoldNet {
   /// In doubles, without error bounds: the greatest distance of a Voronoi vertex from its point, in the charts.
   double covering_radius = 0;
   std::uint64_t parts = 0;  ///< of the box, when it was shown to be covered
+};
+
+/// A part of the box may have zeros that no chart shows.
+class UncoveredPart : public Undecided {
+ public:
+  using Undecided::Undecided;
 };
 
 /// A maximal Poisson-disk set of a manifold, each distance measured in the tangent plane at a point, as in
@@ -39,8 +46,9 @@ class SubmanifoldSampling {
   SubmanifoldSampling& operator=(const SubmanifoldSampling&) = delete;
 
   /// Adds points until there are enough. Throws Rejection if there are more than 2 000 000 points, or M is certainly
-  /// empty; TooCoarse where charts do not fit (`fit_charts`); Undecided, with its corners, if a part of the box remains
-  /// from which no new point is found.
+  /// empty; TooCoarse where charts do not fit (`fit_charts`); UncoveredPart, with its corners, if a part of the box
+  /// remains from which no new point is found; another Undecided where M may go through the side of the box, or is
+  /// perhaps singular.
   [[nodiscard]] SubmanifoldNet<m> complete(const Progress& progress);
   /// Halves the radius at these places, by cones. Points stay.
   void refine(const std::vector<std::vector<double>>& places);
@@ -57,7 +65,7 @@ template <int m>
 [[nodiscard]] SubmanifoldNet<m> submanifold_net(const EmbeddedManifold& manifold, const Rational& radius,
                                                 std::uint64_t seed, const Progress& progress);
 
-/// Throws Undecided, with the corners of a part, unless the charts cover the manifold (`check_cover`). Returns the
+/// Throws UncoveredPart, with its corners, unless the charts cover the manifold (`check_cover`). Returns the
 /// number of parts.
 std::uint64_t require_cover(const EmbeddedManifold& manifold, const std::vector<TangentChart>& charts,
                             const Progress& progress);

@@ -29,10 +29,15 @@ class Certification {
       try {
         attempt();
         if (is_last || !family_->refine()) break;
-      } catch (const Rejection&) {
-        if (is_last || !family_->refine()) throw;
+      } catch (const Rejection& rejection) {
+        if (is_last || !family_->refine()) throw Rejection(rejection.what() + advice());
+      } catch (const Undecided& undecided) {
+        throw Undecided(undecided.what() + advice());
       }
       report.refinement_rounds = round + 1;
+    }
+    for (std::string& reason : report.reasons) {
+      if (reason.starts_with("level 5:")) reason += advice();
     }
     if (report.claims.names().empty())
       throw Rejection(fmt::format("no level is reached: {}", fmt::join(report.reasons, "; ")));
@@ -45,6 +50,8 @@ class Certification {
   }
 
  private:
+  [[nodiscard]] std::string advice() const { return family_->advice(options_.source, progress_); }
+
   void attempt() {
     RunReport& report = family_->report;
     clock_.begin("read or sample the net");

@@ -43,6 +43,9 @@ class Family {
   /// After all that, or when it ended with a Rejection: makes radii smaller where something fails, so that the net will
   /// be another one. False if there is no such place, or radii are not chosen by the run.
   [[nodiscard]] virtual bool refine() { return false; }
+  /// After that: which radii should do, for the end of a message; empty where radii are not what was wrong, or nothing
+  /// is known of others. A heuristic.
+  [[nodiscard]] virtual std::string advice(const NetSource&, const Progress&) const { return {}; }
   virtual void write(const std::string& path, const Progress& progress) const = 0;
 
  protected:

@@ -1,4 +1,5 @@
 #include "kernel/manifold/submanifold_file.hpp"
+#include "kernel/sample/radius_advice.hpp"
 #include "kernel/sample/separation.hpp"
 #include "proofs/certificate/content.hpp"
 #include "proofs/certificate/submanifold_claims.hpp"
@@ -27,11 +28,16 @@ class SubmanifoldFamily final : public ChartFamily<m, SubmanifoldAtlas<m>> {
   void make_net(const NetSource& source, const Progress& progress) override {
     this->run_.reset();
     failed_.clear();
+    is_too_coarse_ = false;
     if (!sampling_) sampling_ = source.sampling<m>(*manifold_, progress);
     try {
       take_net(sampling_ ? sampling_->complete(progress) : source.charts<m>(*manifold_, progress), progress);
     } catch (const TooCoarse& error) {
       failed_ = error.places;
+      is_too_coarse_ = true;
+      throw;
+    } catch (const UncoveredPart&) {
+      is_too_coarse_ = true;
       throw;
     }
     report.patch_factor = this->atlas_->patch_factor();
@@ -67,6 +73,7 @@ class SubmanifoldFamily final : public ChartFamily<m, SubmanifoldAtlas<m>> {
     }
     if (measures.triangulation.triangulates()) report.graphs->margin = measures.triangulation.margin;
     this->require_homology(manifold_->homology());
+    is_too_coarse_ = selects(selection, "5") && !measures.triangulation.triangulates();
   }
 
   [[nodiscard]] bool refine() override {
@@ -78,6 +85,13 @@ class SubmanifoldFamily final : public ChartFamily<m, SubmanifoldAtlas<m>> {
     if (failed_.empty()) return false;
     sampling_->refine(failed_);
     return true;
+  }
+
+  [[nodiscard]] std::string advice(const NetSource& source, const Progress& progress) const override {
+    const bool has_failed = is_too_coarse_ || (this->run_ && !this->run_->is_certified());
+    if (!sampling_ || !has_failed) return {};
+    const auto radii = advise_radius(*manifold_, *source.radius, source.sizing.text, failed_, source.seed, progress);
+    return radii ? "; for the whole manifold " + radii->text() : "";
   }
 
   void write(const std::string& path, const Progress& progress) const override {
@@ -105,6 +119,7 @@ class SubmanifoldFamily final : public ChartFamily<m, SubmanifoldAtlas<m>> {
   std::shared_ptr<const EmbeddedManifold> manifold_;
   std::unique_ptr<SubmanifoldSampling<m>> sampling_;  // none for points that are given
   std::vector<std::vector<double>> failed_;           // where radii are too large
+  bool is_too_coarse_ = false;                        // the net: charts, or simplices that are to be mapped to M
 };
 
 }  // namespace

@@ -107,10 +107,17 @@ add_test(NAME cli.mesh COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/me
 add_test(NAME cli.mesh_manifold COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/mesh_manifold.py
   $<TARGET_FILE:delcert> $<TARGET_FILE:delcert-check>)
 set_tests_properties(cli.mesh cli.mesh_manifold PROPERTIES TIMEOUT 600)
+# Surfaces that the examples do not have, with the radii that are advised.
+add_test(NAME cli.surfaces COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/surfaces.py
+  $<TARGET_FILE:delcert> $<TARGET_FILE:delcert-check>)
+set_tests_properties(cli.surfaces PROPERTIES TIMEOUT 600)
 # Files that do not describe a manifold, or are malformed.
 add_test(NAME cli.wrong-manifolds COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/wrong_manifolds.py $<TARGET_FILE:delcert>)
 set_tests_properties(cli.wrong-manifolds PROPERTIES TIMEOUT 1200)
 if(DELCERT_DEEP)
+  add_test(NAME cli.all-surfaces COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/surfaces.py
+    $<TARGET_FILE:delcert> $<TARGET_FILE:delcert-check> --all)
+  set_tests_properties(cli.all-surfaces PROPERTIES TIMEOUT 3600)
   # Meshes of 50 000 triangles. VTK is a module of Debian's Python.
   find_program(DELCERT_DEBIAN_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
   add_test(NAME cli.large-meshes COMMAND ${DELCERT_DEBIAN_PYTHON} ${CMAKE_CURRENT_LIST_DIR}/mesh.py
