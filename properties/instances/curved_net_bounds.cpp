@@ -30,13 +30,13 @@ Rational distance_at(Curvature curvature, const Rational& length) {
   return Rational(2) * (curvature == Curvature::positive ? arctangent(half) : area_tangent(half)).upper();
 }
 
-Rational squared_separation_in(const SpaceObject& net) {
+}  // namespace
+
+Rational squared_separation_in_coordinates(const SpaceObject& net) {
   return with_net_dimension(net.dimension(), [&]<int m>() {
     return squared_separation<m>(NetObject(net.points(), Rational(1), Rational(0)).vectors<m>());
   });
 }
-
-}  // namespace
 
 Rational covering_in_space(const SpaceObject& net, const Rational& covering, const Rational& ball) {
   // The segment from a point of the ball to the nearest of the net is no longer in the space than this.
@@ -57,7 +57,8 @@ Rational radius_in_chart(const SpaceObject& net, const Rational& epsilon, const 
 }
 
 CurvedNetBounds curved_net_bounds(const SpaceObject& p, const SpaceObject& q, std::size_t j, const Rational& epsilon,
-                                  const Rational& radius_i, const Rational& radius_j) {
+                                  const Rational& radius_i, const Rational& radius_j,
+                                  const Rational& squared_separation) {
   const Curvature curvature = p.curvature();
   const Rational& unit = p.unit();
   const auto stretch = [&](const Rational& radius) {
@@ -74,7 +75,7 @@ CurvedNetBounds curved_net_bounds(const SpaceObject& p, const SpaceObject& q, st
 
   // The coordinates of two points about one another are at least t long, and arctan(t/2) ≥ t/2·(1 − t²/12).
   constexpr unsigned bits = 40;
-  const Rational t = square_root_lower(squared_separation_in(p), bits) / (Rational(1) + square(length) / Rational(4));
+  const Rational t = square_root_lower(squared_separation, bits) / (Rational(1) + square(length) / Rational(4));
   result.separation =
       unit * t * (is_sphere(p) ? Rational(1) - square(t) / Rational(12) : Rational(1) / stretch(farthest));
 

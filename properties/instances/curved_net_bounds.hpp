@@ -29,13 +29,17 @@ struct CurvedNetBounds {
 /// the space. Precondition: rounding to nearest.
 [[nodiscard]] Rational radius_in_chart(const SpaceObject& net, const Rational& epsilon, const Rational& radius);
 
-/// The bounds, if p is ε-dense in the space for the ball of radius 12ε about its first point, which is the origin.
+/// The squared least distance of the coordinates of two points. Precondition: there are m + 2, all different.
+[[nodiscard]] Rational squared_separation_in_coordinates(const SpaceObject& net);
+
+/// The bounds, if p is ε-dense in the space for the ball of radius 12ε about its first point, which is the origin, and
+/// no two of its coordinates are closer than by the squared separation.
 /// Preconditions: as many points in q as in p, of the same space, and two at least; j a number among them; all
 /// coordinates have a length of at most 1; the radii are at most 1/8 unit, and j is at less than four of them from the
 /// first point; rounding to nearest.
 [[nodiscard]] CurvedNetBounds curved_net_bounds(const SpaceObject& p, const SpaceObject& q, std::size_t j,
                                                 const Rational& epsilon, const Rational& radius_i,
-                                                const Rational& radius_j);
+                                                const Rational& radius_j, const Rational& squared_separation);
 
 /// The points of q at less than this distance from the origin, in the space and so in its chart. Nothing where the
 /// comparison is not certain, and where there is no point left, or the first one is not among them.

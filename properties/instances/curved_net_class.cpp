@@ -5,7 +5,9 @@
 #include "properties/instances/configuration_geometry.hpp"
 #include "properties/instances/curved_net_bounds.hpp"
 #include "properties/instances/net_draw.hpp"
+#include "properties/instances/net_sample.hpp"
 #include "properties/instances/net_star.hpp"
+#include "properties/instances/space_star.hpp"
 #include "properties/instances/space_star_vocabulary.hpp"
 #include "properties/instances/space_vocabulary.hpp"
 #include "support/error.hpp"
@@ -49,6 +51,7 @@ struct FlatNets {
   std::vector<ExactPoint> p;
   std::vector<ExactPoint> q;
   Rational radius;
+  Rational squared_separation;
   std::vector<std::uint32_t> neighbours;  ///< the other vertices of the star of the first point
   std::set<Trait> traits;
 };
@@ -59,8 +62,9 @@ std::optional<FlatNets> draw_flat_nets(NetKind kind, int dimension, const Limits
   if (!drawn) return std::nullopt;
   const auto& p = object_in<NetObject>(drawn->instance.bindings, "p");
   const auto& q = object_in<NetObject>(drawn->instance.bindings, "q");
-  FlatNets result{p.points(), q.points(), p.sampling_radius(), {}, std::move(drawn->instance.traits)};
+  FlatNets result{p.points(), q.points(), p.sampling_radius(), Rational(0), {}, std::move(drawn->instance.traits)};
   with_net_dimension(dimension, [&]<int m>() {
+    result.squared_separation = squared_separation<m>(p.vectors<m>());
     const auto cells = star_cells<m>(q.vectors<m>(), Rational(2) * p.sampling_radius());
     if (!cells) return;
     for (const auto& cell : *cells) result.neighbours.insert(result.neighbours.end(), cell.begin() + 1, cell.end());
@@ -93,7 +97,7 @@ class CurvedNetClass : public InstanceClass {
   }
   void extend(Vocabulary& vocabulary) const override { add_space_stars(vocabulary); }
   std::vector<Shape> shapes() const override { return {{0, 2}, {0, 3}}; }
-  std::uint64_t cost(const Shape& shape) const override { return shape.m == 2 ? 20 : 400; }
+  std::uint64_t cost(const Shape& shape) const override { return shape.m == 2 ? 40 : 3000; }
   std::string manifold(const Bindings& bindings) const override {
     return space_in(bindings, "p").curvature() == Curvature::positive ? "sphere" : "hyperbolic space";
   }
@@ -141,7 +145,8 @@ class CurvedNetClass : public InstanceClass {
     const BigInterval apart = *distance_in_space<BigInterval>(p, 0, static_cast<std::size_t>(j));
     if (!is_proved(less(apart, BigInterval(Rational(4) * epsilon)))) refuse("j is not within 4 epsilon of i");
     require_density(p, epsilon);
-    const auto bounds = curved_net_bounds(p, q, static_cast<std::size_t>(j), epsilon, radius_i, radius_j);
+    const auto bounds = curved_net_bounds(p, q, static_cast<std::size_t>(j), epsilon, radius_i, radius_j,
+                                          squared_separation_in_coordinates(p));
     if (!bounds.has_room) refuse("the charts are not within the ball of radius 12 epsilon");
     for (const Rational* radius : {&radius_i, &radius_j}) {
       if (*radius < radius_in_chart(p, epsilon, *radius)) refuse("p is not certainly dense in a chart");
@@ -215,9 +220,17 @@ class CurvedNetClass : public InstanceClass {
       const Draw draw{*std::move(nets), curvature, unit, j, more_i, more_j, given};
       auto result = draw.at(wide);
       if (result && !is_free) result = shrunk(draw, *std::move(result), limits, share);
-      if (result) return result;
+      if (result && has_certified_stars(result->bindings)) return result;
     }
     return std::nullopt;
+  }
+
+  /// Ties, which enclosures cannot decide, are not drawn.
+  static bool has_certified_stars(const Bindings& bindings) {
+    const SpaceObject& p = space_in(bindings, "p");
+    const auto j = static_cast<std::size_t>(std::get<long>(bindings.at("j")));
+    return star_in_chart(space_in(bindings, "q"), p.points()[0]) &&
+           star_in_chart(space_in(bindings, "q"), p.points()[j]);
   }
 
   /// So small that the distortions are a share of what the hypotheses allow, or what they allow; nothing where that
@@ -289,7 +302,8 @@ class CurvedNetClass : public InstanceClass {
     for (const Rational* chosen : {&radius_i, &radius_j}) {
       if (*chosen < radius_in_chart(*p, epsilon, *chosen)) return std::nullopt;
     }
-    const auto bounds = curved_net_bounds(*p, *q, j, epsilon, radius_i, radius_j);
+    const auto bounds =
+        curved_net_bounds(*p, *q, j, epsilon, radius_i, radius_j, square(factor) * nets.squared_separation);
     if (!bounds.has_room) return std::nullopt;
     auto region = points_within(*q, Rational(6) * radius_i);
     if (!region) return std::nullopt;

@@ -35,23 +35,25 @@ struct NearPoints {
   bool is_all = false;
 };
 
-/// Grows the neighbourhood until `star_of` finds a star, or all points are in it. `star_of(neighbourhood)` returns
-/// nothing unless it can tell that farther points have no part in it.
+/// Grows the neighbourhood until `star_of` finds a star, or says that more points would not help, or all points are in
+/// it. `star_of(neighbourhood, is_hopeless)` returns nothing unless it can tell that farther points have no part in it.
 template <class StarOf>
-auto in_a_neighbourhood(const SpaceObject& space, const StarOf& star_of) -> decltype(star_of(NearPoints{})) {
+auto in_a_neighbourhood(const SpaceObject& space, const StarOf& star_of)
+    -> decltype(star_of(NearPoints{}, std::declval<bool&>())) {
   if (space.size() < static_cast<std::size_t>(space.dimension()) + 2 || !are_within(space, Rational(1)))
     return std::nullopt;
   constexpr long first = 6;
   constexpr unsigned bits = 20;
   NearPoints here;
   here.reach = Rational(first) * square_root_upper(squared_distance_of_nearest(space.points()), bits);
-  while (!here.is_all) {
+  bool is_hopeless = false;
+  while (!here.is_all && !is_hopeless) {
     here.numbers.clear();
     for (std::uint32_t at = 0; at < space.size(); ++at) {
       if (squared_step(space.points()[at], space.points()[0]) <= square(here.reach)) here.numbers.push_back(at);
     }
     here.is_all = here.numbers.size() == space.size();
-    if (auto star = star_of(here)) return star;
+    if (auto star = star_of(here, is_hopeless)) return star;
     here.reach *= Rational(3) / Rational(2);
   }
   return std::nullopt;
@@ -130,7 +132,8 @@ class PointsOfChart {
     }
   }
 
-  [[nodiscard]] std::optional<SeenStar> star() const {
+  /// Nothing without a star; `is_hopeless` if enclosures cannot certify the one that there seems to be.
+  [[nodiscard]] std::optional<SeenStar> star(bool& is_hopeless) const {
     if (!is_seen_ || edges_.size() < static_cast<std::size_t>(m) + 2) return std::nullopt;
     const auto approximation = approximated();
     if (!approximation) return std::nullopt;
@@ -138,7 +141,7 @@ class PointsOfChart {
     if (!cells || cells->empty()) return std::nullopt;
     std::optional<SeenStar> result;
     for (const auto& cell : *cells) {
-      const auto measured = measure(cell);
+      const auto measured = measure(cell, is_hopeless);
       if (!measured) return std::nullopt;
       if (!result) {
         result = measured;
@@ -169,7 +172,8 @@ class PointsOfChart {
   }
 
   /// Thickness and protection of a simplex with an empty sphere; nothing unless it certainly is one.
-  [[nodiscard]] std::optional<SeenStar> measure(const std::vector<std::uint32_t>& cell) const {
+  [[nodiscard]] std::optional<SeenStar> measure(const std::vector<std::uint32_t>& cell, bool& is_hopeless) const {
+    is_hopeless = true;
     if (cell.size() != static_cast<std::size_t>(m) + 1) return std::nullopt;
     const auto metric = FrameMetric<m>::cartesian().template on<BigInterval>();
     SphereStack<BigInterval, m> sphere(metric);
@@ -178,6 +182,7 @@ class PointsOfChart {
     }
     const BigInterval& squared_radius = sphere.squared_radius();
     const BigInterval radius = square_root(squared_radius);
+    is_hopeless = false;
     // What is not in the neighbourhood is farther from the first point than 4R, so outside by more than 2R.
     if (!here_.is_all && !is_proved(less(BigInterval(4) * radius, BigInterval(here_.reach * farther_)))) {
       return std::nullopt;
@@ -187,7 +192,8 @@ class PointsOfChart {
     for (std::size_t other = 0; other < edges_.size(); ++other) {
       if (std::find(cell.begin(), cell.end(), other) != cell.end()) continue;
       const BigInterval power = sphere.power(edges_[other], squared_[other]);
-      if (!is_proved(less(BigInterval(0), power))) return std::nullopt;
+      is_hopeless = !is_proved(less(BigInterval(0), power));
+      if (is_hopeless) return std::nullopt;
       // |q − C| − R, from |q − C|² − R².
       protection = minimum(protection, power / (square_root(power + squared_radius) + radius));
     }
@@ -229,17 +235,21 @@ class PointsOfChart {
 
 std::optional<SeenStar> star_in_chart(const SpaceObject& points, const ExactPoint& centre) {
   if (pairing(centre, centre) > Rational(1)) return std::nullopt;
+  // What is not clear with so many digits is a tie.
+  constexpr unsigned enough_bits = 256;
+  const BigInterval::Precision precision(PrecisionBits{std::min(BigInterval::working_precision().value, enough_bits)});
   return with_net_dimension(points.dimension(), [&]<int m>() {
-    return in_a_neighbourhood(points, [&](const NearPoints& here) -> std::optional<SeenStar> {
-      return PointsOfChart<m>(points, centre, here).star();
+    return in_a_neighbourhood(points, [&](const NearPoints& here, bool& is_hopeless) -> std::optional<SeenStar> {
+      return PointsOfChart<m>(points, centre, here).star(is_hopeless);
     });
   });
 }
 
 std::optional<StarCells> star_in_space(const SpaceObject& points) {
   return with_net_dimension(points.dimension(), [&]<int m>() {
-    return in_a_neighbourhood(
-        points, [&](const NearPoints& here) -> std::optional<StarCells> { return star_in_space_of<m>(points, here); });
+    return in_a_neighbourhood(points, [&](const NearPoints& here, bool&) -> std::optional<StarCells> {
+      return star_in_space_of<m>(points, here);
+    });
   });
 }
 

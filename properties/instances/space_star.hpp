@@ -16,9 +16,10 @@ struct SeenStar {
 
 /// The star of the first point in the Delaunay complex of all, seen in the exponential chart at the point with the
 /// coordinates `centre`. A star of points nearby is found on rational approximations; then every simplex is certified,
-/// at the working precision of `BigInterval`, to be non-degenerate and to have all other points outside of its sphere,
-/// and points that are farther away by their distance alone. Since it is a closed star, there are no other simplices.
-/// Nothing where that does not succeed: cospherical points, a point at the boundary, coordinates of length above 1.
+/// at the working precision of `BigInterval`, 256 bits at most, to be non-degenerate and to have all other points
+/// outside of its sphere, and points that are farther away by their distance alone. Since it is a closed star, there
+/// are no other simplices. Nothing where that does not succeed: cospherical points, a point at the boundary,
+/// coordinates of length above 1.
 [[nodiscard]] std::optional<SeenStar> star_in_chart(const SpaceObject& points, const ExactPoint& centre);
 
 /// The cells at the first point of the Delaunay complex of all in the space, as in `star_cells`: with more than m + 1

@@ -18,6 +18,11 @@ SpaceObject square_net(Curvature curvature, const Rational& shift) {
   return {curvature, Rational(5), std::move(points)};
 }
 
+CurvedNetBounds bounds_of(const SpaceObject& p, const SpaceObject& q, std::size_t j, const Rational& epsilon,
+                          const Rational& radius_i, const Rational& radius_j) {
+  return curved_net_bounds(p, q, j, epsilon, radius_i, radius_j, squared_separation_in_coordinates(p));
+}
+
 constexpr std::array curvatures{Curvature::negative, Curvature::positive};
 
 /// The bounds hold for all pairs of points, and come near to what some pairs need.
@@ -27,7 +32,7 @@ TEST(CurvedNetBounds, HoldForAllPairsOfPoints) {
     const SpaceObject p = square_net(curvature, Rational(0));
     const SpaceObject q = square_net(curvature, ratio(1, 8));
     const Rational epsilon = ratio(5, 36);
-    const CurvedNetBounds bounds = curved_net_bounds(p, q, j, epsilon, epsilon, epsilon);
+    const CurvedNetBounds bounds = bounds_of(p, q, j, epsilon, epsilon, epsilon);
     const BigInterval ball(Rational(6) * epsilon);
     BigInterval nearest(100);
     BigInterval greatest(0);
@@ -67,13 +72,17 @@ TEST(CurvedNetBounds, RadiiGrowOnSpheresOnlyAndRoomIsLimited) {
   for (const Curvature curvature : curvatures) {
     const SpaceObject p = square_net(curvature, Rational(0));
     constexpr std::size_t neighbour = 18;
-    const CurvedNetBounds bounds = curved_net_bounds(p, p, neighbour, epsilon, epsilon, epsilon);
+    const CurvedNetBounds bounds = bounds_of(p, p, neighbour, epsilon, epsilon, epsilon);
     EXPECT_TRUE(bounds.has_room);
     EXPECT_EQ(radius_in_chart(p, epsilon, epsilon) > epsilon, curvature == Curvature::positive);
     EXPECT_EQ(bounds.displacement, Rational(0));
-    EXPECT_FALSE(curved_net_bounds(p, p, neighbour, epsilon, epsilon * Rational(2), epsilon).has_room);
-    EXPECT_FALSE(curved_net_bounds(p, p, neighbour, epsilon, epsilon, epsilon * Rational(2)).has_room);
+    EXPECT_FALSE(bounds_of(p, p, neighbour, epsilon, epsilon * Rational(2), epsilon).has_room);
+    EXPECT_FALSE(bounds_of(p, p, neighbour, epsilon, epsilon, epsilon * Rational(2)).has_room);
   }
+}
+
+TEST(CurvedNetBounds, SeparationsOfCoordinatesAreExact) {
+  EXPECT_EQ(squared_separation_in_coordinates(square_net(Curvature::negative, Rational(0))), ratio(1, 256));
 }
 
 TEST(CurvedNetBounds, CoveringsAndBallsInTheSpaceAreThoseOfCoordinatesFromAbove) {
