@@ -1,10 +1,10 @@
 #include <CLI/CLI.hpp>
-#include <map>
 #include <memory>
 #include <sstream>
 
 #include "apps/certification.hpp"
 #include "apps/certify_complex.hpp"
+#include "apps/choice_option.hpp"
 #include "apps/command_line.hpp"
 #include "apps/commands.hpp"
 #include "apps/exact_option.hpp"
@@ -60,26 +60,18 @@ void add_certify(CLI::App& program, Action& chosen) {
       program.add_subcommand("certify", "Perturb a net, compute its Delaunay complex and write a certificate");
   add_net_options(*command, options->source, true);
   add_complex_option(*command, options);
-  const std::map<std::string, RunMode> modes{{"theory", RunMode::theory}, {"measured", RunMode::measured}};
-  const std::map<std::string, CandidateRule> rules{
-      {"pruned", CandidateRule::pruned}, {"whole", CandidateRule::whole}, {"printed", CandidateRule::printed}};
-  CLI::Option* mode =
-      command
-          ->add_option("--mode", options->choice.mode,
-                       "theory: the paper's constants; measured: chosen tolerances (default theory; on space "
-                       "forms other than flat tori, metric fields, atlases and submanifolds measured)")
-          ->transform(CLI::CheckedTransformer(modes))
-          ->type_name("theory|measured");
-  const std::map<std::string, ParameterConstraints> hypotheses{{"printed", ParameterConstraints::printed},
-                                                               {"sharper", ParameterConstraints::sharper}};
-  command
-      ->add_option("--hypotheses", options->choice.constraints,
-                   "Theory mode: Hypotheses 2 as the paper has them (the default), or those of the sharper lemmas")
-      ->transform(CLI::CheckedTransformer(hypotheses))
-      ->type_name("printed|sharper");
-  command->add_option("--candidates", options->choice.candidates, "Which simplices perturbations are tested against")
-      ->transform(CLI::CheckedTransformer(rules))
-      ->type_name("pruned|whole|printed");
+  CLI::Option* mode = add_choice_option<RunMode>(
+      *command, "--mode", options->choice.mode, {{"theory", RunMode::theory}, {"measured", RunMode::measured}},
+      "theory: the paper's constants; measured: chosen tolerances (default theory; on space "
+      "forms other than flat tori, metric fields, atlases and submanifolds measured)");
+  add_choice_option<ParameterConstraints>(
+      *command, "--hypotheses", options->choice.constraints,
+      {{"printed", ParameterConstraints::printed}, {"sharper", ParameterConstraints::sharper}},
+      "Theory mode: Hypotheses 2 as the paper has them (the default), or those of the sharper lemmas");
+  add_choice_option<CandidateRule>(
+      *command, "--candidates", options->choice.candidates,
+      {{"pruned", CandidateRule::pruned}, {"whole", CandidateRule::whole}, {"printed", CandidateRule::printed}},
+      "Which simplices perturbations are tested against");
   add_exact_option(*command, "--perturbation", options->choice.perturbation, "ρ₀ (default μ₀/4, the most)");
   add_exact_option(*command, "--tolerance", options->choice.tolerance, "Measured mode: tolerance in units of ε");
   add_exact_option(*command, "--clearance", options->choice.clearance,

@@ -71,8 +71,12 @@ delcert_cli_test(certify-tolerance-in-theory STATUS 3 OUTPUT "^$" ERROR "toleran
   COMMAND ${delcert} certify --manifold torus-2 --radius 1/24 --tolerance 1/64 --output never.json)
 delcert_cli_test(certify-hypotheses-in-measured-mode STATUS 3 OUTPUT "^$" ERROR "the hypotheses can be chosen in theory mode only; mode is measured"
   COMMAND ${delcert} certify --manifold torus-2 --radius 1/24 --mode measured --hypotheses sharper --output never.json)
-delcert_cli_test(certify-unknown-hypotheses STATUS 64 OUTPUT "^$" ERROR "--hypotheses"
+delcert_cli_test(certify-unknown-hypotheses STATUS 64 OUTPUT "^$" ERROR "--hypotheses: sharp not in {printed,sharper}"
   COMMAND ${delcert} certify --manifold torus-2 --radius 1/24 --hypotheses sharp --output never.json)
+delcert_cli_test(certify-mode-by-number STATUS 64 OUTPUT "^$" ERROR "--mode: 0 not in {theory,measured}"
+  COMMAND ${delcert} certify --manifold torus-2 --radius 1/24 --mode 0 --output never.json)
+delcert_cli_test(certify-help-names-choices STATUS 0 ERROR "^$" OUTPUT "--mode theory.measured  .*--hypotheses printed.sharper[ \n]"
+  COMMAND ${delcert} certify --help)
 delcert_cli_test(certify-perturbation-too-large STATUS 3 OUTPUT "^$" ERROR "perturbation 1/2"
   COMMAND ${delcert} certify --manifold torus-2 --radius 1/24 --perturbation 1/2 --output never.json)
 delcert_cli_test(certify-without-net STATUS 3 OUTPUT "^$" ERROR "give --radius, --lattice or --points"
