@@ -52,6 +52,8 @@ PLAN = {
     "power-other-hoops": ("power", ["power", "raw-hoop-distortion-sharper", "hoop-distortion", "hoop-distortion-sharper", *HOOPS]),
     "power-stars": ("power", ["power", "stable-stars", "delaunay-metric-stability", "--shape", "2", "--seed", "1",
                               "--evaluations", "2000"]),
+    "power-curved": ("power", ["power", "curved-stable-stars", "curved-delaunay-complex", "--shape", "2", "--seed", "1",
+                               "--evaluations", "2000"]),
 }
 # Claims that are no statements of the paper, but readings of some.
 READINGS = ["circumcentres-under-distortion", "top-simplices-suffice"]

@@ -25,6 +25,7 @@ constexpr const char* power_command =
     "  delcert power raw-hoop-distortion raw-hoop-distortion-sharper hoop-distortion hoop-distortion-sharper \\\n"
     "    --shape 2,2 --shape 3,3 --seed 1 --evaluations 100 --json\n"
     "  delcert power stable-stars delaunay-metric-stability --shape 2 --seed 1 --evaluations 2000 --json\n"
+    "  delcert power curved-stable-stars curved-delaunay-complex --shape 2 --seed 1 --evaluations 2000 --json\n"
     "} | jq --slurp add > docs/tables/power.json\n";
 
 std::string in_cell(const std::string& text) {
