@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "proofs/certificate/reader.hpp"
-
 namespace delcert {
+
+struct CertificateSummary;
 
 /// The complex as SVG, for `info --picture`. Throws InputError in dimensions other than 2. delcert, which draws
 /// nothing, hands over to delcert-publish instead.
