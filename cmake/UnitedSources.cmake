@@ -5,10 +5,6 @@ option(DELCERT_UNITED_SOURCES "Compile several sources as one: quicker clean bui
 if(DELCERT_UNITED_SOURCES AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC takes the sources that are compiled as one to be headers, whose unnamed namespaces it warns of.
   target_compile_options(delcert_warnings INTERFACE -Wno-subobject-linkage)
-  # Much is read at once, and it is not worth GCC's while to collect garbage in between: a twentieth of its time, for a
-  # sixth more memory, some 1.2 GB at most.
-  target_compile_options(delcert_warnings INTERFACE
-    "SHELL:--param ggc-min-expand=1000" "SHELL:--param ggc-min-heapsize=4000000")
 endif()
 
 # delcert_unite(TARGET NUMBER): so many of the target's sources at a time, 0: all. What is in their unnamed namespaces

@@ -96,7 +96,7 @@ class MetricFieldReader : TomlFormulaReader {
     std::map<std::vector<int>, MetricFieldDescription::Term> waves;
     for (std::size_t at = 0; at < m * m; ++at) {
       for (const auto& [frequency, wave] : metric[at].waves()) {
-        if (frequency == std::vector<int>(m, 0)) {
+        if (std::all_of(frequency.begin(), frequency.end(), [](int k) { return k == 0; })) {
           result.constant[at / m][at % m] = wave.cosine;
           continue;
         }

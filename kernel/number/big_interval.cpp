@@ -32,13 +32,13 @@ BigInterval::Precision::~Precision() { precision_of_this_thread() = previous_; }
 
 PrecisionBits BigInterval::working_precision() { return precision_of_this_thread(); }
 
-BigInterval::BigInterval(Unset) { mpfi_init2(value_, digits_of(precision_of_this_thread())); }
+BigInterval::BigInterval(Unset) noexcept { mpfi_init2(value_, digits_of(precision_of_this_thread())); }
 
-BigInterval::BigInterval(int integer) : BigInterval(Unset{}) { mpfi_set_si(value_, integer); }
+BigInterval::BigInterval(int integer) noexcept : BigInterval(Unset{}) { mpfi_set_si(value_, integer); }
 
-BigInterval::BigInterval(const Rational& x) : BigInterval(Unset{}) { mpfi_set_q(value_, x.gmp()); }
+BigInterval::BigInterval(const Rational& x) noexcept : BigInterval(Unset{}) { mpfi_set_q(value_, x.gmp()); }
 
-BigInterval::BigInterval(const BigInterval& other) {
+BigInterval::BigInterval(const BigInterval& other) noexcept {
   mpfi_init2(value_, mpfi_get_prec(other.value_));
   mpfi_set(value_, other.value_);
 }
@@ -49,7 +49,7 @@ BigInterval::BigInterval(BigInterval&& other) noexcept {
   other.value_[0].left._mpfr_d = nullptr;
 }
 
-BigInterval& BigInterval::operator=(const BigInterval& other) {
+BigInterval& BigInterval::operator=(const BigInterval& other) noexcept {
   if (this != &other) *this = BigInterval(other);
   return *this;
 }
@@ -65,7 +65,7 @@ BigInterval& BigInterval::operator=(BigInterval&& other) noexcept {
 
 BigInterval::~BigInterval() { release(); }
 
-void BigInterval::release() {
+void BigInterval::release() noexcept {
   if (value_[0].left._mpfr_d != nullptr) mpfi_clear(value_);
 }
 
@@ -87,25 +87,25 @@ Rational BigInterval::lower() const { return rational_of(&value_->left); }
 Rational BigInterval::upper() const { return rational_of(&value_->right); }
 bool BigInterval::is_bounded() const { return mpfi_bounded_p(value_) != 0; }
 
-BigInterval operator+(const BigInterval& a, const BigInterval& b) {
+BigInterval operator+(const BigInterval& a, const BigInterval& b) noexcept {
   BigInterval result(BigInterval::Unset{});
   mpfi_add(result.value_, a.value_, b.value_);
   return result;
 }
 
-BigInterval operator-(const BigInterval& a, const BigInterval& b) {
+BigInterval operator-(const BigInterval& a, const BigInterval& b) noexcept {
   BigInterval result(BigInterval::Unset{});
   mpfi_sub(result.value_, a.value_, b.value_);
   return result;
 }
 
-BigInterval operator*(const BigInterval& a, const BigInterval& b) {
+BigInterval operator*(const BigInterval& a, const BigInterval& b) noexcept {
   BigInterval result(BigInterval::Unset{});
   mpfi_mul(result.value_, a.value_, b.value_);
   return result;
 }
 
-BigInterval operator/(const BigInterval& a, const BigInterval& b) {
+BigInterval operator/(const BigInterval& a, const BigInterval& b) noexcept {
   BigInterval result(BigInterval::Unset{});
   if (is_refuted(is_zero(b))) {
     mpfi_div(result.value_, a.value_, b.value_);
@@ -116,19 +116,19 @@ BigInterval operator/(const BigInterval& a, const BigInterval& b) {
   return result;
 }
 
-BigInterval operator-(const BigInterval& a) {
+BigInterval operator-(const BigInterval& a) noexcept {
   BigInterval result(BigInterval::Unset{});
   mpfi_neg(result.value_, a.value_);
   return result;
 }
 
-BigInterval square(const BigInterval& a) {
+BigInterval square(const BigInterval& a) noexcept {
   BigInterval result(BigInterval::Unset{});
   mpfi_sqr(result.value_, a.value_);
   return result;
 }
 
-BigInterval square_root(const BigInterval& a) {
+BigInterval square_root(const BigInterval& a) noexcept {
   BigInterval clipped = a;
   if (mpfr_sgn(&clipped.value_->left) < 0) mpfr_set_zero(&clipped.value_->left, 1);
   if (mpfr_sgn(&clipped.value_->right) < 0) mpfr_set_zero(&clipped.value_->right, 1);
@@ -137,33 +137,33 @@ BigInterval square_root(const BigInterval& a) {
   return result;
 }
 
-BigInterval absolute(const BigInterval& a) {
+BigInterval absolute(const BigInterval& a) noexcept {
   BigInterval result(BigInterval::Unset{});
   mpfi_abs(result.value_, a.value_);
   return result;
 }
 
-BigInterval minimum(const BigInterval& a, const BigInterval& b) {
+BigInterval minimum(const BigInterval& a, const BigInterval& b) noexcept {
   BigInterval result(BigInterval::Unset{});
   mpfr_min(&result.value_->left, &a.value_->left, &b.value_->left, MPFR_RNDD);
   mpfr_min(&result.value_->right, &a.value_->right, &b.value_->right, MPFR_RNDU);
   return result;
 }
 
-BigInterval maximum(const BigInterval& a, const BigInterval& b) {
+BigInterval maximum(const BigInterval& a, const BigInterval& b) noexcept {
   BigInterval result(BigInterval::Unset{});
   mpfr_max(&result.value_->left, &a.value_->left, &b.value_->left, MPFR_RNDD);
   mpfr_max(&result.value_->right, &a.value_->right, &b.value_->right, MPFR_RNDU);
   return result;
 }
 
-Verdict less(const BigInterval& a, const BigInterval& b) {
+Verdict less(const BigInterval& a, const BigInterval& b) noexcept {
   if (mpfr_less_p(&a.value_->right, &b.value_->left) != 0) return Verdict::proved;
   if (mpfr_greaterequal_p(&a.value_->left, &b.value_->right) != 0) return Verdict::refuted;
   return Verdict::undecided;
 }
 
-Verdict is_zero(const BigInterval& a) {
+Verdict is_zero(const BigInterval& a) noexcept {
   if (mpfr_sgn(&a.value_->left) > 0 || mpfr_sgn(&a.value_->right) < 0) return Verdict::refuted;
   return mpfr_zero_p(&a.value_->left) != 0 && mpfr_zero_p(&a.value_->right) != 0 ? Verdict::proved : Verdict::undecided;
 }

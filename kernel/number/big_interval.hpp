@@ -31,17 +31,17 @@ class BigInterval {
   };
   [[nodiscard]] static PrecisionBits working_precision();
 
-  BigInterval() : BigInterval(0) {}
-  BigInterval(int integer);
+  BigInterval() noexcept : BigInterval(0) {}
+  BigInterval(int integer) noexcept;
   /// The tightest enclosure of x at the working precision.
-  explicit BigInterval(const Rational& x);
+  explicit BigInterval(const Rational& x) noexcept;
 
   template <std::floating_point T>
   BigInterval(T) = delete;
 
-  BigInterval(const BigInterval& other);
+  BigInterval(const BigInterval& other) noexcept;
   BigInterval(BigInterval&& other) noexcept;
-  BigInterval& operator=(const BigInterval& other);
+  BigInterval& operator=(const BigInterval& other) noexcept;
   BigInterval& operator=(BigInterval&& other) noexcept;
   ~BigInterval();
 
@@ -57,31 +57,31 @@ class BigInterval {
   [[nodiscard]] bool is_bounded() const;
   [[nodiscard]] mpfi_srcptr mpfi() const { return value_; }
 
-  friend BigInterval operator+(const BigInterval& a, const BigInterval& b);
-  friend BigInterval operator-(const BigInterval& a, const BigInterval& b);
-  friend BigInterval operator*(const BigInterval& a, const BigInterval& b);
+  friend BigInterval operator+(const BigInterval& a, const BigInterval& b) noexcept;
+  friend BigInterval operator-(const BigInterval& a, const BigInterval& b) noexcept;
+  friend BigInterval operator*(const BigInterval& a, const BigInterval& b) noexcept;
   /// Unbounded if b contains 0.
-  friend BigInterval operator/(const BigInterval& a, const BigInterval& b);
-  friend BigInterval operator-(const BigInterval& a);
-  BigInterval& operator+=(const BigInterval& b) { return *this = *this + b; }
-  BigInterval& operator-=(const BigInterval& b) { return *this = *this - b; }
-  BigInterval& operator*=(const BigInterval& b) { return *this = *this * b; }
+  friend BigInterval operator/(const BigInterval& a, const BigInterval& b) noexcept;
+  friend BigInterval operator-(const BigInterval& a) noexcept;
+  BigInterval& operator+=(const BigInterval& b) noexcept { return *this = *this + b; }
+  BigInterval& operator-=(const BigInterval& b) noexcept { return *this = *this - b; }
+  BigInterval& operator*=(const BigInterval& b) noexcept { return *this = *this * b; }
 
-  friend BigInterval square(const BigInterval& a);
+  friend BigInterval square(const BigInterval& a) noexcept;
   /// Negative parts of the argument are cut off at 0 (the exact argument is known not to be negative).
-  friend BigInterval square_root(const BigInterval& a);
-  friend BigInterval absolute(const BigInterval& a);
-  friend BigInterval minimum(const BigInterval& a, const BigInterval& b);
-  friend BigInterval maximum(const BigInterval& a, const BigInterval& b);
+  friend BigInterval square_root(const BigInterval& a) noexcept;
+  friend BigInterval absolute(const BigInterval& a) noexcept;
+  friend BigInterval minimum(const BigInterval& a, const BigInterval& b) noexcept;
+  friend BigInterval maximum(const BigInterval& a, const BigInterval& b) noexcept;
 
-  friend Verdict less(const BigInterval& a, const BigInterval& b);
-  friend Verdict less_equal(const BigInterval& a, const BigInterval& b) { return negation(less(b, a)); }
-  friend Verdict is_zero(const BigInterval& a);
+  friend Verdict less(const BigInterval& a, const BigInterval& b) noexcept;
+  friend Verdict less_equal(const BigInterval& a, const BigInterval& b) noexcept { return negation(less(b, a)); }
+  friend Verdict is_zero(const BigInterval& a) noexcept;
 
  private:
   struct Unset {};
-  explicit BigInterval(Unset);
-  void release();
+  explicit BigInterval(Unset) noexcept;
+  void release() noexcept;
   mpfi_t value_;
 };
 

@@ -2,13 +2,69 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
+
+#include "kernel/number/dyadic_arithmetic.hpp"
 
 namespace delcert {
+
+Rational::Rational() noexcept = default;
+Rational::Rational(const Rational& other) noexcept = default;
+Rational::Rational(Rational&& other) noexcept = default;
+Rational& Rational::operator=(const Rational& other) noexcept = default;
+Rational& Rational::operator=(Rational&& other) noexcept = default;
+Rational::~Rational() = default;
+
+Rational::Rational(std::int64_t integer, Signed) : value_(integer) {}
+Rational::Rational(std::uint64_t integer, Unsigned) : value_(integer) {}
+Rational::Rational(const Integer& integer) : value_(integer) {}
+
+Rational::Rational(Wrapped value) noexcept : value_(std::move(value)) {}
 
 Rational::Rational(const Integer& numerator, const Integer& denominator) {
   if (denominator.is_zero()) throw std::domain_error("rational number with denominator 0");
   value_ = Wrapped(numerator, denominator);
 }
+
+Integer Rational::numerator() const { return boost::multiprecision::numerator(value_); }
+Integer Rational::denominator() const { return boost::multiprecision::denominator(value_); }
+
+template <auto operation>
+Rational Rational::combined(const Rational& a, const Rational& b) {
+  Rational result;
+  operation(result.value_.backend().data(), a.gmp(), b.gmp());
+  return result;
+}
+
+Rational operator+(const Rational& a, const Rational& b) noexcept { return Rational::combined<add_exactly>(a, b); }
+Rational operator-(const Rational& a, const Rational& b) noexcept { return Rational::combined<subtract_exactly>(a, b); }
+Rational operator*(const Rational& a, const Rational& b) noexcept { return Rational::combined<multiply_exactly>(a, b); }
+
+Rational operator/(const Rational& a, const Rational& b) {
+  if (b.value_.is_zero()) throw std::domain_error("rational division by 0");
+  return Rational(Rational::Wrapped(a.value_ / b.value_));
+}
+
+Rational operator-(const Rational& a) noexcept { return Rational(Rational::Wrapped(-a.value_)); }
+
+Rational& Rational::operator+=(const Rational& b) noexcept { return *this = *this + b; }
+Rational& Rational::operator-=(const Rational& b) noexcept { return *this = *this - b; }
+Rational& Rational::operator*=(const Rational& b) noexcept { return *this = *this * b; }
+Rational& Rational::operator/=(const Rational& b) { return *this = *this / b; }
+
+bool operator==(const Rational& a, const Rational& b) noexcept { return a.value_ == b.value_; }
+std::strong_ordering operator<=>(const Rational& a, const Rational& b) noexcept {
+  return a.value_.compare(b.value_) <=> 0;
+}
+
+Rational square(const Rational& a) noexcept { return a * a; }
+Rational absolute(const Rational& a) noexcept { return a < Rational(0) ? -a : a; }
+Rational minimum(const Rational& a, const Rational& b) noexcept { return b < a ? b : a; }
+Rational maximum(const Rational& a, const Rational& b) noexcept { return a < b ? b : a; }
+
+Verdict less(const Rational& a, const Rational& b) noexcept { return verdict_of(a < b); }
+Verdict less_equal(const Rational& a, const Rational& b) noexcept { return verdict_of(a <= b); }
+Verdict is_zero(const Rational& a) noexcept { return verdict_of(a.value_.is_zero()); }
 
 Rational Rational::exactly(double value) {
   if (!std::isfinite(value)) throw std::domain_error("rational number from a double that is not finite");
@@ -26,11 +82,6 @@ Rational Rational::power_of_two(long exponent) {
     mpq_div_2exp(raw, raw, static_cast<mp_bitcnt_t>(-exponent));
   }
   return result;
-}
-
-Rational Rational::divided_by(const Rational& divisor) const {
-  if (divisor.value_.is_zero()) throw std::domain_error("rational division by 0");
-  return Rational(Wrapped(value_ / divisor.value_));
 }
 
 Rational power(const Rational& base, long exponent) {

@@ -3,9 +3,8 @@
 #include <boost/multiprecision/gmp.hpp>
 #include <compare>
 #include <concepts>
-#include <utility>
+#include <cstdint>
 
-#include "kernel/number/dyadic_arithmetic.hpp"
 #include "kernel/number/verdict.hpp"
 
 namespace delcert {
@@ -17,17 +16,28 @@ using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, bo
 [[nodiscard]] inline mpz_srcptr raw(const Integer& integer) { return integer.backend().data(); }
 
 /// An exact rational number: the rung on which every decision about rational quantities ends.
+///
+/// What GMP does takes longer than a call, so nothing of it is inline: it would be compiled again wherever a template
+/// is instantiated for this rung.
 class Rational {
  public:
   using Wrapped = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 
-  Rational() = default;
-  template <std::integral T>
-  Rational(T integer) : value_(integer) {}
-  explicit Rational(const Integer& integer) : value_(integer) {}
-  explicit Rational(Wrapped value) : value_(std::move(value)) {}
+  Rational() noexcept;
+  template <std::signed_integral T>
+  Rational(T integer) : Rational(static_cast<std::int64_t>(integer), Signed{}) {}
+  template <std::unsigned_integral T>
+  Rational(T integer) : Rational(static_cast<std::uint64_t>(integer), Unsigned{}) {}
+  explicit Rational(const Integer& integer);
+  explicit Rational(Wrapped value) noexcept;
   /// Throws std::domain_error if the denominator is 0.
   Rational(const Integer& numerator, const Integer& denominator);
+
+  Rational(const Rational& other) noexcept;
+  Rational(Rational&& other) noexcept;
+  Rational& operator=(const Rational& other) noexcept;
+  Rational& operator=(Rational&& other) noexcept;
+  ~Rational();
 
   /// No decimal literal becomes a rational by accident; see `exactly`.
   template <std::floating_point T>
@@ -38,44 +48,41 @@ class Rational {
   /// 2 to the power `exponent`.
   [[nodiscard]] static Rational power_of_two(long exponent);
 
-  [[nodiscard]] Integer numerator() const { return boost::multiprecision::numerator(value_); }
-  [[nodiscard]] Integer denominator() const { return boost::multiprecision::denominator(value_); }
+  [[nodiscard]] Integer numerator() const;
+  [[nodiscard]] Integer denominator() const;
   [[nodiscard]] const Wrapped& wrapped() const { return value_; }
   [[nodiscard]] mpq_srcptr gmp() const { return value_.backend().data(); }
 
-  friend Rational operator+(const Rational& a, const Rational& b) { return a.combined<add_exactly>(b); }
-  friend Rational operator-(const Rational& a, const Rational& b) { return a.combined<subtract_exactly>(b); }
-  friend Rational operator*(const Rational& a, const Rational& b) { return a.combined<multiply_exactly>(b); }
+  friend Rational operator+(const Rational& a, const Rational& b) noexcept;
+  friend Rational operator-(const Rational& a, const Rational& b) noexcept;
+  friend Rational operator*(const Rational& a, const Rational& b) noexcept;
   /// Throws std::domain_error if b is 0.
-  friend Rational operator/(const Rational& a, const Rational& b) { return a.divided_by(b); }
-  friend Rational operator-(const Rational& a) { return Rational(Wrapped(-a.value_)); }
-  Rational& operator+=(const Rational& b) { return *this = *this + b; }
-  Rational& operator-=(const Rational& b) { return *this = *this - b; }
-  Rational& operator*=(const Rational& b) { return *this = *this * b; }
-  Rational& operator/=(const Rational& b) { return *this = *this / b; }
+  friend Rational operator/(const Rational& a, const Rational& b);
+  friend Rational operator-(const Rational& a) noexcept;
+  Rational& operator+=(const Rational& b) noexcept;
+  Rational& operator-=(const Rational& b) noexcept;
+  Rational& operator*=(const Rational& b) noexcept;
+  Rational& operator/=(const Rational& b);
 
-  friend bool operator==(const Rational& a, const Rational& b) { return a.value_ == b.value_; }
-  friend std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
-    return a.value_.compare(b.value_) <=> 0;
-  }
+  friend bool operator==(const Rational& a, const Rational& b) noexcept;
+  friend std::strong_ordering operator<=>(const Rational& a, const Rational& b) noexcept;
 
-  friend Rational square(const Rational& a) { return a * a; }
-  friend Rational absolute(const Rational& a) { return a < Rational(0) ? -a : a; }
-  friend Rational minimum(const Rational& a, const Rational& b) { return b < a ? b : a; }
-  friend Rational maximum(const Rational& a, const Rational& b) { return a < b ? b : a; }
+  friend Rational square(const Rational& a) noexcept;
+  friend Rational absolute(const Rational& a) noexcept;
+  friend Rational minimum(const Rational& a, const Rational& b) noexcept;
+  friend Rational maximum(const Rational& a, const Rational& b) noexcept;
 
-  friend Verdict less(const Rational& a, const Rational& b) { return verdict_of(a < b); }
-  friend Verdict less_equal(const Rational& a, const Rational& b) { return verdict_of(a <= b); }
-  friend Verdict is_zero(const Rational& a) { return verdict_of(a.value_.is_zero()); }
+  friend Verdict less(const Rational& a, const Rational& b) noexcept;
+  friend Verdict less_equal(const Rational& a, const Rational& b) noexcept;
+  friend Verdict is_zero(const Rational& a) noexcept;
 
  private:
+  struct Signed {};
+  struct Unsigned {};
+  Rational(std::int64_t integer, Signed);
+  Rational(std::uint64_t integer, Unsigned);
   template <auto operation>
-  [[nodiscard]] Rational combined(const Rational& other) const {
-    Rational result;
-    operation(result.value_.backend().data(), gmp(), other.gmp());
-    return result;
-  }
-  [[nodiscard]] Rational divided_by(const Rational& divisor) const;
+  [[nodiscard]] static Rational combined(const Rational& a, const Rational& b);
   Wrapped value_;
 };
 
