@@ -8,9 +8,12 @@
 
 #include "kernel/number/exact_text.hpp"
 #include "tests/checker/merge.hpp"
+#include "tests/checker/mutation.hpp"
 #include "tests/checker/support/certificate_text.hpp"
 #include "tests/checker/support/forgeries.hpp"
 #include "tests/checker/support/run_checker.hpp"
+#include "tests/checker/upwards.hpp"
+#include "tests/checker/weaker_claims.hpp"
 #include "tests/proofs/certificate/atlas_run.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -174,9 +177,35 @@ TEST(Atlas, the_document_has_its_form) {
   malformed("form.family", [](Json& j) { j["parameters"]["mode"] = "theory"; });
 }
 
+/// In the manifold block, the parameters and the levels.
+TEST(MutationsOfAtlases, of_the_head_sealed_anew_are_accepted_only_if_they_claim_less) {
+  const test::Upwards upwards;
+  const std::string text = sealed(sphere_document());
+  const std::size_t head = text.find("\"net\":");
+  ASSERT_EQ(status_of(text), 0);
+  std::mt19937_64 random(10);
+  std::map<int, int> count;
+  const int times = number_of_mutations(20);
+  for (int k = 0; k < times; ++k) {
+    const std::string first = text.substr(0, head);
+    const std::string other =
+        resealed((k % 2 == 0 ? mutated(first, random) : with_other_digits(first, random)) + text.substr(head));
+    const int status = soon_status_of(other, 120);  // patches may show the whole of a chart
+    ++count[status];
+    if (status == 0) {
+      EXPECT_EQ(stronger_claims(text, other), "") << other.substr(0, head);
+    }
+  }
+  print_count(std::to_string(times) + " mutations of an atlas", count);
+  for (const int status : {0, 3}) EXPECT_GT(count[status], 0) << status;
+}
+
 }  // namespace
 
 std::vector<Forgery> atlas_forgeries() {
+  const auto scale = [](Json& stated, const Rational& by) {
+    stated = exact_text(parse_exact(stated.get<std::string>()) * by);
+  };
   const auto forged = [](const char* name, const char* rule, const Json& valid,
                          const std::function<void(Json&)>& change) {
     Json document = valid;
@@ -237,9 +266,26 @@ std::vector<Forgery> atlas_forgeries() {
                    other["to"] = 3;
                    j["manifold"]["transitions"].push_back(other);
                  }),
-          forged("half the distortion of transitions", "atlas.distortion", sphere_document(), [](Json& j) {
-            Json& stated = j["parameters"]["distortion"];
-            stated = exact_text(parse_exact(stated.get<std::string>()) * ratio(1, 2));
+          forged("half the distortion of transitions", "atlas.distortion", sphere_document(),
+                 [&](Json& j) { scale(j["parameters"]["distortion"], ratio(1, 2)); }),
+          forged("eight times the protection in charts", "1.protection", sphere_document(),
+                 [&](Json& j) { scale(j["levels"]["1"]["protection"], Rational(8)); }),
+          forged("nine tenths of the circumradius in charts", "1.radius", sphere_document(),
+                 [&](Json& j) { scale(j["levels"]["1"]["circumradius"], ratio(9, 10)); }),
+          forged("twice the thickness in charts", "1.thickness", sphere_document(),
+                 [&](Json& j) { scale(j["levels"]["1"]["thickness"], Rational(2)); }),
+          forged("balls that leave the charts", "1.patch", sphere_document(),
+                 [&](Json& j) { scale(j["levels"]["1"]["circumradius"], Rational(4)); }),
+          forged("balls smaller than any triangle", "1.vertices", sphere_document(),
+                 [&](Json& j) { scale(j["levels"]["1"]["circumradius"], ratio(1, 16)); }),
+          forged("points moved farther than stated", "1.perturbation", sphere_document(),
+                 [&](Json& j) { scale(j["parameters"]["perturbation"], ratio(1, 2)); }),
+          forged("a triangle missing", "1.facets", sphere_document(), [](Json& j) {
+            for (const char* level : {"2s", "5"}) j["levels"].erase(level);
+            j["simplices"].erase(4);
+            j["levels"]["2"]["simplices"] = j["simplices"].size();
+            j["levels"]["2"]["euler_characteristic"] = 1;
+            j["levels"]["2"].erase("homology");
           })};
 }
 

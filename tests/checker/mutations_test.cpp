@@ -1,58 +1,18 @@
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <ctime>
-#include <iostream>
-#include <map>
 #include <optional>
-#include <random>
 
-#include "proofs/checker/input.hpp"
-#include "proofs/checker/run.hpp"
 #include "tests/checker/circle_oracle.hpp"
+#include "tests/checker/hypersurface_oracle.hpp"
+#include "tests/checker/mutation.hpp"
 #include "tests/checker/support/samples.hpp"
 #include "tests/checker/support/space_form_samples.hpp"
 #include "tests/checker/support/submanifold_model.hpp"
 #include "tests/checker/upwards.hpp"
 #include "tests/checker/weaker_claims.hpp"
-#include "tests/checker/zero_set_oracle.hpp"
 
 namespace delcert::checker_tests {
 namespace {
-
-int status_of(std::string bytes) {
-  try {
-    return checker::check(checker::decompressed(std::move(bytes)), {}).status;
-  } catch (const checker::Malformed&) {
-    return 3;
-  }
-}
-
-/// One to four changes: a byte replaced, a bit flipped, a byte inserted, a stretch erased or copied to another place.
-std::string mutated(std::string bytes, std::mt19937_64& random) {
-  const auto below = [&](std::size_t bound) { return static_cast<std::size_t>(random() % bound); };
-  for (std::size_t changes = 1 + below(4); changes > 0; --changes) {
-    const std::size_t place = below(bytes.size()), length = 1 + below(std::min<std::size_t>(20, bytes.size() - place));
-    switch (below(5)) {
-      case 0:
-        bytes[place] = static_cast<char>(below(256));
-        break;
-      case 1:
-        bytes[place] = static_cast<char>(bytes[place] ^ (1 << below(8)));
-        break;
-      case 2:
-        bytes.insert(place, 1, "0123456789,[]{}\"-/xp.ab"[below(23)]);
-        break;
-      case 3:
-        bytes.erase(place, length);
-        break;
-      default:
-        bytes.insert(below(bytes.size()), bytes.substr(place, length));
-    }
-    if (bytes.empty()) bytes = "{";
-  }
-  return bytes;
-}
 
 /// What the bytes say; nothing where they are malformed. A compressed file has bits on which its content does not
 /// depend.
@@ -100,20 +60,6 @@ TEST_F(Mutations, of_compressed_bytes_never_verify) {
   mutate("a compressed certificate", zstd_compressed(text_), 2000, 2);
 }
 
-/// The status, which is known soon.
-int soon_status_of(const std::string& text) {
-  const std::clock_t begin = std::clock();
-  const int status = status_of(text);
-  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 10) << text;
-  return status;
-}
-
-void print_count(const std::string& name, const std::map<int, int>& count) {
-  std::cout << name << " sealed anew:";
-  for (const auto& [status, number] : count) std::cout << " " << number << " with status " << status;
-  std::cout << "\n";
-}
-
 /// What is accepted is decided by an oracle that shares nothing with the checker.
 TEST_F(Mutations, sealed_anew_are_accepted_only_if_they_are_true) {
   ASSERT_EQ(fault_of_circle(text_), "");
@@ -137,13 +83,7 @@ TEST_F(Mutations, of_digits_sealed_anew_are_accepted_only_if_they_are_true) {
   std::mt19937_64 random(5);
   std::map<int, int> count;
   for (int k = 0; k < 10000; ++k) {
-    std::string other = text_;
-    for (std::size_t changes = 1 + random() % 2; changes > 0;) {
-      char& c = other[random() % other.size()];
-      if (c < '0' || c > '9') continue;
-      c = static_cast<char>('0' + random() % 10);
-      --changes;
-    }
+    std::string other = with_other_digits(text_, random);
     other = resealed(other);
     const int status = soon_status_of(other);
     ++count[status];
@@ -175,50 +115,54 @@ TEST_F(Mutations, that_the_checker_rejects_the_oracle_finds_false) {
   EXPECT_GT(rejected, 100);
 }
 
-/// A zero set: the circle, with all levels. Its oracle finds false what is false at a sample.
-class MutationsOfZeroSets : public testing::Test {
+/// Submanifolds: an oracle finds false what is false at a sample.
+class MutationsOfSubmanifolds : public testing::Test {
  protected:
   const test::Upwards upwards;
-  std::string text_ = sealed(certificate(circle_model(40, 1), {"1", "2", "2s", "4", "5", "5i", "6"}));
 
-  /// So many mutations; by how many of the rejected ones the oracle says why.
-  void mutate_and_ask(int times, std::uint64_t seed) {
+  /// So many mutations, or as many as DELCERT_MUTATIONS says; by how many of the rejected ones the oracle says why.
+  static void mutate_and_ask(const std::string& name, const Json& document, int times, std::uint64_t seed) {
+    const std::string text = sealed(document);
+    ASSERT_EQ(status_of(text), 0);
+    ASSERT_EQ(fault_of_hypersurface(text), "");
+    times = number_of_mutations(times);
     std::mt19937_64 random(seed);
     std::map<int, int> count;
     int found_false = 0;
     for (int k = 0; k < times; ++k) {
-      std::string other = text_;
-      if (k % 2 == 0) {
-        other = mutated(text_, random);
-      } else {
-        for (std::size_t changes = 1 + random() % 2; changes > 0;) {
-          char& c = other[random() % other.size()];
-          if (c < '0' || c > '9') continue;
-          c = static_cast<char>('0' + random() % 10);
-          --changes;
-        }
-      }
-      if (other.find(",\"sha256\":\"") != std::string::npos) other = resealed(other);
+      const std::string other =
+          resealed_if_sealed(k % 2 == 0 ? mutated(text, random) : with_other_digits(text, random));
       const int status = soon_status_of(other);
       ++count[status];
       if (status == 0) {
-        EXPECT_EQ(fault_of_zero_set_circle(other), "") << other;
-      } else if (status == 1 && !fault_of_zero_set_circle(other).empty()) {
+        EXPECT_EQ(fault_of_hypersurface(other), "") << other;
+      } else if (status == 1 && !fault_of_hypersurface(other).empty()) {
         ++found_false;
       }
     }
-    print_count(std::to_string(times) + " mutations of a zero set", count);
+    print_count(std::to_string(times) + " mutations of " + name, count);
     std::cout << "of " << count[1] << " that are rejected the oracle finds " << found_false << " false\n";
     for (const int status : {0, 1, 3}) EXPECT_GT(count[status], 0) << status;
+    // The oracle is no yes-man.
     EXPECT_GT(2 * found_false, count[1]);
   }
 };
 
-TEST_F(MutationsOfZeroSets, sealed_anew_are_accepted_only_if_nothing_false_is_found) {
-  ASSERT_EQ(status_of(text_), 0);
-  ASSERT_EQ(fault_of_zero_set_circle(text_), "");
-  const char* many = std::getenv("DELCERT_MUTATIONS");
-  mutate_and_ask(many == nullptr ? 2000 : std::atoi(many), 7);
+const std::vector<std::string> all_levels = {"1", "2", "2s", "4", "5", "5i", "6"};
+
+TEST_F(MutationsOfSubmanifolds, of_a_circle_sealed_anew_are_accepted_only_if_nothing_false_is_found) {
+  mutate_and_ask("a circle", certificate(circle_model(40, 1), all_levels), 1500, 7);
+}
+
+TEST_F(MutationsOfSubmanifolds, of_a_sphere_sealed_anew_are_accepted_only_if_nothing_false_is_found) {
+  mutate_and_ask("a sphere", certificate(sphere_model(3), all_levels), 30, 8);
+}
+
+/// The manifold is a polyhedron, of which the simplices are a coarser triangulation.
+TEST_F(MutationsOfSubmanifolds, of_a_mesh_sealed_anew_are_accepted_only_if_nothing_false_is_found) {
+  SubmanifoldModel model = on_mesh(sphere_model(3), sphere_model(4));
+  model.displacement *= 1.25;
+  mutate_and_ask("a mesh", certificate(model, all_levels), 12, 9);
 }
 
 /// In the manifold block, the parameters and the levels, and the first points.

@@ -453,6 +453,50 @@ std::vector<Forgery> submanifold_forgeries() {
   Forgery near = forged("two circles nearer to each other than their points", "4.cover",
                         certificate(near_circles("extrinsic", 0.0065), {"1", "2", "4", "5"}), as_it_is);
   near.others = {"4.patch"};
+  const auto with_a_flip = [](Json& j) {
+    // The first triangle and one at its first side give way to those at the other diagonal.
+    Json& simplices = j["simplices"];
+    const int a = simplices[0][0], b = simplices[0][1], c = simplices[0][2];
+    for (std::size_t k = 1; k < simplices.size(); ++k) {
+      std::vector<int> rest;
+      for (std::size_t at = 0; at < 3; ++at) {
+        if (simplices[k][at] != a && simplices[k][at] != b) rest.push_back(simplices[k][at]);
+      }
+      if (rest.size() != 1) continue;
+      std::vector<std::vector<int>> rows = {{a, c, rest[0]}, {b, c, rest[0]}};
+      simplices.erase(k);
+      simplices.erase(0);
+      for (const Json& row : simplices) rows.push_back({row[0], row[1], row[2]});
+      for (auto& row : rows) std::sort(row.begin(), row.end());
+      std::sort(rows.begin(), rows.end());
+      simplices = Json::array();
+      for (auto& row : rows) {
+        row.insert(row.end(), {0, 0});
+        simplices.push_back(row);
+      }
+      return;
+    }
+    throw std::logic_error("no second triangle");
+  };
+  Forgery turned_fibres = forged("fibres that go the other way at one vertex", "5.fibre", meshed,
+                                 [](Json& j) { j["charts"][3][6] = "-" + j["charts"][3][6].get<std::string>(); });
+  turned_fibres.others = {"5.contract"};
+  Forgery flipped =
+      forged("two triangles flipped", "1.protection", certificate(sphere_model(3), {"1", "2"}), [&](Json& j) {
+        with_a_flip(j);
+        j["levels"]["1"]["thickness"] = "1/1024";
+      });
+  flipped.others = {"1.radius", "1.vertices"};
+  // Point 7 of a circle and that of another, of which it is three times as far away as points are moved.
+  SubmanifoldModel glued = given(near_circles("intrinsic", 0.0065));
+  for (auto& edge : glued.simplices) {
+    for (int& label : edge) label = label == 7 ? 407 : label == 407 ? 7 : label;
+    std::sort(edge.begin(), edge.end());
+  }
+  std::sort(glued.simplices.begin(), glued.simplices.end());
+  Forgery exchanged =
+      forged("two circles that are exchanged at one label", "5.fibre", certificate(glued, {"1f", "2", "5"}), as_it_is);
+  exchanged.others = {"5.contract"};
   const auto with_one_radius = [](double unit) {
     return [=](Json& j) { j = with_radii(j, "100", [=](std::size_t i) { return i == 5 ? unit : 1; }); };
   };
@@ -538,6 +582,29 @@ std::vector<Forgery> submanifold_forgeries() {
              [](Json& j) { j["levels"]["6"]["bilipschitz"][0] = "1"; }),
       forged("angles to tangent planes too small", "6.normal", sphere_document(), claim("6", "normal", "1/4096")),
       forged("a weight that no angles have", "6.self-delaunay", sphere_document(), claim("6", "weight", "2")),
+      forged("points that may leave the patches", "1.patch", certificate(circle, {"1", "2"}),
+             [&](Json& j) {
+               j["parameters"]["mode"] = "measured";
+               j["parameters"]["separation"] = "1";
+               j["parameters"]["perturbation"] = "1/4";
+               j["levels"]["1"]["protection"] = "1/1024";
+               j["levels"]["1"]["circumradius"] = text_of(circle.patch_radius / 2 - 0x1p-7);
+             }),
+      forged("a chart turned by more than the slope", "sub.graph", certificate(circle, {"1", "2"}),
+             [](Json& j) { j["charts"][7][2] = "1/16"; }),
+      forged("a preconditioner of the other sign", "sub.graph", certificate(circle, {"1", "2"}),
+             [](Json& j) { j["charts"][3][3] = "-" + j["charts"][3][3].get<std::string>(); }),
+      turned_fibres,
+      flipped,
+      exchanged,
+      forged("the homology of a torus", "2.homology", sphere_document(),
+             [](Json& j) {
+               j["levels"]["2"]["homology"] = {"Z", "Z^2", "Z"};
+             }),
+      forged("a mesh less dense than stated", "4.density", meshed, claim("4", "density", "1/64")),
+      forged("a mesh with less room than stated", "5i.embedded", meshed, claim("5i", "margin", "1/16")),
+      forged("a mesh stretched more than stated", "6.bilipschitz", meshed,
+             [](Json& j) { j["levels"]["6"]["bilipschitz"][0] = "1"; }),
       forged("a displacement that leaves the patches", "5i.lid", round, claim("5", "displacement", "3/64")),
       forged("a margin too large", "5i.embedded", round, claim("5i", "margin", "1/16")),
       forged("radii that differ by more than stated", "sub.radii", round,

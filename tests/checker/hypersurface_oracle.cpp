@@ -1,0 +1,665 @@
+#include "tests/checker/hypersurface_oracle.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+#include "kernel/chart/ambient_grid.hpp"
+#include "kernel/formula/formula_map.hpp"
+#include "kernel/number/exact_text.hpp"
+#include "tests/checker/support/certificate_text.hpp"
+
+namespace delcert::checker_tests {
+namespace {
+
+constexpr double slack = 1e-9;
+constexpr double two_pi = 6.283185307179586;
+
+double number(const Json& value) { return approximate_double(parse_exact(value.get<std::string>())); }
+
+/// In the plane the third coordinate is 0.
+using Place = std::array<double, 3>;
+Place operator+(const Place& a, const Place& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+Place operator-(const Place& a, const Place& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Place operator*(double t, const Place& a) { return {t * a[0], t * a[1], t * a[2]}; }
+double dot(const Place& a, const Place& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Place cross(const Place& a, const Place& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+double length(const Place& a) { return std::sqrt(dot(a, a)); }
+Place unit(const Place& a) { return (1 / length(a)) * a; }
+
+/// A point p + s·d of M, and the normal there.
+struct Hit {
+  double s = 0;
+  Place normal{};
+  int facet = 0;  ///< where it is; 0 of a sphere
+};
+
+class Manifold {
+ public:
+  Manifold() = default;
+  Manifold(const Manifold&) = delete;
+  Manifold& operator=(const Manifold&) = delete;
+  virtual ~Manifold() = default;
+  [[nodiscard]] virtual std::vector<Hit> hits(const Place& p, const Place& d) const = 0;
+  [[nodiscard]] virtual std::vector<Place> samples() const = 0;
+  [[nodiscard]] virtual bool is_round() const = 0;
+};
+
+/// The unit sphere of dimension 1 or 2.
+class RoundSphere final : public Manifold {
+ public:
+  explicit RoundSphere(std::size_t m) : m_(m) {}
+  [[nodiscard]] std::vector<Hit> hits(const Place& p, const Place& d) const override {
+    // s with |p + sd| = 1, the smaller one without cancellation.
+    const double a = dot(d, d), b = dot(p, d), c = dot(p, p) - 1;
+    if (b * b < a * c || a == 0) return {};
+    const double q = -(b + std::copysign(std::sqrt(b * b - a * c), b));
+    std::vector<Hit> result;
+    for (const double s : {q == 0 ? 0 : c / q, q / a}) result.push_back({s, unit(p + s * d), 0});
+    return result;
+  }
+  [[nodiscard]] std::vector<Place> samples() const override {
+    constexpr int count = 1000;
+    std::vector<Place> result;
+    for (int k = 0; k < count; ++k) {
+      const double turn = m_ == 1 ? two_pi * k / count : two_pi * k * 0.6180339887498949;
+      const double z = m_ == 1 ? 0 : 2 * (k + 0.5) / count - 1, flat = std::sqrt(1 - z * z);
+      result.push_back({flat * std::cos(turn), flat * std::sin(turn), z});
+    }
+    return result;
+  }
+  [[nodiscard]] bool is_round() const override { return true; }
+
+ private:
+  std::size_t m_;
+};
+
+class Polyhedron final : public Manifold {
+ public:
+  explicit Polyhedron(const Json& manifold) {
+    std::vector<Place> vertices;
+    for (const Json& x : manifold.at("mesh")) vertices.push_back({number(x.at(0)), number(x.at(1)), number(x.at(2))});
+    for (const Json& facet : manifold.at("facets")) {
+      const std::array<std::size_t, 3> corners = {facet.at(0), facet.at(1), facet.at(2)};
+      for (std::size_t k = 0; k < 3; ++k) ++sides_[{corners[k], corners[(k + 1) % 3]}];
+      Facet& added = facets_.emplace_back(
+          Facet{vertices.at(corners[0]), vertices.at(corners[1]), vertices.at(corners[2]), {}, {}, 0});
+      added.middle = 1.0 / 3 * (added.a + added.b + added.c);
+      for (const Place& corner : {added.a, added.b, added.c})
+        added.radius = std::max(added.radius, length(corner - added.middle) * 1.001);
+      added.normal = unit(cross(added.b - added.a, added.c - added.a));
+      if (!(length(added.middle) < 100)) throw std::invalid_argument("a mesh that is not near the origin");
+      largest_ = std::max(largest_, added.radius);
+      middles_.insert(added.middle.data());
+    }
+  }
+  /// Each side once in each direction.
+  [[nodiscard]] bool is_closed() const {
+    return std::all_of(sides_.begin(), sides_.end(), [&](const auto& side) {
+      const auto other = sides_.find({side.first.second, side.first.first});
+      return side.second == 1 && other != sides_.end();
+    });
+  }
+  [[nodiscard]] std::vector<Hit> hits(const Place& p, const Place& d) const override {
+    constexpr double rim = 1e-9;
+    std::vector<Hit> result;
+    for (const std::size_t at : near(p)) {
+      const Facet& facet = facets_[at];
+      const double down = dot(facet.normal, d);
+      if (down == 0) continue;
+      const double s = dot(facet.normal, facet.a - p) / down;
+      const Place x = p + s * d;
+      const auto side = [&](const Place& from, const Place& to) {
+        return dot(facet.normal, cross(to - from, x - from)) / length(to - from);
+      };
+      if (side(facet.a, facet.b) < -rim || side(facet.b, facet.c) < -rim || side(facet.c, facet.a) < -rim) continue;
+      // On an edge it is in both facets.
+      if (std::none_of(result.begin(), result.end(), [&](const Hit& hit) { return std::fabs(hit.s - s) < rim; }))
+        result.push_back({s, facet.normal, static_cast<int>(at)});
+    }
+    return result;
+  }
+  [[nodiscard]] std::vector<Place> samples() const override {
+    std::vector<Place> result;
+    for (const Facet& facet : facets_) result.push_back(facet.middle);
+    return result;
+  }
+  [[nodiscard]] bool is_round() const override { return false; }
+
+ private:
+  struct Facet {
+    Place a, b, c, middle, normal;
+    double radius;
+  };
+  /// The facets whose points may be within this distance: more than cylinders are high.
+  [[nodiscard]] std::vector<std::size_t> near(const Place& p) const {
+    constexpr double reach = 0.125;
+    std::vector<std::size_t> result;
+    if (!std::isfinite(length(p)) || length(p) > 4) return result;
+    middles_.visit(p.data(), reach + largest_, [&](std::uint32_t at, double) {
+      result.push_back(at);
+      return false;
+    });
+    return result;
+  }
+  std::map<std::pair<std::size_t, std::size_t>, int> sides_;
+  std::vector<Facet> facets_;
+  double largest_ = 0;
+  AmbientGrid middles_{3, 0.25};
+};
+
+using Flat = std::array<double, 2>;  // chart coordinates; on a curve the second is 0
+double size(const Flat& a) { return std::hypot(a[0], a[1]); }
+Flat minus(const Flat& a, const Flat& b) { return {a[0] - b[0], a[1] - b[1]}; }
+double turned(const Flat& a, const Flat& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+struct Chart {
+  Place centre{}, normal{};
+  std::array<Place, 2> tangent{};
+  double weight = 0, radius = 0, height = 0;
+  Flat home{};
+  Place vertex{};  // p′
+
+  [[nodiscard]] Flat across(const Place& p) const { return {dot(tangent[0], p - centre), dot(tangent[1], p - centre)}; }
+  [[nodiscard]] double above(const Place& p) const { return dot(normal, p - centre); }
+  [[nodiscard]] Place at(const Flat& y, double z) const {
+    return centre + y[0] * tangent[0] + y[1] * tangent[1] + z * normal;
+  }
+  [[nodiscard]] bool contains(const Place& p) const { return size(across(p)) < radius && std::fabs(above(p)) < height; }
+  /// Of M over y in the closed cylinder; none unless there is exactly one.
+  [[nodiscard]] std::optional<Hit> zero(const Manifold& manifold, const Flat& y) const {
+    std::optional<Hit> result;
+    for (const Hit& hit : manifold.hits(at(y, 0), normal)) {
+      if (std::fabs(hit.s) > height * (1 - slack)) continue;
+      if (result) return std::nullopt;
+      result = hit;
+    }
+    return result;
+  }
+  /// W = NY.
+  [[nodiscard]] Place fibre() const { return weight * normal; }
+};
+
+using Simplex = std::vector<std::size_t>;
+
+/// The certificate, read.
+struct Reading {
+  std::size_t m;
+  std::vector<Chart> charts;
+  std::vector<Simplex> simplices;
+  double slope, epsilon, perturbation, distortion;
+  std::vector<Flat> box;  // from, to
+
+  explicit Reading(const Json& j)
+      : m(j.at("manifold").at("dimension").get<std::size_t>()),
+        slope(number(j.at("manifold").at("slope"))),
+        epsilon(number(j.at("parameters").at("sampling_radius"))),
+        perturbation(number(j.at("parameters").at("perturbation"))),
+        distortion(number(j.at("parameters").at("distortion"))) {
+    if (j.at("manifold").contains("box")) {
+      for (const Json& side : j.at("manifold").at("box")) box.push_back({number(side.at(0)), number(side.at(1))});
+    }
+    for (std::size_t i = 0; i < j.at("charts").size(); ++i)
+      charts.push_back(chart_of(j.at("net").at(i), j.at("charts").at(i), j.at("points").at(i)));
+    for (const Json& row : j.at("simplices")) {
+      Simplex& simplex = simplices.emplace_back();
+      for (std::size_t k = 0; k <= m; ++k) simplex.push_back(row.at(k));
+    }
+  }
+
+ private:
+  [[nodiscard]] Chart chart_of(const Json& centre, const Json& row, const Json& home) const {
+    const std::size_t n = m + 1;
+    Chart chart;
+    for (std::size_t axis = 0; axis < n; ++axis) chart.centre[axis] = number(centre.at(axis));
+    for (std::size_t k = 0; k < m; ++k) chart.home[k] = number(home.at(k));
+    // A x = v × x, so that (1 + A)⁻¹ x = (x + (v·x)v − v × x)/(1 + |v|²), and T = 2(1 + A)⁻¹ − 1.
+    std::array<double, 3> a{};
+    for (std::size_t k = 0; k < n * (n - 1) / 2; ++k) a[k] = number(row.at(n + k));
+    const Place v = n == 2 ? Place{0, 0, -a[0]} : Place{-a[2], a[1], -a[0]};
+    const auto column = [&](std::size_t k) {
+      const double axis = number(row.at(k));
+      Place e{};
+      e.at(static_cast<std::size_t>(std::fabs(axis)) - 1) = axis < 0 ? -1 : 1;
+      return 2 / (1 + dot(v, v)) * (e + dot(v, e) * v - cross(v, e)) - e;
+    };
+    for (std::size_t k = 0; k < m; ++k) chart.tangent[k] = column(k);
+    chart.normal = column(m);
+    const std::size_t next = n + n * (n - 1) / 2;
+    chart.weight = number(row.at(next));
+    chart.radius = number(row.at(next + 1));
+    chart.height = number(row.at(next + 2));
+    return chart;
+  }
+};
+
+struct Circle {
+  Flat centre{};
+  double radius = 0;
+};
+Circle circle_through(const std::vector<Flat>& x) {
+  if (x.size() == 2) return {{(x[0][0] + x[1][0]) / 2, 0}, std::fabs(x[0][0] - x[1][0]) / 2};
+  const Flat u = minus(x[1], x[0]), v = minus(x[2], x[0]);
+  const double a = u[0] * u[0] + u[1] * u[1], b = v[0] * v[0] + v[1] * v[1], twice = 2 * turned(u, v);
+  const Flat to = {(a * v[1] - b * u[1]) / twice, (b * u[0] - a * v[0]) / twice};
+  return {{x[0][0] + to[0], x[0][1] + to[1]}, size(to)};
+}
+
+class Oracle {
+ public:
+  Oracle(const Json& j, const Manifold& manifold) : j_(j), c_(j), manifold_(manifold), samples_(manifold.samples()) {
+    stars_.resize(c_.charts.size());
+    for (const Simplex& simplex : c_.simplices) {
+      for (const std::size_t label : simplex) stars_.at(label).push_back(&simplex);
+    }
+  }
+
+  std::string fault() {
+    if (auto found = of_charts(); !found.empty()) return found;
+    for (Chart& chart : c_.charts) {
+      const auto hit = chart.zero(manifold_, chart.home);
+      if (!hit) return "a point that is not there";
+      chart.vertex = chart.at(chart.home, hit->s);
+    }
+    if (auto found = of_cover(); !found.empty()) return found;
+    shown_.resize(c_.charts.size());
+    for (std::size_t i = 0; i < c_.charts.size(); ++i) {
+      for (std::size_t k = 0; k < c_.charts.size(); ++k) {
+        if (c_.charts[i].contains(c_.charts[k].vertex)) shown_[i][k] = c_.charts[i].across(c_.charts[k].vertex);
+      }
+    }
+    const Json& levels = j_.at("levels");
+    const std::vector<std::pair<const char*, std::string (Oracle::*)(const Json&) const>> rules = {
+        {"1", &Oracle::of_level_1}, {"2", &Oracle::of_level_2},   {"2s", &Oracle::of_level_2s},
+        {"5", &Oracle::of_level_5}, {"5i", &Oracle::of_level_5i}, {"4", &Oracle::of_level_4},
+        {"6", &Oracle::of_level_6}};
+    for (const auto& [level, rule] : rules) {
+      if (!levels.contains(level)) continue;
+      if (auto found = (this->*rule)(levels.at(level)); !found.empty()) return std::string(level) + ": " + found;
+    }
+    return "";
+  }
+
+ private:
+  /// Chart coordinates in directions around 0 at this distance.
+  [[nodiscard]] std::vector<Flat> around(double distance) const {
+    const int directions = c_.m == 1 ? 2 : 6;
+    std::vector<Flat> result;
+    for (int k = 0; k < directions; ++k)
+      result.push_back(
+          {distance * std::cos(two_pi * k / directions), c_.m == 1 ? 0 : distance * std::sin(two_pi * k / directions)});
+    return result;
+  }
+
+  std::string of_charts() const {
+    const int steps = c_.m == 1 ? 24 : 6;
+    for (const Chart& chart : c_.charts) {
+      for (std::size_t axis = 0; axis < c_.box.size(); ++axis) {
+        const double wide = chart.radius * std::hypot(chart.tangent[0][axis], chart.tangent[1][axis]) +
+                            chart.height * std::fabs(chart.normal[axis]);
+        if (!(chart.centre[axis] - wide > c_.box[axis][0] && chart.centre[axis] + wide < c_.box[axis][1]))
+          return "a cylinder outside of the box";
+      }
+      for (const double z : {-chart.height, chart.height}) {
+        const double gradient = 2 * dot(chart.at({}, z), chart.normal);
+        if (manifold_.is_round() && !(std::fabs(1 - chart.weight * gradient) < 1 + slack)) return "fibres";
+      }
+      const auto z0 = chart.zero(manifold_, {});
+      if (!z0) return "no point over a centre";
+      if (!(std::fabs(z0->s) + 9.0 / 16 * c_.slope * chart.radius < chart.height * (1 + slack)))
+        if (manifold_.is_round()) return "a lid";
+      for (int step = 1; step <= steps; ++step) {
+        const double s = static_cast<double>(step) / steps;
+        for (const Flat& y : around(chart.radius * s * (1 - slack))) {
+          const auto hit = chart.zero(manifold_, y);
+          if (!hit) return "no graph";
+          if (!manifold_.is_round()) {
+            if (steepness(chart, hit->normal) > c_.slope * (1 + slack)) return "a slope";
+            continue;
+          }
+          const double half = c_.slope * chart.radius * (2 * s + 7 * s * s) / 16;
+          for (const double part : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
+            const double steep = steepness(chart, chart.at(y, z0->s + part * half));
+            if (!(steep <= c_.slope * (1 + 7 * s) / 8 * (1 + slack) + slack)) return "a slope";
+          }
+        }
+      }
+      if (!(size(chart.home) < chart.radius)) return "a point outside of its chart";
+    }
+    if (!((1 + c_.distortion) * (1 + c_.distortion) >= 1 + c_.slope * c_.slope - slack)) return "distortion";
+    return "";
+  }
+  /// Of M in the chart where it has this normal.
+  static double steepness(const Chart& chart, const Place& normal) {
+    return std::hypot(dot(normal, chart.tangent[0]), dot(normal, chart.tangent[1])) /
+           std::fabs(dot(normal, chart.normal));
+  }
+
+  std::string of_cover() const {
+    for (const Place& p : samples_) {
+      if (std::none_of(c_.charts.begin(), c_.charts.end(), [&](const Chart& chart) { return chart.contains(p); }))
+        return "a point in no cylinder";
+    }
+    return "";
+  }
+
+  /// The corners in chart i; none if it does not show all of them.
+  [[nodiscard]] std::optional<std::vector<Flat>> corners(std::size_t i, const Simplex& simplex) const {
+    std::vector<Flat> result;
+    for (const std::size_t label : simplex) {
+      const auto found = shown_[i].find(label);
+      if (found == shown_[i].end()) return std::nullopt;
+      result.push_back(found->second);
+    }
+    return result;
+  }
+  /// A label that chart i shows within this distance, and not of the simplex, nearer than this to its circumsphere's
+  /// inside.
+  [[nodiscard]] bool is_disturbed(std::size_t i, const Simplex& simplex, const Circle& ball, double protection,
+                                  double reach) const {
+    for (const auto& [label, x] : shown_[i]) {
+      if (std::count(simplex.begin(), simplex.end(), label) > 0 || size(x) > reach * (1 - slack)) continue;
+      if (size(minus(x, ball.centre)) < ball.radius + protection - slack) return true;
+    }
+    return false;
+  }
+  static double least_altitude(const std::vector<Flat>& x) {
+    if (x.size() == 2) return size(minus(x[0], x[1]));
+    return std::fabs(turned(minus(x[1], x[0]), minus(x[2], x[0]))) / longest_side(x);
+  }
+  static double longest_side(const std::vector<Flat>& x) {
+    double result = 0;
+    for (std::size_t k = 0; k < x.size(); ++k) result = std::max(result, size(minus(x[k], x[(k + 1) % x.size()])));
+    return result;
+  }
+
+  std::string of_level_1(const Json& level) const {
+    const double delta = number(level.at("protection")), r = number(level.at("circumradius"));
+    const double thickness = number(level.at("thickness"));
+    const double within = c_.perturbation * c_.epsilon + 2 * r + delta;
+    for (std::size_t i = 0; i < c_.charts.size(); ++i) {
+      if (size(c_.charts[i].home) > c_.perturbation * c_.epsilon + slack) return "perturbation";
+      if (!(within < c_.charts[i].radius * (1 + slack))) return "patch";
+      double angle = 0;
+      for (const Simplex* simplex : stars_[i]) {
+        const auto x = corners(i, *simplex);
+        if (!x) return "a vertex that is not shown";
+        const Circle ball = circle_through(*x);
+        if (!(ball.radius <= r * (1 + slack))) return "circumradius";
+        if (!(least_altitude(*x) >= thickness * static_cast<double>(c_.m) * longest_side(*x) * (1 - slack)))
+          return "thickness";
+        if (is_disturbed(i, *simplex, ball, delta, within)) return "protection";
+        angle += angle_at(i, *simplex, *x);
+      }
+      if (std::fabs(angle - two_pi) > 1e-6) return "facets";
+    }
+    return "";
+  }
+  /// Of the simplex at label i; half a turn of an edge.
+  [[nodiscard]] static double angle_at(std::size_t i, const Simplex& simplex, const std::vector<Flat>& x) {
+    if (x.size() == 2) return two_pi / 2;
+    const auto at = static_cast<std::size_t>(std::find(simplex.begin(), simplex.end(), i) - simplex.begin());
+    const Flat u = minus(x[(at + 1) % 3], x[at]), v = minus(x[(at + 2) % 3], x[at]);
+    return std::fabs(std::atan2(turned(u, v), u[0] * v[0] + u[1] * v[1]));
+  }
+
+  std::string of_level_2(const Json& level) const {
+    if (level.at("simplices") != c_.simplices.size() || level.at("closed") != true) return "counts";
+    std::set<Simplex> different;
+    std::map<Simplex, int> edges;
+    for (Simplex simplex : c_.simplices) {
+      std::sort(simplex.begin(), simplex.end());
+      different.insert(simplex);
+      for (std::size_t k = 0; k < simplex.size(); ++k) {
+        for (std::size_t l = 0; l < k; ++l) ++edges[{simplex[l], simplex[k]}];
+      }
+    }
+    if (different.size() != c_.simplices.size()) return "a simplex twice";
+    const int points = static_cast<int>(c_.charts.size()), sides = static_cast<int>(edges.size());
+    const int triangles = c_.m == 1 ? 0 : static_cast<int>(different.size());
+    if (level.at("euler_characteristic") != points - sides + triangles) return "Euler characteristic";
+    if (c_.m == 2 && std::any_of(edges.begin(), edges.end(), [](const auto& edge) { return edge.second != 2; }))
+      return "an edge of other than two triangles";
+    return "";
+  }
+
+  std::string of_level_2s(const Json& level) const {
+    const double reach = number(level.at("reach"));
+    for (std::size_t j = 0; j < c_.charts.size(); ++j) {
+      if (!(reach < c_.charts[j].radius)) return "reach";
+      std::set<const Simplex*> near;
+      for (const Simplex* simplex : stars_[j]) {
+        for (const std::size_t i : *simplex) near.insert(stars_[i].begin(), stars_[i].end());
+      }
+      for (const Simplex* simplex : near) {
+        const auto x = corners(j, *simplex);
+        if (!x) return "a vertex that is not shown";
+        const Circle ball = circle_through(*x);
+        if (size(ball.centre) + ball.radius > reach * (1 + slack)) return "a ball beyond the reach";
+        if (is_disturbed(j, *simplex, ball, 0, reach)) return "a star";
+      }
+    }
+    return "";
+  }
+
+  /// A point of a simplex, what it is moved by, how often W that is, and where it comes to.
+  struct Moved {
+    Place x, by;
+    double s = 0;
+    Hit hit;
+  };
+  [[nodiscard]] std::optional<Moved> moved(const Simplex& simplex, const std::vector<double>& t) const {
+    Place x{}, w{};
+    for (std::size_t k = 0; k < simplex.size(); ++k) {
+      x = x + t[k] * c_.charts[simplex[k]].vertex;
+      w = w + t[k] * c_.charts[simplex[k]].fibre();
+    }
+    std::optional<Moved> result;
+    for (const Hit& hit : manifold_.hits(x, w)) {
+      if (!result || std::fabs(hit.s) < std::fabs(result->s)) result = Moved{x, hit.s * w, hit.s, hit};
+    }
+    return result;
+  }
+  /// At a grid of points.
+  const std::vector<Moved>& moved(const Simplex& simplex) const {
+    const auto [found, is_new] = moved_.try_emplace(&simplex);
+    if (is_new) found->second = moved_now(simplex);
+    return found->second;
+  }
+  [[nodiscard]] std::vector<Moved> moved_now(const Simplex& simplex) const {
+    const int steps = c_.m == 1 ? 16 : 3;
+    std::vector<Moved> result;
+    for (int a = 0; a <= steps; ++a) {
+      for (int b = 0; b <= (c_.m == 1 ? 0 : steps - a); ++b) {
+        const double u = static_cast<double>(a) / steps, v = static_cast<double>(b) / steps;
+        std::vector<double> t = {1 - u - v, u};
+        if (c_.m == 2) t.push_back(v);
+        if (auto found = moved(simplex, t)) result.push_back(*found);
+      }
+    }
+    return result;
+  }
+
+  std::string of_level_5(const Json& level) const {
+    const double gamma = number(level.at("contraction")), omega = number(level.at("displacement"));
+    const std::size_t grid = c_.m == 1 ? 17 : 10;
+    double angle = 0;
+    for (const Simplex& simplex : c_.simplices) {
+      const std::vector<Moved>& points = moved(simplex);
+      if (points.size() != grid) return "a point that goes nowhere";
+      for (const Moved& point : points) {
+        if (length(point.by) > omega * (1 + slack) + slack) return "displacement";
+        for (const std::size_t i : simplex) {
+          const Chart& chart = c_.charts[i];
+          if (!(size(chart.across(point.x)) + omega < chart.radius * (1 + slack))) return "fibre, disc";
+          if (!(std::fabs(chart.above(point.x)) + omega < chart.height * (1 + slack))) return "fibre, lid";
+        }
+      }
+      for (std::size_t k = 1; k < points.size(); ++k) {
+        for (const std::size_t i : simplex) {
+          const Chart& chart = c_.charts[i];
+          const Place by = points[k].by - points[k - 1].by, way = points[k].x - points[k - 1].x;
+          const Flat change = {dot(chart.tangent[0], by), dot(chart.tangent[1], by)};
+          const Flat across = {dot(chart.tangent[0], way), dot(chart.tangent[1], way)};
+          if (size(change) > gamma * size(across) + slack) return "contraction";
+        }
+      }
+      angle += angle_of(simplex);
+    }
+    // Every simplex once around, and once only.
+    return std::fabs(angle - (c_.m == 1 ? two_pi : 2 * two_pi)) > 1e-6 ? "not once around" : "";
+  }
+  /// Seen from the origin.
+  [[nodiscard]] double angle_of(const Simplex& simplex) const {
+    const Place a = unit(c_.charts[simplex[0]].vertex), b = unit(c_.charts[simplex[1]].vertex);
+    if (c_.m == 1) return std::atan2(length(cross(a, b)), dot(a, b));
+    const Place c = unit(c_.charts[simplex[2]].vertex);
+    return 2 * std::atan2(std::fabs(dot(a, cross(b, c))), 1 + dot(a, b) + dot(b, c) + dot(c, a));
+  }
+
+  std::string of_level_5i(const Json& level) const {
+    const Json& five = j_.at("levels").at("5");
+    const double gamma = number(five.at("contraction")), omega = number(five.at("displacement"));
+    const double margin = number(level.at("margin"));
+    for (std::size_t i = 0; i < c_.charts.size(); ++i) {
+      const Chart& chart = c_.charts[i];
+      double altitude = 10, side = 0;
+      for (const Simplex* simplex : stars_[i]) {
+        const std::vector<Moved>& points = moved(*simplex);
+        for (const std::size_t v : *simplex) {
+          if (!(std::fabs(chart.above(c_.charts[v].vertex)) + 3 * omega < chart.height * (1 + slack))) return "lid";
+          const Place w = c_.charts[v].fibre();
+          for (const Moved& point : points)
+            side = std::max(side, std::hypot(dot(chart.tangent[0], w), dot(chart.tangent[1], w)) * std::fabs(point.s));
+        }
+        altitude = std::min(altitude, altitude_at(i, *simplex));
+      }
+      // What is sampled is half of what is claimed, at most.
+      if (!((1 - gamma) * altitude / static_cast<double>(c_.m + 1) - side >= margin - slack)) return "margin";
+    }
+    return "";
+  }
+  /// In chart i.
+  [[nodiscard]] double altitude_at(std::size_t i, const Simplex& simplex) const {
+    const auto x = corners(i, simplex);
+    if (!x) return 10;
+    if (x->size() == 2) return size(minus((*x)[0], (*x)[1]));
+    const auto at = static_cast<std::size_t>(std::find(simplex.begin(), simplex.end(), i) - simplex.begin());
+    const Flat side = minus((*x)[(at + 2) % 3], (*x)[(at + 1) % 3]);
+    return std::fabs(turned(side, minus((*x)[at], (*x)[(at + 1) % 3]))) / size(side);
+  }
+
+  std::string of_level_4(const Json& level) const {
+    const double density = number(level.at("density"));
+    const bool is_extrinsic = level.at("metric") != "intrinsic";
+    for (const Chart& chart : c_.charts) {
+      if (!(size(chart.home) + density < chart.radius * (1 + slack))) return "patch";
+      if (is_extrinsic && !(std::fabs(chart.above(chart.vertex)) + density < chart.height * (1 + slack))) return "lid";
+    }
+    std::set<Simplex> edges;
+    for (const Simplex& simplex : c_.simplices) {
+      for (const std::size_t a : simplex) {
+        for (const std::size_t b : simplex) edges.insert({a, b});
+      }
+    }
+    for (const Place& x : samples_) {
+      std::vector<std::pair<double, std::size_t>> near;
+      for (std::size_t i = 0; i < c_.charts.size(); ++i) near.emplace_back(length(c_.charts[i].vertex - x), i);
+      std::partial_sort(near.begin(), near.begin() + 3, near.end());
+      if (near[0].first > density * (1 + slack)) return "density";
+      const bool is_near_tie = near[2].first - near[1].first < 1e-6;
+      if (is_extrinsic && !is_near_tie && edges.count({near[0].second, near[1].second}) == 0) return "edges";
+    }
+    // On a sphere simplices are the facets of the convex hull, for both distances.
+    if (!manifold_.is_round()) return "";
+    for (const Simplex& simplex : c_.simplices) {
+      const Place a = c_.charts[simplex[0]].vertex, b = c_.charts[simplex[1]].vertex;
+      Place outwards = c_.m == 1 ? Place{b[1] - a[1], a[0] - b[0], 0} : cross(b - a, c_.charts[simplex[2]].vertex - a);
+      outwards = std::copysign(1 / length(outwards), dot(outwards, a)) * outwards;
+      for (std::size_t i = 0; i < c_.charts.size(); ++i) {
+        if (std::count(simplex.begin(), simplex.end(), i) > 0) continue;
+        if (dot(outwards, c_.charts[i].vertex - a) > slack) return "simplices";
+      }
+    }
+    return "";
+  }
+
+  std::string of_level_6(const Json& level) const {
+    const double least = number(level.at("bilipschitz").at(0)), most = number(level.at("bilipschitz").at(1));
+    const double normal = number(level.at("normal"));
+    if (level.at("self_delaunay") != (c_.m == 2)) return "self-Delaunay";
+    if (c_.m == 2 && least_weight() < number(level.at("weight")) - slack) return "weight";
+    for (const Simplex& simplex : c_.simplices) {
+      const Place a = c_.charts[simplex[0]].vertex, b = c_.charts[simplex[1]].vertex;
+      const Place across = c_.m == 1 ? Place{} : unit(cross(b - a, c_.charts[simplex[2]].vertex - a));
+      const std::vector<Moved>& points = moved(simplex);
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        const Hit& hit = points[k].hit;
+        const double sine = c_.m == 1 ? std::fabs(dot(unit(b - a), hit.normal)) : length(cross(across, hit.normal));
+        if (sine > normal * (1 + slack) + slack) return "normal";
+        if (k == 0) continue;
+        const Moved &to = points[k], &from = points[k - 1];
+        const double chord = length(to.x + to.by - from.x - from.by);
+        const double way = manifold_.is_round() ? 2 * std::asin(std::min(chord / 2, 1.0)) : chord;
+        const double ratio = way / length(to.x - from.x);
+        // Between two facets the chord is shorter than the way on M.
+        const bool is_way = manifold_.is_round() || to.hit.facet == from.hit.facet;
+        if ((is_way && ratio < least - slack) || ratio > most + slack) return "bilipschitz";
+      }
+    }
+    return "";
+  }
+  /// Of cot α + cot β at edges.
+  [[nodiscard]] double least_weight() const {
+    std::map<Simplex, double> weights;
+    for (const Simplex& simplex : c_.simplices) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t i = simplex[(k + 1) % 3], j = simplex[(k + 2) % 3];
+        const Place apex = c_.charts[simplex[k]].vertex;
+        const Place u = c_.charts[i].vertex - apex, v = c_.charts[j].vertex - apex;
+        weights[{std::min(i, j), std::max(i, j)}] += dot(u, v) / length(cross(u, v));
+      }
+    }
+    double result = 1e9;
+    for (const auto& [edge, weight] : weights) result = std::min(result, weight);
+    return result;
+  }
+
+  const Json& j_;
+  Reading c_;
+  const Manifold& manifold_;
+  std::vector<Place> samples_;
+  std::vector<std::vector<const Simplex*>> stars_;
+  std::vector<std::map<std::size_t, Flat>> shown_;  // in each chart
+  mutable std::map<const Simplex*, std::vector<Moved>> moved_;
+};
+
+}  // namespace
+
+std::string fault_of_hypersurface(const std::string& text) {
+  const Json j = Json::parse(text);
+  const Json& manifold = j.at("manifold");
+  if (manifold.at("vertices") != "manifold") return "another kind of vertices";
+  if (manifold.contains("mesh")) {
+    const Polyhedron polyhedron(manifold);
+    if (!polyhedron.is_closed()) return "a mesh that is not closed";
+    return Oracle(j, polyhedron).fault();
+  }
+  const auto variables = manifold.at("variables").get<std::vector<std::string>>();
+  const auto equations = manifold.at("equations").get<std::vector<std::string>>();
+  const std::size_t m = manifold.at("dimension");
+  const std::vector<std::string> expected = {m == 1 ? "x^2+y^2-1" : "x^2+y^2+z^2-1"};
+  if (FormulaMap(variables, equations).canonical_texts() != expected || variables.size() != m + 1)
+    return "another zero set";
+  return Oracle(j, RoundSphere(m)).fault();
+}
+
+}  // namespace delcert::checker_tests
