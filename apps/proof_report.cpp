@@ -25,7 +25,7 @@ Json point_json(const Point& point) {
   return result;
 }
 
-/// What is said of a step beside its verdict.
+/// What is said of a step besides its verdict.
 std::string detail_of(const StepOutcome& outcome, const Vacuity& vacuity) {
   if (is_refuted(outcome.verdict)) {
     return outcome.counterexample.empty() ? "false" : "false at " + point_text(outcome.counterexample);

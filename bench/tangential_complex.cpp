@@ -1,6 +1,6 @@
 // GUDHI's tangential complex with its fix of inconsistencies by perturbation, which together are the whole job that the
-// certified run does, and certify nothing; beside that run, on the same net of a sphere or of a built-in zero set of
-// dimension 3, one thread:
+// certified run does, and certify nothing; compared with that run on the same net of a sphere or of a built-in zero set
+// of dimension 3, one thread:
 //   tangential_complex sphere-2 1/84        (points on 𝕊² ⊂ ℝ³)
 //   tangential_complex sphere-3 1/20        (points on 𝕊³ ⊂ ℝ⁴)
 //   tangential_complex torus-3-in-r6 1/7    (points on 𝕋³ ⊂ ℝ⁶)

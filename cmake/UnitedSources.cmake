@@ -1,6 +1,6 @@
 # Half of what a compiler does for a source of ours, it does for others, too: it reads the same headers and instantiates
 # the same templates. So several sources are compiled as one where all is built once: ./run and ./test. It is off
-# otherwise, since a change of one source then compiles its neighbours, and clang-tidy wants them one by one.
+# otherwise, since a change of one source then compiles its neighbours, and clang-tidy reads them one by one.
 option(DELCERT_UNITED_SOURCES "Compile several sources as one: quicker clean builds" OFF)
 if(DELCERT_UNITED_SOURCES AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC takes the sources that are compiled as one to be headers, whose unnamed namespaces it warns of.

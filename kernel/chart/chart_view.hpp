@@ -11,7 +11,7 @@
 
 namespace delcert {
 
-/// What certification asks of a space form X/Γ beside its charts; or of a manifold with affine charts, where only the
+/// What certification asks of a space form X/Γ besides its charts; or of a manifold with affine charts, where only the
 /// last two count.
 struct ModelGeometry {
   Curvature curvature = Curvature::zero;

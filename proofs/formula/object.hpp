@@ -12,7 +12,7 @@
 
 namespace delcert {
 
-/// What a formula can speak of beside numbers: a simplex, a point, a net … Exact data, the same on every rung.
+/// What a formula can speak of besides numbers: a simplex, a point, a net … Exact data, the same on every rung.
 class Object {
  public:
   Object() = default;

@@ -62,7 +62,7 @@ struct Goal {
 };
 
 /// The statements that together say that the hypotheses imply the claim: one for each part of a conjunction, with the
-/// greatest and least of several terms and absolute values beside a comparison resolved.
+/// greatest and least of several terms and absolute values on either side of a comparison resolved.
 [[nodiscard]] std::vector<ExpressionPointer> goal_statements(const std::vector<ExpressionPointer>& hypotheses,
                                                              const ExpressionPointer& claim);
 

@@ -84,7 +84,7 @@ NodePointer joined(const std::string& head, const std::vector<NodePointer>& part
   return result;
 }
 
-/// Beside a comparison, greatest and least terms and absolute values become several comparisons.
+/// On either side of a comparison, greatest and least terms and absolute values become several comparisons.
 NodePointer without_extremes(const NodePointer& comparison) {
   if (comparison->head == "=") return comparison;
   for (std::size_t side = 0; side < 2; ++side) {

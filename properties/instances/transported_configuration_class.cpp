@@ -12,7 +12,7 @@ namespace delcert {
 
 namespace {
 
-/// The hypotheses of lem:prop.forbid.cfg beside those of the claim: with them a forbidden configuration has P1 … P4.
+/// The hypotheses of lem:prop.forbid.cfg besides those of the claim: with them a forbidden configuration has P1 … P4.
 class LemmaLimits : public Limits {
  public:
   explicit LemmaLimits(const Limits& given) : given_(given) {}

@@ -25,7 +25,7 @@ status=0
 [[ $status == 3 ]] || { echo "verifies what is forged: $status"; exit 1; }
 [[ $("$work/build/delcert-check" --version) == "$(cat "$source/VERSION")" ]] || { echo "another version"; exit 1; }
 
-# Six libraries beside the compiler: gmp, flint, arb, zstd, nettle, and nlohmann-json, which is headers.
+# Six libraries besides the compiler: gmp, flint, arb, zstd, nettle, and nlohmann-json, which is headers.
 readelf -d "$work/build/delcert-check" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p' >"$work/linked"
 if grep -vE '^lib(c|m|gcc_s|stdc\+\+|gmp|flint|flint-arb|arb|zstd|nettle)\.so' "$work/linked"; then
   echo "is linked with what it should not need"

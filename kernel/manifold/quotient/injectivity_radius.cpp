@@ -57,7 +57,7 @@ InjectivityRadius injectivity_radius(const InvariantForm& form, const DirichletP
   BigInterval shortest = translation_length(form, polyhedron.sides.front().element);
   for (const auto& side : polyhedron.sides) shortest = minimum(shortest, translation_length(form, side.element));
   const auto tiles = tiles_near_polyhedron(form, polyhedron, shortest);
-  // Beside e^ℓ and e^−ℓ the eigenvalues add at most 2 to the trace.
+  // Besides e^ℓ and e^−ℓ the eigenvalues add at most 2 to the trace.
   const BigInterval greatest_trace = hyperbolic_cosine(shortest) * BigInterval(2) + BigInterval(2);
   for (std::size_t at = 1; at < tiles.size(); ++at) {
     if (is_proved(less(greatest_trace, trace(tiles[at]).enclosure()))) continue;
@@ -67,7 +67,7 @@ InjectivityRadius injectivity_radius(const InvariantForm& form, const DirichletP
 }
 
 BigInterval translation_length(const InvariantForm& form, const FieldMatrix& element) {
-  // Eigenvalues exp(±ℓ), in dimension 2 the determinant, in dimension 3 exp(±iθ) or ±1 beside them.
+  // Eigenvalues exp(±ℓ), in dimension 2 the determinant, in dimension 3 exp(±iθ) or ±1 besides them.
   const FieldElement sum = trace(element);
   const bool preserves_orientation = determinant(element).sign() > 0;
   const BigInterval half(Rational::power_of_two(-1));

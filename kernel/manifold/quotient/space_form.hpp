@@ -13,8 +13,8 @@ namespace delcert {
 struct SpaceFormDescription {
   std::string name;
   InvariantForm form;
-  /// Matrices of order m + 1. Flat: beside the translations ℤᵐ. Hyperbolic: one for each pair of sides of the Dirichlet
-  /// polyhedron about o.
+  /// Matrices of order m + 1. Flat: besides the translations ℤᵐ. Hyperbolic: one for each pair of sides of the
+  /// Dirichlet polyhedron about o.
   std::vector<FieldMatrix> generators;
   /// What H₁ of the quotient is said to be, as `name_of` writes it, and the order of a finite group.
   std::optional<std::string> first_homology;

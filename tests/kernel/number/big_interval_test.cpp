@@ -23,7 +23,7 @@ bool contains_root(const BigInterval& interval, const Rational& x) {
   return interval.lower() >= Rational(0) && square(interval.lower()) <= x && x <= square(interval.upper());
 }
 
-/// Numbers that no precision at hand holds exactly, beside the hard doubles.
+/// Numbers that no precision at hand holds exactly, besides the hard doubles.
 std::array<Rational, 2> hard_endpoints(RandomNumbers& random) {
   const auto doubles = random.hard_endpoints();
   const Rational a = Rational::exactly(doubles[0]);
