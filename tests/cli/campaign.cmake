@@ -50,7 +50,7 @@ endforeach()
 delcert_cli_test(campaign-merge-json STATUS 0 ERROR "^$" OUTPUT "\"blocks\": 1,.*\"logs\": " FIXTURE_SETUP campaign-whole
   COMMAND sh -c "rm -f campaign-one.jsonl && \"$1\" attack \"$2\" --shape 1,1 --samples 200 --log campaign-one.jsonl >/dev/null; \"$1\" campaign merge campaign-one.jsonl --output campaign-whole.jsonl --json"
     sh ${delcert} ${claim})
-delcert_cli_test(campaign-table STATUS 0 ERROR "^$" OUTPUT "circumradius-from-below / radius . k=1 m=1 . 200 " FIXTURES campaign-whole
+delcert_cli_test(campaign-table STATUS 0 ERROR "^$" OUTPUT "circumradius-from-below / radius . k=1 m=1 . ℝᵐ . 200 " FIXTURES campaign-whole
   COMMAND ${delcert} campaign table campaign-whole.jsonl --least 50)
 delcert_cli_test(campaign-table-full-disk STATUS 70 OUTPUT "^$" ERROR "cannot write to standard output" FIXTURES campaign-whole
   COMMAND sh -c "\"$1\" campaign table campaign-whole.jsonl > /dev/full" sh ${delcert})
