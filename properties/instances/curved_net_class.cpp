@@ -5,6 +5,7 @@
 #include "properties/instances/configuration_geometry.hpp"
 #include "properties/instances/curved_net_bounds.hpp"
 #include "properties/instances/net_draw.hpp"
+#include "properties/instances/net_kinds_class.hpp"
 #include "properties/instances/net_sample.hpp"
 #include "properties/instances/net_star.hpp"
 #include "properties/instances/space_star.hpp"
@@ -75,7 +76,7 @@ std::optional<FlatNets> draw_flat_nets(NetKind kind, int dimension, const Limits
   return result;
 }
 
-class CurvedNetClass : public InstanceClass {
+class CurvedNetClass : public NetKindsClass {
  public:
   std::string name() const override { return "curved-net"; }
   std::string meaning() const override {
@@ -101,21 +102,6 @@ class CurvedNetClass : public InstanceClass {
   std::string manifold(const Bindings& bindings) const override {
     return space_in(bindings, "p").curvature() == Curvature::positive ? "sphere" : "hyperbolic space";
   }
-
-  std::optional<Instance> draw(const Shape& shape, const Bindings& given, const Limits& limits,
-                               Choices& choices) const override {
-    return draw_of(NetKind::any, shape, given, limits, choices);
-  }
-
-  bool has_structure(const Shape&) const override { return true; }
-
-  /// Lattices next to degenerate ones.
-  std::optional<Instance> draw_structured(const Shape& shape, const Bindings& given, const Limits& limits,
-                                          Choices& choices) const override {
-    return draw_of(NetKind::nearly_degenerate, shape, given, limits, choices);
-  }
-
-  std::vector<Bindings> simpler(const Bindings&) const override { return {}; }
 
   void require(const Bindings& bindings) const override {
     require_signature(*this, bindings);
@@ -200,8 +186,8 @@ class CurvedNetClass : public InstanceClass {
     }
   };
 
-  static std::optional<Instance> draw_of(NetKind kind, const Shape& shape, const Bindings& given, const Limits& limits,
-                                         Choices& choices) {
+  std::optional<Instance> draw_of(NetKind kind, const Shape& shape, const Bindings& given, const Limits& limits,
+                                  Choices& choices) const override {
     const Curvature curvature = choices.happens(0.5) ? Curvature::positive : Curvature::negative;
     const bool is_free = choices.happens(0.06);
     const Rational share = choices.happens(0.5) ? Rational(1) : Rational(1) - choices.fraction(5);

@@ -5,6 +5,7 @@
 #include "proofs/formula/simplex_object.hpp"
 #include "properties/instances/net_chart.hpp"
 #include "properties/instances/net_draw.hpp"
+#include "properties/instances/net_kinds_class.hpp"
 #include "properties/instances/net_star.hpp"
 #include "support/error.hpp"
 
@@ -46,7 +47,7 @@ NetObject::Points seen_from(const Bindings& bindings, std::size_t j) {
   return chart_image(chart_map_in(bindings), points);
 }
 
-class StableNetClass : public InstanceClass {
+class StableNetClass : public NetKindsClass {
  public:
   std::string name() const override { return "stable-net"; }
   std::string meaning() const override {
@@ -66,21 +67,6 @@ class StableNetClass : public InstanceClass {
   void extend(Vocabulary& vocabulary) const override { add_chart_quantities(vocabulary); }
   std::vector<Shape> shapes() const override { return {{0, 2}, {0, 3}}; }
   std::uint64_t cost(const Shape& shape) const override { return shape.m == 2 ? 10 : 200; }
-
-  std::optional<Instance> draw(const Shape& shape, const Bindings& given, const Limits& limits,
-                               Choices& choices) const override {
-    return draw_of(NetKind::any, shape, given, limits, choices);
-  }
-
-  bool has_structure(const Shape&) const override { return true; }
-
-  /// Lattices next to degenerate ones.
-  std::optional<Instance> draw_structured(const Shape& shape, const Bindings& given, const Limits& limits,
-                                          Choices& choices) const override {
-    return draw_of(NetKind::nearly_degenerate, shape, given, limits, choices);
-  }
-
-  std::vector<Bindings> simpler(const Bindings&) const override { return {}; }
 
   void require(const Bindings& bindings) const override {
     require_signature(*this, bindings);
@@ -107,8 +93,8 @@ class StableNetClass : public InstanceClass {
   }
 
  private:
-  static std::optional<Instance> draw_of(NetKind kind, const Shape& shape, const Bindings& given, const Limits& limits,
-                                         Choices& choices) {
+  std::optional<Instance> draw_of(NetKind kind, const Shape& shape, const Bindings& given, const Limits& limits,
+                                  Choices& choices) const override {
     const Rational slack = Rational::power_of_two(choices.happens(0.5) ? -4 : -choices.between(5, 40));
     auto drawn = draw_perturbed_net(shape.m, net_factor, slack, given, limits, choices, kind);
     if (!drawn) return std::nullopt;
