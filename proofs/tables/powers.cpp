@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "kernel/number/decimal_bounds.hpp"
 #include "kernel/number/exact_text.hpp"
@@ -51,6 +52,24 @@ std::string deletion_by_dimension(const std::vector<PowerOfPlace>& powers, const
   return result.empty() ? "–" : result;
 }
 
+/// With how many instances each dimension of a place was searched: one number if it is the same for all.
+std::string evaluations_by_dimension(const std::vector<PowerOfPlace>& powers, const PowerOfPlace& place) {
+  std::map<std::string, std::uint64_t> most;
+  std::set<std::uint64_t> numbers;
+  for (const PowerOfPlace& power : powers) {
+    if (is_same_place(power, place)) {
+      std::uint64_t& known = most[power.dimension];
+      known = std::max(known, power.evaluations);
+    }
+  }
+  std::string result;
+  for (const auto& [dimension, number] : most) {
+    numbers.insert(number);
+    result += (result.empty() ? "" : ", ") + dimension + ": " + std::to_string(number);
+  }
+  return numbers.size() == 1 ? std::to_string(*numbers.begin()) : result;
+}
+
 }  // namespace
 
 std::vector<PowerOfPlace> parse_powers(const std::string& json, const std::string& file) {
@@ -70,6 +89,7 @@ std::vector<PowerOfPlace> parse_powers(const std::string& json, const std::strin
       power.is_deletion_refuted = one.value("deletion_refuted", false);
       power.can_be_deleted = one.contains("deletion_refuted");
       power.says_less = one.value("says_less", false);
+      power.evaluations = one.value("evaluations", std::uint64_t{0});
       if (one.value("instance", true)) result.push_back(std::move(power));
     }
   } catch (const nlohmann::json::exception& error) {
@@ -101,7 +121,8 @@ std::string power_page(const std::vector<PowerOfPlace>& powers) {
 For each term of each bound, the scale nearest to 1 with which a directed search refuted the claim, for each dimension, the best of
 its shapes, and whether it refuted the claim without the term ([attacks.md](../attacks.md#by-how-much-would-a-constant-have-to-be-wrong)
 says how). *no power*: nothing that was tried noticed the change, which says nothing about whether the claim with it is true. *says
-less*: without this factor the conclusion is weaker. A hypothesis is widened. The command, whose `--witnesses` are exact instances:
+less*: without this factor the conclusion is weaker. A hypothesis is widened. *Instances*: so many were tried for each place, which are fewer
+than the commands ask for where an instance is costly. The commands, whose `--witnesses` are exact instances:
 
 ```
 )";
@@ -110,8 +131,8 @@ less*: without this factor the conclusion is weaker. A hypothesis is widened. Th
 
 This page is what `delcert tables --power docs/tables/power.json --places` prints; a test compares them.
 
-| claim / part | place | kind | refuted when scaled | when deleted |
-|---|---|---|---|---|
+| claim / part | place | kind | refuted when scaled | when deleted | instances |
+|---|---|---|---|---|--:|
 )";
   std::vector<std::array<std::string, 4>> known;
   for (const PowerOfPlace& power : powers) {
@@ -121,7 +142,8 @@ This page is what `delcert tables --power docs/tables/power.json --places` print
     const std::string scaled =
         power.kind == "factor" ? "–" : power_by_dimension(powers, power.claim, power.part, power.place, power.kind);
     text += "| " + power.claim + " / " + power.part + " | `" + in_cell(power.place) + "` | " + power.kind + " | " +
-            scaled + " | " + deletion_by_dimension(powers, power) + " |\n";
+            scaled + " | " + deletion_by_dimension(powers, power) + " | " + evaluations_by_dimension(powers, power) +
+            " |\n";
   }
   return text;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,7 +19,8 @@ struct PowerOfPlace {
   std::optional<Rational> scale;  ///< nothing: not refuted by scaling
   bool is_deletion_refuted = false;
   bool can_be_deleted = false;
-  bool says_less = false;  ///< without it, on all instances
+  bool says_less = false;         ///< without it, on all instances
+  std::uint64_t evaluations = 0;  ///< instances that were tried; 0 where it is not recorded
 };
 
 /// Reads what `delcert power --json` prints; entries without an instance are left out. Throws InputError if it is
@@ -31,7 +33,8 @@ struct PowerOfPlace {
                                              const std::string& part, const std::string& place,
                                              const std::string& kind);
 
-/// The page docs/tables/power.md: a line for each place, with what is known for each dimension.
+/// The page docs/tables/power.md: a line for each place, with what is known for each dimension, and with how many
+/// instances.
 [[nodiscard]] std::string power_page(const std::vector<PowerOfPlace>& powers);
 
 /// "× 0.062"; rounded away from 1, so that the witness refutes with it, too.
