@@ -94,6 +94,8 @@ double largest_step(const Points& points, const Points& directions, double disto
   return result;
 }
 
+}  // namespace
+
 bool is_distorted_at_most(const ConfigurationMap::Finite& map) {
   for (std::size_t i = 0; i < map.points.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -106,8 +108,6 @@ bool is_distorted_at_most(const ConfigurationMap::Finite& map) {
   }
   return true;
 }
-
-}  // namespace
 
 Points circumcentres_of_facets(const Points& points) {
   Points result;

@@ -18,4 +18,7 @@ namespace delcert {
                                                                                const Rational& distortion,
                                                                                Choices& choices);
 
+/// Whether no distance of two points changes by more than the distortion times it; decided exactly.
+[[nodiscard]] bool is_distorted_at_most(const ConfigurationMap::Finite& map);
+
 }  // namespace delcert

@@ -1,5 +1,6 @@
 #include "properties/instances/adaptive_sampling_class.hpp"
 #include "properties/instances/configuration_point_class.hpp"
+#include "properties/instances/curved_configuration_class.hpp"
 #include "properties/instances/curved_net_class.hpp"
 #include "properties/instances/distortion_map_class.hpp"
 #include "properties/instances/exponential_charts_class.hpp"
@@ -19,6 +20,7 @@ namespace delcert {
 const std::vector<const InstanceClass*>& instance_classes() {
   static const std::vector<const InstanceClass*> classes{
       &adaptive_sampling_class(),
+      &curved_configuration_class(),
       &curved_net_class(),
       &distortion_map_class(),
       &exponential_charts_class(),
