@@ -28,6 +28,10 @@ SIMPLICES = ["circumradius-under-distortion", "circumscribing-balls-under-distor
 SHAPES = [part for k in range(1, 6) for part in ("--shape", f"{k},{k}")]
 SLIVERS = [part for k in range(2, 4) for part in ("--shape", f"{k},{k}")]
 HOOPS = ["--shape", "2,2", "--shape", "3,3", "--seed", "1", "--evaluations", "100"]
+CHARTS = ["exponential-chart-distances", "exponential-chart-distances-sharper", "exponential-chart-transitions",
+          "exponential-chart-transitions-sharper"]
+SHARPER = ["thickness-under-distortion-sharper", "circumradius-under-distortion-sharper",
+           "circumscribing-balls-under-distortion-sharper", "circumcentres-under-distortion-sharper", "crude-circumradius-bound-sharper"]
 THIN = "1/4,1/8,1/16,1/32,1/64,1/128"
 SMALL = "1/1024,1/4096,1/16384,1/65536,1/262144"
 # By the name of the searches: the file of the record, and the command.
@@ -37,6 +41,12 @@ PLAN = {
                                        "--seed", "1", "--evaluations", "100000"]),
     "balls": ("tightness", ["tighten", "circumscribing-balls-under-distortion", "--shape", "3,3", "--shape", "4,4", "--shape", "5,5",
                             "--seed", "1", "--evaluations", "2000"]),
+    "tightness-hoops": ("tightness", ["tighten", "raw-hoop-distortion", "--seed", "1", "--evaluations", "2000"]),
+    "tightness-charts": ("tightness", ["tighten", *CHARTS, "curved-hoop-distortion", "curved-raw-hoop-distortion", "--seed", "1",
+                                       "--evaluations", "2000"]),
+    "tightness-sharper": ("tightness", ["tighten", *SHARPER, *SHAPES, "--seed", "1", "--evaluations", "2000"]),
+    "tightness-sharper-hoops": ("tightness", ["tighten", "raw-hoop-distortion-sharper", "hoop-distortion-sharper", "--shape", "2,2",
+                                              "--shape", "3,3", "--seed", "1", "--evaluations", "500"]),
     "exponents-thickness": ("exponents", ["tighten", *SIMPLICES, *SLIVERS, "--seed", "1", "--evaluations", "2000",
                                           "--along", "thickness(s)", "--values", THIN]),
     "exponents-distortion": ("exponents", ["tighten", *SIMPLICES, *SLIVERS, "--seed", "1", "--evaluations", "500",
@@ -52,6 +62,7 @@ PLAN = {
     "power-other-hoops": ("power", ["power", "raw-hoop-distortion-sharper", "hoop-distortion", "hoop-distortion-sharper", *HOOPS]),
     "power-stars": ("power", ["power", "stable-stars", "delaunay-metric-stability", "--shape", "2", "--seed", "1",
                               "--evaluations", "2000"]),
+    "power-charts": ("power", ["power", *CHARTS, "--shape", "2", "--seed", "1", "--evaluations", "2000"]),
     "power-curved": ("power", ["power", "curved-stable-stars", "curved-delaunay-complex", "--shape", "2", "--seed", "1",
                                "--evaluations", "2000"]),
 }
