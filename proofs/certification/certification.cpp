@@ -15,7 +15,11 @@ namespace {
 class Certification {
  public:
   Certification(CertifyOptions options, const Progress& progress)
-      : options_(std::move(options)), progress_(clock_.callback(progress)) {
+      : options_(std::move(options)),
+        progress_(clock_.callback([this, progress](std::string_view stage, std::size_t done, std::size_t total) {
+          refinement_.size() == 0 ? progress(stage, done, total)
+                                  : progress(refinement_.text() + "; " + std::string(stage), done, total);
+        })) {
     options_.choice.seed = options_.source.seed;
     if (options_.no_perturbation) options_.choice.mode = RunMode::none;
     const AnyManifold manifold = find_any_manifold(options_.source.manifold);
@@ -25,17 +29,17 @@ class Certification {
   RunReport report() {
     RunReport& report = family_->report;
     for (int round = 0;; ++round) {
-      const bool is_last = round == options_.refinement_rounds;
       try {
         attempt();
-        if (is_last || !family_->refine()) break;
+        if (!is_refined(round)) break;
       } catch (const Rejection& rejection) {
-        if (is_last || !family_->refine()) throw Rejection(rejection.what() + advice());
+        if (!is_refined(round)) refuse(rejection);
       } catch (const Undecided& undecided) {
         throw Undecided(undecided.what() + advice());
       }
       report.refinement_rounds = round + 1;
     }
+    if (refinement_.has_stalled()) report.reasons.push_back(refinement_.reason());
     for (std::string& reason : report.reasons) {
       if (reason.starts_with("level 5:")) reason += advice();
     }
@@ -50,6 +54,19 @@ class Certification {
   }
 
  private:
+  /// Whether radii have become smaller for another round.
+  bool is_refined(int round) {
+    if (round == options_.refinement_rounds) return false;
+    auto failed = family_->refine();
+    if (!failed) return false;
+    refinement_.add(std::move(*failed));
+    return !refinement_.has_stalled();
+  }
+  [[noreturn]] void refuse(const Rejection& rejection) {
+    if (refinement_.has_stalled())
+      throw Undecided(std::string(rejection.what()) + "; " + refinement_.reason() + advice());
+    throw Rejection(rejection.what() + advice());
+  }
   [[nodiscard]] std::string advice() const { return family_->advice(options_.source, progress_); }
 
   void attempt() {
@@ -73,6 +90,7 @@ class Certification {
 
   CertifyOptions options_;
   StageClock clock_;
+  Refinement refinement_;
   Progress progress_;
   std::unique_ptr<Family> family_;
 };

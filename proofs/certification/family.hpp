@@ -8,6 +8,7 @@
 #include "kernel/manifold/any_manifold.hpp"
 #include "kernel/sample/point_file.hpp"
 #include "proofs/certification/certify_options.hpp"
+#include "proofs/certification/refinement.hpp"
 #include "proofs/certification/run_report.hpp"
 
 namespace delcert {
@@ -41,8 +42,8 @@ class Family {
   virtual void run(RunRequest request, const Progress& progress) = 0;
   virtual void derive(const LevelSelection& selection, const Progress& progress) = 0;
   /// After all that, or when it ended with a Rejection: makes radii smaller where something fails, so that the net will
-  /// be another one. False if there is no such place, or radii are not chosen by the run.
-  [[nodiscard]] virtual bool refine() { return false; }
+  /// be another one. Where that was; none if there is no such place, or radii are not chosen by the run.
+  [[nodiscard]] virtual std::optional<FailedRound> refine() { return std::nullopt; }
   /// After that: which radii should do, for the end of a message; empty where radii are not what was wrong, or nothing
   /// is known of others. A heuristic.
   [[nodiscard]] virtual std::string advice(const NetSource&, const Progress&) const { return {}; }

@@ -1,3 +1,5 @@
+#include <set>
+
 #include "kernel/manifold/submanifold_file.hpp"
 #include "kernel/sample/radius_advice.hpp"
 #include "kernel/sample/separation.hpp"
@@ -68,6 +70,7 @@ class SubmanifoldFamily final : public ChartFamily<m, SubmanifoldAtlas<m>> {
     for (const auto& failure : measures.triangulation.failures) {
       for (const std::uint32_t label : failure.simplex) failed_.push_back(place_of(Label(label)));
     }
+    fails_at_level_5_ = !failed_.empty();
     if (selects(selection, "5i")) {
       for (const Label label : measures.triangulation.crowded) failed_.push_back(place_of(label));
     }
@@ -76,15 +79,20 @@ class SubmanifoldFamily final : public ChartFamily<m, SubmanifoldAtlas<m>> {
     is_too_coarse_ = selects(selection, "5") && !measures.triangulation.triangulates();
   }
 
-  [[nodiscard]] bool refine() override {
-    if (!sampling_) return false;
-    if (this->run_ && !this->run_->is_certified()) {
+  [[nodiscard]] std::optional<FailedRound> refine() override {
+    if (!sampling_) return std::nullopt;
+    const bool has_failing_stars = this->run_ && !this->run_->is_certified();
+    if (has_failing_stars) {
       for (const Label label : this->run_->agreement.labels) failed_.push_back(place_of(label));
       for (const StarFailure& failure : this->run_->star_failures) failed_.push_back(place_of(failure.label));
     }
-    if (failed_.empty()) return false;
+    if (failed_.empty()) return std::nullopt;
     sampling_->refine(failed_);
-    return true;
+    const char* stage = !this->run_         ? "charts"
+                        : has_failing_stars ? "stars"
+                        : fails_at_level_5_ ? "level 5"
+                                            : "level 5i";
+    return FailedRound{stage, std::set(failed_.begin(), failed_.end()).size(), this->run_ ? this->atlas_->size() : 0};
   }
 
   [[nodiscard]] std::string advice(const NetSource& source, const Progress& progress) const override {
@@ -119,7 +127,8 @@ class SubmanifoldFamily final : public ChartFamily<m, SubmanifoldAtlas<m>> {
   std::shared_ptr<const EmbeddedManifold> manifold_;
   std::unique_ptr<SubmanifoldSampling<m>> sampling_;  // none for points that are given
   std::vector<std::vector<double>> failed_;           // where radii are too large
-  bool is_too_coarse_ = false;                        // the net: charts, or simplices that are to be mapped to M
+  bool fails_at_level_5_ = false;
+  bool is_too_coarse_ = false;  // the net: charts, or simplices that are to be mapped to M
 };
 
 }  // namespace
