@@ -28,31 +28,38 @@ struct Piece {
   std::vector<std::uint32_t> charts;
 };
 
+/// How large parts are to be looked at, from all charts.
+struct CoverScale {
+  explicit CoverScale(const std::vector<TangentChart>& charts) {
+    if (!charts.empty()) least_height = std::numeric_limits<double>::infinity();
+    for (const TangentChart& chart : charts) {
+      least_height = std::min(least_height, approximate_double(chart.data().height));
+      // A point of M has a label within some sampling radius, and patches have three or more.
+      reach = std::max(reach, approximate_double(chart.data().radius) / 2);
+    }
+  }
+  double least_height = 0;
+  double reach = 0;
+};
+
 /// What is found below a piece.
 class CoverSearch {
  public:
-  CoverSearch(const ZeroSet& zero_set, const std::vector<TangentChart>& charts)
-      : zero_set_(zero_set),
-        charts_(charts),
+  CoverSearch(const ZeroSet& zero_set, const std::vector<TangentChart>& charts, const CoverScale& scale)
+      : charts_(charts),
         n_(zero_set.ambient()),
         m_(zero_set.dimension()),
         q_(zero_set.codimension()),
         f_(zero_set.map()),
+        least_height_(scale.least_height),
+        reach_(scale.reach),
         middle_(n_),
         half_(n_),
         x_(n_),
         value_(q_),
         box_value_(q_),
         derivative_(q_ * n_),
-        central_(q_ * n_) {
-    least_height_ = std::numeric_limits<double>::infinity();
-    for (const TangentChart& chart : charts_) {
-      least_height_ = std::min(least_height_, approximate_double(chart.data().height));
-      // A point of M has a label within some sampling radius, and patches have three or more.
-      reach_ = std::max(reach_, approximate_double(chart.data().radius) / 2);
-    }
-    if (charts_.empty()) least_height_ = 0;
-  }
+        central_(q_ * n_) {}
 
   /// Whether nothing is left to do: no zeros, or in a cylinder.
   bool is_done(const Piece& piece) {
@@ -211,14 +218,13 @@ class CoverSearch {
     return is_refuted(is_zero(range));
   }
 
-  const ZeroSet& zero_set_;
   const std::vector<TangentChart>& charts_;
   std::size_t n_;
   std::size_t m_;
   std::size_t q_;
   FormulaEvaluation<Interval> f_;
-  double least_height_ = 0;
-  double reach_ = 0;
+  double least_height_;
+  double reach_;
   std::vector<Interval> middle_;
   std::vector<Interval> half_;
   std::vector<Interval> x_;
@@ -229,9 +235,10 @@ class CoverSearch {
 };
 
 /// Divides the box until there are pieces enough for all threads.
-std::vector<Piece> first_pieces(const ZeroSet& zero_set, const std::vector<TangentChart>& charts, CoverReport& report) {
+std::vector<Piece> first_pieces(const ZeroSet& zero_set, const std::vector<TangentChart>& charts,
+                                const CoverScale& scale, CoverReport& report) {
   const RoundingGuard guard;
-  CoverSearch search(zero_set, charts);
+  CoverSearch search(zero_set, charts, scale);
   std::vector<Piece> pieces(1);
   for (std::size_t axis = 0; axis < zero_set.ambient(); ++axis) {
     pieces[0].cell.lower[axis] = scalar_from<Interval>(zero_set.description().box[axis][0]).lower();
@@ -255,12 +262,13 @@ std::vector<Piece> first_pieces(const ZeroSet& zero_set, const std::vector<Tange
 
 CoverReport check_cover(const ZeroSet& zero_set, const std::vector<TangentChart>& charts, const Progress& progress) {
   CoverReport result;
-  const std::vector<Piece> pieces = first_pieces(zero_set, charts, result);
+  const CoverScale scale(charts);
+  const std::vector<Piece> pieces = first_pieces(zero_set, charts, scale, result);
   in_parts<4>(
       "cover the box", pieces.size(), progress,
       [&](std::size_t first, std::size_t last) {
         const RoundingGuard guard;
-        CoverSearch search(zero_set, charts);
+        CoverSearch search(zero_set, charts, scale);
         CoverReport found;
         for (std::size_t at = first; at < last; ++at) {
           CoverReport below = search.below(pieces[at]);
