@@ -231,7 +231,7 @@ Verdict GluedCharts::is_stretched_little(Label j, std::size_t passage, const Cel
 
 void GluedCharts::check_stretches(Label j, std::size_t passage, const Cell& cell, std::size_t halvings,
                                   Report& report) const {
-  if (is_stretched_little(j, passage, cell) == Verdict::proved) return;
+  if (!report.findings.empty() || is_stretched_little(j, passage, cell) == Verdict::proved) return;
   constexpr std::size_t most_halvings = 8;
   const std::size_t m = c_.m_size();
   if (halvings == most_halvings * m) {
