@@ -2,58 +2,21 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <functional>
-#include <iterator>
 
 #include "kernel/number/exact_text.hpp"
+#include "tests/checker/atlas_documents.hpp"
 #include "tests/checker/merge.hpp"
-#include "tests/checker/mutation.hpp"
 #include "tests/checker/support/certificate_text.hpp"
 #include "tests/checker/support/forgeries.hpp"
 #include "tests/checker/support/run_checker.hpp"
-#include "tests/checker/upwards.hpp"
-#include "tests/checker/weaker_claims.hpp"
-#include "tests/proofs/certificate/atlas_run.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/ratio.hpp"
 
 namespace delcert::checker_tests {
 namespace {
 
-using test::AtlasSample;
 using test::ratio;
 
-template <int m>
-Json atlas_document(const AtlasSample<m>& sample) {
-  const test::TemporaryFolder folder;
-  std::vector<std::string> reasons;
-  sample.write(folder / "run.json", sample.claims(reasons));
-  std::ifstream file(folder / "run.json", std::ios::binary);
-  Json result = Json::parse(std::string(std::istreambuf_iterator<char>(file), {}));
-  result.erase("sha256");
-  return result;
-}
-
-const Json& sphere_document() {
-  static const Json document = atlas_document<2>(test::glued_sphere_run());
-  return document;
-}
-/// The square torus in four rectangles.
-const AtlasSample<2>& torus_run() {
-  static const auto run = test::certified_atlas_run<2>(test::atlas_named("torus-2-by-charts"), ratio(1, 30));
-  return run;
-}
-const Json& torus_document() {
-  static const Json document = atlas_document<2>(torus_run());
-  return document;
-}
-
-/// Two cone points; transitions fold.
-const Json& cone_document() {
-  static const Json document =
-      atlas_document<2>(test::certified_atlas_run<2>(test::atlas_named("cone-torus"), ratio(1, 36)));
-  return document;
-}
 /// The first transition between these charts, by their numbers.
 Json& transition_of(Json& j, int from, int to) {
   for (Json& transition : j["manifold"]["transitions"]) {
@@ -175,29 +138,6 @@ TEST(Atlas, the_document_has_its_form) {
   malformed("form.ranges", [](Json& j) { j["manifold"]["charts"][0]["core"][1][0] = "-2"; });
   malformed("form.ranges", [](Json& j) { j["manifold"]["patch_radius"] = "0"; });
   malformed("form.family", [](Json& j) { j["parameters"]["mode"] = "theory"; });
-}
-
-/// In the manifold block, the parameters and the levels.
-TEST(MutationsOfAtlases, of_the_head_sealed_anew_are_accepted_only_if_they_claim_less) {
-  const test::Upwards upwards;
-  const std::string text = sealed(sphere_document());
-  const std::size_t head = text.find("\"net\":");
-  ASSERT_EQ(status_of(text), 0);
-  std::mt19937_64 random(10);
-  std::map<int, int> count;
-  const int times = number_of_mutations(20);
-  for (int k = 0; k < times; ++k) {
-    const std::string first = text.substr(0, head);
-    const std::string other =
-        resealed((k % 2 == 0 ? mutated(first, random) : with_other_digits(first, random)) + text.substr(head));
-    const int status = soon_status_of(other, 120);  // patches may show the whole of a chart
-    ++count[status];
-    if (status == 0) {
-      EXPECT_EQ(stronger_claims(text, other), "") << other.substr(0, head);
-    }
-  }
-  print_count(std::to_string(times) + " mutations of an atlas", count);
-  for (const int status : {0, 3}) EXPECT_GT(count[status], 0) << status;
 }
 
 }  // namespace

@@ -13,27 +13,15 @@
 #include "kernel/chart/ambient_grid.hpp"
 #include "kernel/formula/formula_map.hpp"
 #include "kernel/number/exact_text.hpp"
+#include "tests/checker/plane_stars.hpp"
 #include "tests/checker/support/certificate_text.hpp"
 
 namespace delcert::checker_tests {
 namespace {
 
-constexpr double slack = 1e-9;
-constexpr double two_pi = 6.283185307179586;
+using namespace plane;
 
 double number(const Json& value) { return approximate_double(parse_exact(value.get<std::string>())); }
-
-/// In the plane the third coordinate is 0.
-using Place = std::array<double, 3>;
-Place operator+(const Place& a, const Place& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-Place operator-(const Place& a, const Place& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Place operator*(double t, const Place& a) { return {t * a[0], t * a[1], t * a[2]}; }
-double dot(const Place& a, const Place& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Place cross(const Place& a, const Place& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double length(const Place& a) { return std::sqrt(dot(a, a)); }
-Place unit(const Place& a) { return (1 / length(a)) * a; }
 
 /// A point p + s·d of M, and the normal there.
 struct Hit {
@@ -84,7 +72,8 @@ class RoundSphere final : public Manifold {
 
 class Polyhedron final : public Manifold {
  public:
-  explicit Polyhedron(const Json& manifold) {
+  /// `height`: how far from a place facets are looked for.
+  Polyhedron(const Json& manifold, double height) : reach_(std::clamp(height * 1.001, 0.125, 1.0)) {
     std::vector<Place> vertices;
     for (const Json& x : manifold.at("mesh")) vertices.push_back({number(x.at(0)), number(x.at(1)), number(x.at(2))});
     for (const Json& facet : manifold.at("facets")) {
@@ -139,12 +128,11 @@ class Polyhedron final : public Manifold {
     Place a, b, c, middle, normal;
     double radius;
   };
-  /// The facets whose points may be within this distance: more than cylinders are high.
+  /// The facets whose points may be within the reach.
   [[nodiscard]] std::vector<std::size_t> near(const Place& p) const {
-    constexpr double reach = 0.125;
     std::vector<std::size_t> result;
     if (!std::isfinite(length(p)) || length(p) > 4) return result;
-    middles_.visit(p.data(), reach + largest_, [&](std::uint32_t at, double) {
+    middles_.visit(p.data(), reach_ + largest_, [&](std::uint32_t at, double) {
       result.push_back(at);
       return false;
     });
@@ -152,14 +140,10 @@ class Polyhedron final : public Manifold {
   }
   std::map<std::pair<std::size_t, std::size_t>, int> sides_;
   std::vector<Facet> facets_;
+  double reach_;
   double largest_ = 0;
   AmbientGrid middles_{3, 0.25};
 };
-
-using Flat = std::array<double, 2>;  // chart coordinates; on a curve the second is 0
-double size(const Flat& a) { return std::hypot(a[0], a[1]); }
-Flat minus(const Flat& a, const Flat& b) { return {a[0] - b[0], a[1] - b[1]}; }
-double turned(const Flat& a, const Flat& b) { return a[0] * b[1] - a[1] * b[0]; }
 
 struct Chart {
   Place centre{}, normal{};
@@ -187,8 +171,6 @@ struct Chart {
   /// W = NY.
   [[nodiscard]] Place fibre() const { return weight * normal; }
 };
-
-using Simplex = std::vector<std::size_t>;
 
 /// The certificate, read.
 struct Reading {
@@ -241,26 +223,10 @@ struct Reading {
   }
 };
 
-struct Circle {
-  Flat centre{};
-  double radius = 0;
-};
-Circle circle_through(const std::vector<Flat>& x) {
-  if (x.size() == 2) return {{(x[0][0] + x[1][0]) / 2, 0}, std::fabs(x[0][0] - x[1][0]) / 2};
-  const Flat u = minus(x[1], x[0]), v = minus(x[2], x[0]);
-  const double a = u[0] * u[0] + u[1] * u[1], b = v[0] * v[0] + v[1] * v[1], twice = 2 * turned(u, v);
-  const Flat to = {(a * v[1] - b * u[1]) / twice, (b * u[0] - a * v[0]) / twice};
-  return {{x[0][0] + to[0], x[0][1] + to[1]}, size(to)};
-}
-
 class Oracle {
  public:
-  Oracle(const Json& j, const Manifold& manifold) : j_(j), c_(j), manifold_(manifold), samples_(manifold.samples()) {
-    stars_.resize(c_.charts.size());
-    for (const Simplex& simplex : c_.simplices) {
-      for (const std::size_t label : simplex) stars_.at(label).push_back(&simplex);
-    }
-  }
+  Oracle(const Json& j, const Manifold& manifold)
+      : j_(j), c_(j), manifold_(manifold), samples_(manifold.samples()), stars_(c_.m, c_.simplices, c_.charts.size()) {}
 
   std::string fault() {
     if (auto found = of_charts(); !found.empty()) return found;
@@ -270,10 +236,12 @@ class Oracle {
       chart.vertex = chart.at(chart.home, hit->s);
     }
     if (auto found = of_cover(); !found.empty()) return found;
-    shown_.resize(c_.charts.size());
     for (std::size_t i = 0; i < c_.charts.size(); ++i) {
+      View& view = stars_.views[i];
+      view.home = c_.charts[i].home;
+      view.patch = c_.charts[i].radius;
       for (std::size_t k = 0; k < c_.charts.size(); ++k) {
-        if (c_.charts[i].contains(c_.charts[k].vertex)) shown_[i][k] = c_.charts[i].across(c_.charts[k].vertex);
+        if (c_.charts[i].contains(c_.charts[k].vertex)) view.shown[k] = c_.charts[i].across(c_.charts[k].vertex);
       }
     }
     const Json& levels = j_.at("levels");
@@ -351,104 +319,11 @@ class Oracle {
     return "";
   }
 
-  /// The corners in chart i; none if it does not show all of them.
-  [[nodiscard]] std::optional<std::vector<Flat>> corners(std::size_t i, const Simplex& simplex) const {
-    std::vector<Flat> result;
-    for (const std::size_t label : simplex) {
-      const auto found = shown_[i].find(label);
-      if (found == shown_[i].end()) return std::nullopt;
-      result.push_back(found->second);
-    }
-    return result;
-  }
-  /// A label that chart i shows within this distance, and not of the simplex, nearer than this to its circumsphere's
-  /// inside.
-  [[nodiscard]] bool is_disturbed(std::size_t i, const Simplex& simplex, const Circle& ball, double protection,
-                                  double reach) const {
-    for (const auto& [label, x] : shown_[i]) {
-      if (std::count(simplex.begin(), simplex.end(), label) > 0 || size(x) > reach * (1 - slack)) continue;
-      if (size(minus(x, ball.centre)) < ball.radius + protection - slack) return true;
-    }
-    return false;
-  }
-  static double least_altitude(const std::vector<Flat>& x) {
-    if (x.size() == 2) return size(minus(x[0], x[1]));
-    return std::fabs(turned(minus(x[1], x[0]), minus(x[2], x[0]))) / longest_side(x);
-  }
-  static double longest_side(const std::vector<Flat>& x) {
-    double result = 0;
-    for (std::size_t k = 0; k < x.size(); ++k) result = std::max(result, size(minus(x[k], x[(k + 1) % x.size()])));
-    return result;
-  }
-
   std::string of_level_1(const Json& level) const {
-    const double delta = number(level.at("protection")), r = number(level.at("circumradius"));
-    const double thickness = number(level.at("thickness"));
-    const double within = c_.perturbation * c_.epsilon + 2 * r + delta;
-    for (std::size_t i = 0; i < c_.charts.size(); ++i) {
-      if (size(c_.charts[i].home) > c_.perturbation * c_.epsilon + slack) return "perturbation";
-      if (!(within < c_.charts[i].radius * (1 + slack))) return "patch";
-      double angle = 0;
-      for (const Simplex* simplex : stars_[i]) {
-        const auto x = corners(i, *simplex);
-        if (!x) return "a vertex that is not shown";
-        const Circle ball = circle_through(*x);
-        if (!(ball.radius <= r * (1 + slack))) return "circumradius";
-        if (!(least_altitude(*x) >= thickness * static_cast<double>(c_.m) * longest_side(*x) * (1 - slack)))
-          return "thickness";
-        if (is_disturbed(i, *simplex, ball, delta, within)) return "protection";
-        angle += angle_at(i, *simplex, *x);
-      }
-      if (std::fabs(angle - two_pi) > 1e-6) return "facets";
-    }
-    return "";
+    return stars_.fault_of_level_1(level, c_.perturbation * c_.epsilon);
   }
-  /// Of the simplex at label i; half a turn of an edge.
-  [[nodiscard]] static double angle_at(std::size_t i, const Simplex& simplex, const std::vector<Flat>& x) {
-    if (x.size() == 2) return two_pi / 2;
-    const auto at = static_cast<std::size_t>(std::find(simplex.begin(), simplex.end(), i) - simplex.begin());
-    const Flat u = minus(x[(at + 1) % 3], x[at]), v = minus(x[(at + 2) % 3], x[at]);
-    return std::fabs(std::atan2(turned(u, v), u[0] * v[0] + u[1] * v[1]));
-  }
-
-  std::string of_level_2(const Json& level) const {
-    if (level.at("simplices") != c_.simplices.size() || level.at("closed") != true) return "counts";
-    std::set<Simplex> different;
-    std::map<Simplex, int> edges;
-    for (Simplex simplex : c_.simplices) {
-      std::sort(simplex.begin(), simplex.end());
-      different.insert(simplex);
-      for (std::size_t k = 0; k < simplex.size(); ++k) {
-        for (std::size_t l = 0; l < k; ++l) ++edges[{simplex[l], simplex[k]}];
-      }
-    }
-    if (different.size() != c_.simplices.size()) return "a simplex twice";
-    const int points = static_cast<int>(c_.charts.size()), sides = static_cast<int>(edges.size());
-    const int triangles = c_.m == 1 ? 0 : static_cast<int>(different.size());
-    if (level.at("euler_characteristic") != points - sides + triangles) return "Euler characteristic";
-    if (c_.m == 2 && std::any_of(edges.begin(), edges.end(), [](const auto& edge) { return edge.second != 2; }))
-      return "an edge of other than two triangles";
-    return "";
-  }
-
-  std::string of_level_2s(const Json& level) const {
-    const double reach = number(level.at("reach"));
-    for (std::size_t j = 0; j < c_.charts.size(); ++j) {
-      if (!(reach < c_.charts[j].radius)) return "reach";
-      std::set<const Simplex*> near;
-      for (const Simplex* simplex : stars_[j]) {
-        for (const std::size_t i : *simplex) near.insert(stars_[i].begin(), stars_[i].end());
-      }
-      for (const Simplex* simplex : near) {
-        const auto x = corners(j, *simplex);
-        if (!x) return "a vertex that is not shown";
-        const Circle ball = circle_through(*x);
-        if (size(ball.centre) + ball.radius > reach * (1 + slack)) return "a ball beyond the reach";
-        if (is_disturbed(j, *simplex, ball, 0, reach)) return "a star";
-      }
-    }
-    return "";
-  }
+  std::string of_level_2(const Json& level) const { return stars_.fault_of_level_2(level); }
+  std::string of_level_2s(const Json& level) const { return stars_.fault_of_level_2s(level); }
 
   /// A point of a simplex, what it is moved by, how often W that is, and where it comes to.
   struct Moved {
@@ -521,8 +396,7 @@ class Oracle {
   [[nodiscard]] double angle_of(const Simplex& simplex) const {
     const Place a = unit(c_.charts[simplex[0]].vertex), b = unit(c_.charts[simplex[1]].vertex);
     if (c_.m == 1) return std::atan2(length(cross(a, b)), dot(a, b));
-    const Place c = unit(c_.charts[simplex[2]].vertex);
-    return 2 * std::atan2(std::fabs(dot(a, cross(b, c))), 1 + dot(a, b) + dot(b, c) + dot(c, a));
+    return std::fabs(solid_angle(a, b, unit(c_.charts[simplex[2]].vertex)));
   }
 
   std::string of_level_5i(const Json& level) const {
@@ -532,7 +406,7 @@ class Oracle {
     for (std::size_t i = 0; i < c_.charts.size(); ++i) {
       const Chart& chart = c_.charts[i];
       double altitude = 10, side = 0;
-      for (const Simplex* simplex : stars_[i]) {
+      for (const Simplex* simplex : stars_.star(i)) {
         const std::vector<Moved>& points = moved(*simplex);
         for (const std::size_t v : *simplex) {
           if (!(std::fabs(chart.above(c_.charts[v].vertex)) + 3 * omega < chart.height * (1 + slack))) return "lid";
@@ -549,7 +423,7 @@ class Oracle {
   }
   /// In chart i.
   [[nodiscard]] double altitude_at(std::size_t i, const Simplex& simplex) const {
-    const auto x = corners(i, simplex);
+    const auto x = stars_.corners(i, simplex);
     if (!x) return 10;
     if (x->size() == 2) return size(minus((*x)[0], (*x)[1]));
     const auto at = static_cast<std::size_t>(std::find(simplex.begin(), simplex.end(), i) - simplex.begin());
@@ -637,8 +511,7 @@ class Oracle {
   Reading c_;
   const Manifold& manifold_;
   std::vector<Place> samples_;
-  std::vector<std::vector<const Simplex*>> stars_;
-  std::vector<std::map<std::size_t, Flat>> shown_;  // in each chart
+  Stars stars_;
   mutable std::map<const Simplex*, std::vector<Moved>> moved_;
 };
 
@@ -649,7 +522,9 @@ std::string fault_of_hypersurface(const std::string& text) {
   const Json& manifold = j.at("manifold");
   if (manifold.at("vertices") != "manifold") return "another kind of vertices";
   if (manifold.contains("mesh")) {
-    const Polyhedron polyhedron(manifold);
+    double height = 0;
+    for (const Json& row : j.at("charts")) height = std::max(height, number(row.back()));
+    const Polyhedron polyhedron(manifold, height);
     if (!polyhedron.is_closed()) return "a mesh that is not closed";
     return Oracle(j, polyhedron).fault();
   }

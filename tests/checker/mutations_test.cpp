@@ -3,11 +3,9 @@
 #include <optional>
 
 #include "tests/checker/circle_oracle.hpp"
-#include "tests/checker/hypersurface_oracle.hpp"
 #include "tests/checker/mutation.hpp"
 #include "tests/checker/support/samples.hpp"
 #include "tests/checker/support/space_form_samples.hpp"
-#include "tests/checker/support/submanifold_model.hpp"
 #include "tests/checker/upwards.hpp"
 #include "tests/checker/weaker_claims.hpp"
 
@@ -113,56 +111,6 @@ TEST_F(Mutations, that_the_checker_rejects_the_oracle_finds_false) {
   }
   std::cout << rejected << " rejected, as by the oracle\n";
   EXPECT_GT(rejected, 100);
-}
-
-/// Submanifolds: an oracle finds false what is false at a sample.
-class MutationsOfSubmanifolds : public testing::Test {
- protected:
-  const test::Upwards upwards;
-
-  /// So many mutations, or as many as DELCERT_MUTATIONS says; by how many of the rejected ones the oracle says why.
-  static void mutate_and_ask(const std::string& name, const Json& document, int times, std::uint64_t seed) {
-    const std::string text = sealed(document);
-    ASSERT_EQ(status_of(text), 0);
-    ASSERT_EQ(fault_of_hypersurface(text), "");
-    times = number_of_mutations(times);
-    std::mt19937_64 random(seed);
-    std::map<int, int> count;
-    int found_false = 0;
-    for (int k = 0; k < times; ++k) {
-      const std::string other =
-          resealed_if_sealed(k % 2 == 0 ? mutated(text, random) : with_other_digits(text, random));
-      const int status = soon_status_of(other);
-      ++count[status];
-      if (status == 0) {
-        EXPECT_EQ(fault_of_hypersurface(other), "") << other;
-      } else if (status == 1 && !fault_of_hypersurface(other).empty()) {
-        ++found_false;
-      }
-    }
-    print_count(std::to_string(times) + " mutations of " + name, count);
-    std::cout << "of " << count[1] << " that are rejected the oracle finds " << found_false << " false\n";
-    for (const int status : {0, 1, 3}) EXPECT_GT(count[status], 0) << status;
-    // The oracle is no yes-man.
-    EXPECT_GT(2 * found_false, count[1]);
-  }
-};
-
-const std::vector<std::string> all_levels = {"1", "2", "2s", "4", "5", "5i", "6"};
-
-TEST_F(MutationsOfSubmanifolds, of_a_circle_sealed_anew_are_accepted_only_if_nothing_false_is_found) {
-  mutate_and_ask("a circle", certificate(circle_model(40, 1), all_levels), 1500, 7);
-}
-
-TEST_F(MutationsOfSubmanifolds, of_a_sphere_sealed_anew_are_accepted_only_if_nothing_false_is_found) {
-  mutate_and_ask("a sphere", certificate(sphere_model(3), all_levels), 30, 8);
-}
-
-/// The manifold is a polyhedron, of which the simplices are a coarser triangulation.
-TEST_F(MutationsOfSubmanifolds, of_a_mesh_sealed_anew_are_accepted_only_if_nothing_false_is_found) {
-  SubmanifoldModel model = on_mesh(sphere_model(3), sphere_model(4));
-  model.displacement *= 1.25;
-  mutate_and_ask("a mesh", certificate(model, all_levels), 12, 9);
 }
 
 /// In the manifold block, the parameters and the levels, and the first points.

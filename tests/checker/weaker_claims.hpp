@@ -4,7 +4,7 @@
 
 namespace delcert::checker_tests {
 
-/// Where a certificate of a space form, or of the sphere as an atlas of two charts, claims what another, a true one,
+/// Where a certificate of a space form claims what another, a true one,
 /// does not imply, as far as that can be seen without geometry: other words are informative, lower bounds may be less
 /// and upper ones more. The paths of the other differences; nothing if there are none. In the kernel's rational
 /// arithmetic and with a reader of its own.
