@@ -41,7 +41,7 @@ PLAN = {
                                        "--seed", "1", "--evaluations", "100000"]),
     "balls": ("tightness", ["tighten", "circumscribing-balls-under-distortion", "--shape", "3,3", "--shape", "4,4", "--shape", "5,5",
                             "--seed", "1", "--evaluations", "2000"]),
-    "tightness-hoops": ("tightness", ["tighten", "raw-hoop-distortion", "--seed", "1", "--evaluations", "2000"]),
+    "tightness-hoops": ("tightness", ["tighten", "raw-hoop-distortion", "--seed", "1", "--evaluations", "300"]),
     "tightness-charts": ("tightness", ["tighten", *CHARTS, "curved-hoop-distortion", "curved-raw-hoop-distortion", "--seed", "1",
                                        "--evaluations", "2000"]),
     "tightness-sharper": ("tightness", ["tighten", *SHARPER, *SHAPES, "--seed", "1", "--evaluations", "2000"]),
@@ -139,7 +139,8 @@ TIGHTNESS_HEAD = """# How tight
 
 For each conclusion in each shape the worst ratio, of the smaller side to the larger one, that a directed search found: random and
 structured instances, then local searches from the best of them ([attacks.md](../attacks.md#by-how-much-would-a-constant-have-to-be-wrong)).
-The ratio is certified, the lower end of an interval; that there is no worse instance is not. Above 1 the statement is refuted. *Equality, exactly*: both sides are
+The ratio is certified, the lower end of an interval; that there is no worse instance is not. Above 1 the statement is refuted. Where a conclusion declares a base, it is
+the ratio of what both sides exceed that by, negative if the smaller side stays below it. *Equality, exactly*: both sides are
 the same number, decided exactly; a ratio printed as 1 without that note is within 10⁻⁹ of it. With `--witnesses` the commands write
 the instances, exactly. `tightness.json` has what they print, of two searches of the same conclusion the one with more instances
 (fewer than asked for where an instance is costly):
