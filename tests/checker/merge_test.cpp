@@ -124,9 +124,9 @@ TEST(MergedReceipts, may_be_of_parts_of_different_sizes) {
 TEST(MergedReceipts, are_rejected_if_a_part_is) {
   const test::Upwards upwards;
   std::size_t number = 0, by_one_part = 0;
-  for (const auto& forgeries :
-       {level_0_forgeries(), star_forgeries(), core_forgeries(), configuration_forgeries(), space_form_forgeries()}) {
-    for (const Forgery& forgery : forgeries) {
+  for (const auto make :
+       {level_0_forgeries, star_forgeries, core_forgeries, configuration_forgeries, space_form_forgeries}) {
+    for (const Forgery& forgery : made_once(make)) {
       if (forgery.status != 1 || number++ % 3 != 0) continue;
       const std::vector<NamedReceipt> all = receipts_of_parts(forgery.bytes, 3);
       const auto is_rejected = [](const NamedReceipt& one) { return one.receipt.outcome.status == 1; };
@@ -176,7 +176,7 @@ std::size_t parts_that_seem_delaunay(const std::string& certificate) {
 TEST(MergedReceipts, know_in_every_part_where_hinges_are_not_delaunay_if_no_level_claims_that_they_are) {
   const test::Upwards upwards;
   std::size_t number = 0;
-  for (const Forgery& forgery : core_forgeries()) {
+  for (const Forgery& forgery : made_once(core_forgeries)) {
     if (forgery.rule != "core.hinges") continue;
     ++number;
     EXPECT_GT(parts_that_seem_delaunay(forgery.bytes), 0U) << "level 4 is rejected in other parts";

@@ -116,9 +116,9 @@ TEST(Parts, of_a_check_say_what_the_whole_says) {
                                         sealed(projective_space().document()),
                                         sealed(unstable_bolza_surface().document())};
   std::size_t number = 0;
-  for (const auto& part :
-       {level_0_forgeries(), star_forgeries(), core_forgeries(), configuration_forgeries(), space_form_forgeries()}) {
-    for (const Forgery& forgery : part) {
+  for (const auto make :
+       {level_0_forgeries, star_forgeries, core_forgeries, configuration_forgeries, space_form_forgeries}) {
+    for (const Forgery& forgery : made_once(make)) {
       if (number++ % 4 == 0) documents.push_back(forgery.bytes);
     }
   }

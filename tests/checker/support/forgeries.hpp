@@ -29,6 +29,9 @@ std::vector<Forgery> atlas_forgeries();
 /// In submanifold_test.cpp.
 std::vector<Forgery> submanifold_forgeries();
 
+/// What one of these makes: made when it is first asked for, and kept.
+const std::vector<Forgery>& made_once(std::vector<Forgery> (*make)());
+
 /// The certificates from which the forgeries are made, by name; they are valid.
 std::vector<std::pair<std::string, std::string>> valid_certificates();
 /// Tori with radii that vary.
