@@ -1,19 +1,21 @@
 #!/usr/bin/env python3
 """Certificates, exported by delcert and read back by the programs that the exports are for.
 
-  receivers.py check NAME      certifies the manifold, exports it in every format that can hold it, and compares what GUDHI,
-                               meshio, VTK and Regina read with the certificate: sets of simplices, counts, measures, Euler
-                               characteristic, homology. Fails, too, unless docs/export.md has the row that comes out.
-  receivers.py notices NAME    the same with two labels exchanged between two simplices in each file: every comparison has
+  receivers.py check NAME…     certifies the manifolds, exports them in every format that can hold them, and compares what
+                               GUDHI, meshio, VTK and Regina read with the certificate: sets of simplices, counts, measures,
+                               Euler characteristic, homology. Fails, too, unless docs/export.md has the row that comes out.
+  receivers.py notices NAME…   the same with two labels exchanged between two simplices in each file: every comparison has
                                to fail
   receivers.py table [--long]  writes the table of docs/export.md; with --long also the rows of long_manifolds.tsv, which
                                take minutes each, and without it leaves them as they are
   receivers.py missing         adds the rows that the table lacks, and leaves all others as they are
 
-manifolds.tsv has a name and the options of `delcert certify` on every line."""
+A manifold that fails does not keep the others from being looked at. manifolds.tsv has a name and the options of
+`delcert certify` on every line, and above each kind of manifold a line with # and the kind."""
 
 import argparse
 import csv
+import functools
 import itertools
 import json
 import math
@@ -21,6 +23,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import traceback
 from pathlib import Path
 
 import gudhi
@@ -118,6 +121,7 @@ class Certified:
                 raise Mismatch(f"export {form} ended with {run.returncode}: {run.stderr.strip()}")
         return path
 
+    @functools.cached_property
     def drawing(self):
         return json.loads(self.export("json").read_text())
 
@@ -158,7 +162,7 @@ def compare_faces(certified, drawing, points, matching):
 
 
 def meshio_reads(certified, path, form):
-    drawing = certified.drawing()
+    drawing = certified.drawing
     mesh = meshio.read(path, file_format={"off": "off", "obj": "obj", "ply": "ply"}.get(form, form))
     cells = mesh.cells_dict[CELLS[certified.dimension]]
     labels = {"medit": "medit:ref"}.get(form, "label")
@@ -176,7 +180,7 @@ def meshio_reads(certified, path, form):
 
 
 def vtk_reads(certified, path, form):
-    drawing = certified.drawing()
+    drawing = certified.drawing
     reader = {"vtu": vtkXMLUnstructuredGridReader, "obj": vtkOBJReader, "ply": vtkPLYReader}[form]()
     reader.SetFileName(str(path))
     reader.Update()
@@ -431,7 +435,7 @@ def row_of(name, certified, done):
     receivers = {}
     for receiver, form in done:
         receivers.setdefault(receiver, []).append(form)
-    drawing = certified.drawing()
+    drawing = certified.drawing
     cell = f"{len(drawing['vertices']['label'])}" if certified.dimension <= 4 else "–"
     homology = certified.level_2["homology"][1] if certified.groups else "–"
     small = simplified(certified).size() if certified.dimension >= 2 and certified.is_closed else "–"
@@ -455,7 +459,7 @@ HEADER = [
 
 
 def entries(file):
-    return [line.split("\t") for line in (FOLDER / file).read_text().splitlines()]
+    return [line.split("\t") for line in (FOLDER / file).read_text().splitlines() if not line.startswith("#")]
 
 
 def certified_at(arguments, name, options, folder):
@@ -492,18 +496,38 @@ def table_rows():
     return {line.split(" | ")[0].removeprefix("| "): line for line in table[2:] if line.startswith("| ")}
 
 
+def for_each_name(arguments, action):
+    """All of them, whatever fails; what has failed is named at the end."""
+    options = dict(entries("manifolds.tsv"))
+    failed = []
+    for name in arguments.names:
+        try:
+            action(arguments, name, options[name])
+        except SystemExit as reason:
+            failed.append(name)
+            print(f"FAILED: {reason}", flush=True)
+        except Exception:
+            failed.append(name)
+            print(f"FAILED: {name}", flush=True)
+            traceback.print_exc()
+    if failed:
+        sys.exit(f"failed: {' '.join(failed)}")
+
+
+def check_one(arguments, name, options):
+    row = compare_all(arguments, name, options)
+    print(row, flush=True)
+    if table_rows().get(name) != row:
+        sys.exit(f"docs/export.md has another row for {name}: run tests/receivers/receivers.py table")
+
+
 def check(arguments):
-    options = dict(entries("manifolds.tsv"))[arguments.name]
-    row = compare_all(arguments, arguments.name, options)
-    print(row)
-    if table_rows().get(arguments.name) != row:
-        sys.exit(f"docs/export.md has another row for {arguments.name}: run tests/receivers/receivers.py table")
+    for_each_name(arguments, check_one)
 
 
-def notices(arguments):
-    options = dict(entries("manifolds.tsv"))[arguments.name]
+def notices_one(arguments, name, options):
     with tempfile.TemporaryDirectory() as folder:
-        certified = certified_at(arguments, arguments.name, options, Path(folder))
+        certified = certified_at(arguments, name, options, Path(folder))
         for receiver, form, export_options, compare in comparisons(certified, arguments.reader):
             path = certified.export(form, *export_options)
             compare(certified, path, form)
@@ -514,11 +538,15 @@ def notices(arguments):
             try:
                 compare(certified, broken, form)
             except Mismatch as mismatch:
-                print(f"{receiver}, {form}: {mismatch}")
+                print(f"{name}: {receiver}, {form}: {mismatch}")
             except Exception as error:  # the receiver itself refuses
-                print(f"{receiver}, {form}: {type(error).__name__}: {error}")
+                print(f"{name}: {receiver}, {form}: {type(error).__name__}: {error}")
             else:
-                sys.exit(f"{receiver} reads {form} with two labels exchanged, and nothing is noticed")
+                sys.exit(f"{name}: {receiver} reads {form} with two labels exchanged, and nothing is noticed")
+
+
+def notices(arguments):
+    for_each_name(arguments, notices_one)
 
 
 def write_table(rows):
@@ -561,7 +589,7 @@ def main():
         if command == "table":
             subparser.add_argument("--long", action="store_true")
         elif command != "missing":
-            subparser.add_argument("name")
+            subparser.add_argument("names", nargs="+")
     arguments = parser.parse_args()
     arguments.action(arguments)
 

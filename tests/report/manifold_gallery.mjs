@@ -37,7 +37,7 @@ const kinds = {
 /** What a built-in manifold is certified with: name → options. */
 function optionsOf() {
   const lines = ["manifolds.tsv", "long_manifolds.tsv"].flatMap((name) => readFileSync(join(root, "tests/receivers", name), "utf8").trim().split("\n"));
-  return new Map(lines.map((line) => line.split("\t")));
+  return new Map(lines.filter((line) => !line.startsWith("#")).map((line) => line.split("\t")));
 }
 
 /** Rows of the table of docs/export.md: name → columns. */
