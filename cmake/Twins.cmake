@@ -7,6 +7,7 @@ set(DELCERT_TWIN_EXEMPTIONS
   "support/error" "exception types without behaviour of their own"
   "support/progress" "the type of a callback without behaviour of its own"
   "support/toml" "the one include of toml++, tested through support/toml_reader"
+  "kernel/chart/label_range" "plain data, read in kernel/ranks/part_of_net"
   "kernel/chart/atlas" "an interface, tested through flat_atlas"
   "kernel/manifold/submanifold/embedded_manifold" "an interface, tested through zero_set_evaluation and polyhedral_mesh"
   "kernel/manifold/submanifold/triangle_mesh" "plain data, read and tested in kernel/manifold/mesh_file"

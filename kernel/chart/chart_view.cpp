@@ -24,7 +24,7 @@ ChartView<m>::ChartView(const Atlas<m>& atlas, const PointSet<m>& points, const 
       own.push_back((square_root(squared) * stretch).upper());
       most = maximum(most, squared);
     }
-    displacement_ = (square_root(most) * stretch).upper();
+    displacement_ = std::max((square_root(most) * stretch).upper(), geometry.displacement_of_the_whole);
   }
   if (LengthUnits(atlas).vary()) find_near_displacements(own);
 }

@@ -21,6 +21,9 @@ struct ModelGeometry {
   /// How much longer than at home a vector is in another chart at most, relative: 0 on space forms, whose charts keep
   /// the distances from their centres. What a label moves by at home is seen from elsewhere longer by that.
   Rational distortion{};
+  /// Where the points at hand are a part of those of a whole: how far one of these is from its original, not below any
+  /// of them.
+  double displacement_of_the_whole = 0;
 };
 
 /// In which coordinates of X about the centre of a chart: tangent vectors, that is those of the chart (exp⁻¹), or

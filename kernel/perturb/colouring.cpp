@@ -45,7 +45,9 @@ class Forbidden {
 }  // namespace
 
 template <int m>
-std::vector<std::uint32_t> colours_of(const Atlas<m>& atlas, const Rational& reach, const Progress& progress) {
+std::vector<std::uint32_t> more_colours_of(const Atlas<m>& atlas, const Rational& reach,
+                                           std::vector<std::uint32_t> known, std::uint32_t end,
+                                           const Progress& progress) {
   const auto sighted_from = [&](std::size_t first, std::size_t last) {
     std::vector<std::vector<std::uint32_t>> result;
     std::vector<Sighting<m>> seen;
@@ -61,13 +63,13 @@ std::vector<std::uint32_t> colours_of(const Atlas<m>& atlas, const Rational& rea
   };
   std::vector<std::uint32_t> colours;
   Forbidden forbidden(atlas.size());
-  in_parts("colour", atlas.size(), progress, sighted_from, [&](const auto& sighted) {
+  in_parts("colour", end, progress, sighted_from, [&](const auto& sighted) {
     for (const auto& others : sighted) {
       const auto index = static_cast<std::uint32_t>(colours.size());
       for (const std::uint32_t other : others) {
         if (other < index) forbidden.forbid(index, colours[other]);
       }
-      const std::uint32_t colour = forbidden.least_allowed(index);
+      const std::uint32_t colour = index < known.size() ? known[index] : forbidden.least_allowed(index);
       for (const std::uint32_t other : others) {
         if (other > index) forbidden.forbid(other, colour);
       }
@@ -77,8 +79,15 @@ std::vector<std::uint32_t> colours_of(const Atlas<m>& atlas, const Rational& rea
   return colours;
 }
 
-#define DELCERT_INSTANTIATE(m) \
-  template std::vector<std::uint32_t> colours_of<m>(const Atlas<m>&, const Rational&, const Progress&);
+template <int m>
+std::vector<std::uint32_t> colours_of(const Atlas<m>& atlas, const Rational& reach, const Progress& progress) {
+  return more_colours_of<m>(atlas, reach, {}, static_cast<std::uint32_t>(atlas.size()), progress);
+}
+
+#define DELCERT_INSTANTIATE(m)                                                                                         \
+  template std::vector<std::uint32_t> colours_of<m>(const Atlas<m>&, const Rational&, const Progress&);                \
+  template std::vector<std::uint32_t> more_colours_of<m>(const Atlas<m>&, const Rational&, std::vector<std::uint32_t>, \
+                                                         std::uint32_t, const Progress&);
 DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
 #undef DELCERT_INSTANTIATE
 

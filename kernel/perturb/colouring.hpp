@@ -16,4 +16,11 @@ template <int m>
 [[nodiscard]] std::vector<std::uint32_t> colours_of(const Atlas<m>& atlas, const Rational& reach,
                                                     const Progress& progress);
 
+/// The same where the first labels have their colours already: these, and those of the labels that follow, up to
+/// `end`, not included.
+template <int m>
+[[nodiscard]] std::vector<std::uint32_t> more_colours_of(const Atlas<m>& atlas, const Rational& reach,
+                                                         std::vector<std::uint32_t> known, std::uint32_t end,
+                                                         const Progress& progress);
+
 }  // namespace delcert

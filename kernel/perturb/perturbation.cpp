@@ -2,18 +2,10 @@
 
 #include <algorithm>
 
-#include "kernel/parallel/parts.hpp"
 #include "kernel/perturb/colouring.hpp"
 #include "kernel/simplex/dimensions.hpp"
 
 namespace delcert {
-
-namespace {
-
-/// Placing takes long, and classes are small.
-constexpr std::size_t labels_in_a_part = 4;
-
-}  // namespace
 
 template <int m>
 Perturbation<m>::Perturbation(const Atlas<m>& atlas, const PerturbationParameters& parameters)
@@ -46,15 +38,9 @@ void Perturbation<m>::place(const std::vector<Label>& labels, std::string_view s
   }
   std::size_t done = 0;
   for (const auto& of_one_colour : classes) {
-    const auto place_some = [&](std::size_t first, std::size_t last) {
-      Placement<m> placement(atlas_, parameters_, state_);
-      for (std::size_t at = first; at < last; ++at) placement.place(of_one_colour[at]);
-      return placement.statistics();
-    };
-    in_parts<labels_in_a_part>(
-        stage, of_one_colour.size(),
-        [&](std::string_view name, std::size_t at, std::size_t) { progress(name, done + at, labels.size()); },
-        place_some, [&](const PerturbationStatistics& found) { statistics_ += found; });
+    statistics_ += place_in_parallel<m>(
+        atlas_, parameters_, state_, of_one_colour, stage,
+        [&](std::string_view name, std::size_t at, std::size_t) { progress(name, done + at, labels.size()); });
     done += of_one_colour.size();
   }
 }

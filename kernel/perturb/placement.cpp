@@ -4,6 +4,7 @@
 #include <string>
 
 #include "kernel/number/exact_text.hpp"
+#include "kernel/parallel/parts.hpp"
 #include "kernel/simplex/dimensions.hpp"
 #include "support/error.hpp"
 
@@ -14,6 +15,9 @@ namespace {
 /// The grid is finer than the tolerance, and than the sampling radius, by these powers of two.
 constexpr long digits_below_tolerance = 32;
 constexpr long digits_below_radius = 40;
+
+/// Placing takes long, and classes are small.
+constexpr std::size_t labels_in_a_part = 4;
 
 /// A step of the grid in frame coordinates, whatever the length of the frame's vectors: a step of 2^e in one
 /// coordinate is a length 2^e·√G_aa.
@@ -100,7 +104,7 @@ void Placement<m>::place(Label i) {
     statistics_.most_tries = std::max(statistics_.most_tries, tries);
     return;
   }
-  throw Rejection("no good perturbation of label " + std::to_string(i.value) + " in " +
+  throw Rejection("no good perturbation of label " + std::to_string(i.value + state_.names_begin) + " in " +
                   std::to_string(parameters_.most_tries) + " tries, with tolerance " +
                   exact_text(parameters_.tolerance) + " and " + std::to_string(test_.candidate_count()) +
                   " candidates");
@@ -160,13 +164,31 @@ std::optional<Vector<Rational, m>> Placement<m>::best_good(Label i, GridBall<m>&
 
 template <int m>
 void Placement<m>::draw(Label i, std::uint32_t attempt, GridBall<m>& ball) const {
-  CounterRandom random(parameters_.seed, RandomPurpose::perturbation, i.value, attempt);
+  CounterRandom random(parameters_.seed, RandomPurpose::perturbation, i.value + state_.names_begin, attempt);
   ball.draw(random);
 }
 
-#define DELCERT_INSTANTIATE(m)     \
-  template struct PlacedPoints<m>; \
-  template class Placement<m>;
+template <int m>
+PerturbationStatistics place_in_parallel(const Atlas<m>& atlas, const PerturbationParameters& parameters,
+                                         PlacedPoints<m>& state, const std::vector<Label>& labels,
+                                         std::string_view stage, const Progress& progress) {
+  PerturbationStatistics result;
+  const auto place_some = [&](std::size_t first, std::size_t last) {
+    Placement<m> placement(atlas, parameters, state);
+    for (std::size_t at = first; at < last; ++at) placement.place(labels[at]);
+    return placement.statistics();
+  };
+  in_parts<labels_in_a_part>(stage, labels.size(), progress, place_some,
+                             [&](const PerturbationStatistics& found) { result += found; });
+  return result;
+}
+
+#define DELCERT_INSTANTIATE(m)                                                                                        \
+  template struct PlacedPoints<m>;                                                                                    \
+  template class Placement<m>;                                                                                        \
+  template PerturbationStatistics place_in_parallel<m>(const Atlas<m>&, const PerturbationParameters&,                \
+                                                       PlacedPoints<m>&, const std::vector<Label>&, std::string_view, \
+                                                       const Progress&);
 DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
 #undef DELCERT_INSTANTIATE
 

@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "kernel/perturb/delaunay_candidates.hpp"
 #include "kernel/perturb/grid_ball.hpp"
+#include "support/progress.hpp"
 
 namespace delcert {
 
@@ -31,6 +33,9 @@ struct PlacedPoints {
   PlacedLabels placed;
   std::vector<std::uint32_t> attempts;  ///< positions drawn for each label so far
   long grid_exponent;                   ///< perturbed points have coordinates that are multiples of 2^this
+  /// Where the atlas is a part of a whole: a label that is placed is the label of the whole that is greater by this. It
+  /// counts random numbers, and messages name it.
+  std::uint32_t names_begin = 0;
 };
 
 /// Places one label after another.
@@ -73,5 +78,12 @@ class Placement {
   std::optional<GridBall<m>> ball_;
   PerturbationStatistics statistics_;
 };
+
+/// Places these labels, none of which sights another one within `Placement::reach`, in parallel, as if one after the
+/// other. Throws as `Placement::place`, of the first label. Precondition: rounding to nearest.
+template <int m>
+[[nodiscard]] PerturbationStatistics place_in_parallel(const Atlas<m>& atlas, const PerturbationParameters& parameters,
+                                                       PlacedPoints<m>& state, const std::vector<Label>& labels,
+                                                       std::string_view stage, const Progress& progress);
 
 }  // namespace delcert

@@ -55,16 +55,27 @@ Rational least_squared_ratio(const Atlas<m>& atlas, std::size_t first, std::size
 }  // namespace
 
 template <int m>
-Rational measure_separation(const Atlas<m>& atlas, const Progress& progress) {
+Rational squared_separation(const Atlas<m>& atlas, LabelRange labels, const Progress& progress) {
   Rational least(1);
   in_parts(
-      "measure the separation", atlas.size(), progress,
-      [&](std::size_t first, std::size_t last) { return least_squared_ratio<m>(atlas, first, last); },
+      "measure the separation", labels.size(), progress,
+      [&](std::size_t first, std::size_t last) {
+        return least_squared_ratio<m>(atlas, labels.first + first, labels.first + last);
+      },
       [&least](const Rational& found) { least = minimum(least, found); });
-  return rounded_down(square_root_lower(least, 40), exponent);
+  return least;
 }
 
-#define DELCERT_INSTANTIATE(m) template Rational measure_separation<m>(const Atlas<m>&, const Progress&);
+Rational separation_of(const Rational& squared) { return rounded_down(square_root_lower(squared, 40), exponent); }
+
+template <int m>
+Rational measure_separation(const Atlas<m>& atlas, const Progress& progress) {
+  return separation_of(squared_separation<m>(atlas, all_labels_of(atlas), progress));
+}
+
+#define DELCERT_INSTANTIATE(m)                                                           \
+  template Rational squared_separation<m>(const Atlas<m>&, LabelRange, const Progress&); \
+  template Rational measure_separation<m>(const Atlas<m>&, const Progress&);
 DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
 #undef DELCERT_INSTANTIATE
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernel/chart/atlas.hpp"
+#include "kernel/chart/label_range.hpp"
 #include "support/progress.hpp"
 
 namespace delcert {
@@ -11,5 +12,12 @@ namespace delcert {
 /// 2⁻²⁰ε_i. Precondition: rounding to nearest.
 template <int m>
 [[nodiscard]] Rational measure_separation(const Atlas<m>& atlas, const Progress& progress = no_progress());
+
+/// What that takes of some labels: the least squared distance from them, in squares of their sampling radii, or 1 if
+/// none is less. Of all labels it is the least of its parts.
+template <int m>
+[[nodiscard]] Rational squared_separation(const Atlas<m>& atlas, LabelRange labels, const Progress& progress);
+/// μ₀, from this.
+[[nodiscard]] Rational separation_of(const Rational& squared);
 
 }  // namespace delcert

@@ -225,28 +225,26 @@ ChartStability stability_in_chart(ChartView<m>& scratch, const ChartComplex<m>& 
   return ChartCheck<m>(scratch, complex, chart, known).run();
 }
 
+namespace {
+
+/// `decided`: margins of all simplices in all charts, where they are known already.
 template <int m>
-StarStability check_stability(const Atlas<m>& atlas, const PointSet<m>& points, const ModelGeometry& geometry,
-                              const ChartComplex<m>& complex, const Progress& progress) {
-  constexpr std::string_view stage = "compare stars in other charts";
-  ChartView<m> view(atlas, points, geometry);
-  StarStability result;
-  progress(stage, 0, complex.size());
-  std::optional<LocalMargins> margins = margins_by_isometry<m>(view, complex);
-  const bool is_decided = margins.has_value();
-  std::vector<bool> differs(complex.size(), false);
+StabilityInCharts stability_in_charts(const ChartView<m>& view, const ChartComplex<m>& complex, LabelRange charts,
+                                      const std::optional<LocalMargins>& decided, const Progress& progress) {
   const auto is_interior = [&](Label i) { return complex.is_interior(i); };
-  const LengthUnits units(atlas);
+  const LengthUnits units(view.atlas());
+  StabilityInCharts result;
+  result.margins = decided;
   const auto look = [&](std::size_t first, std::size_t last) {
     ChartView<m> scratch = view;
     // What was found before, in whatever chart, holds everywhere; where units vary, lengths mean something else.
     KnownMargins<m> known;
-    if (!units.vary()) known.margins = margins;
+    if (!units.vary()) known.margins = result.margins;
     std::vector<std::pair<Label, ChartStability>> found;
-    for (std::size_t index = first; index < last; ++index) {
-      const Label chart(index);
+    for (std::size_t at = first; at < last; ++at) {
+      const Label chart(charts.first + at);
       if (!complex.is_interior(chart)) continue;
-      if (is_decided) {
+      if (decided) {
         const auto labels = complex.neighbours(chart);
         found.emplace_back(chart, ChartStability()).second.pairs =
             static_cast<std::size_t>(std::count_if(labels.begin(), labels.end(), is_interior));
@@ -257,23 +255,52 @@ StarStability check_stability(const Atlas<m>& atlas, const PointSet<m>& points, 
     }
     return found;
   };
-  in_parts(stage, complex.size(), progress, look, [&](const std::vector<std::pair<Label, ChartStability>>& found) {
-    for (const auto& [chart, here] : found) {
-      result.pairs += here.pairs;
-      result.differing += here.failures.size();
-      result.failures.insert(result.failures.end(), here.failures.begin(), here.failures.end());
-      for (const StarFailure& failure : here.failures) differs[failure.label.value] = true;
-      if (here.margins) include(margins, here.margins->as_multiples(units, chart));
-    }
-  });
-  result.stars = static_cast<std::size_t>(std::count(differs.begin(), differs.end(), true));
-  if (margins) result.margins = *margins;
+  in_parts("compare stars in other charts", charts.size(), progress, look,
+           [&](const std::vector<std::pair<Label, ChartStability>>& found) {
+             for (const auto& [chart, here] : found) {
+               result.pairs += here.pairs;
+               result.failures.insert(result.failures.end(), here.failures.begin(), here.failures.end());
+               if (here.margins) include(result.margins, here.margins->as_multiples(units, chart));
+             }
+           });
   return result;
 }
 
-#define DELCERT_INSTANTIATE(m)                                                                         \
-  template ChartStability stability_in_chart<m>(ChartView<m>&, const ChartComplex<m>&, Label);         \
-  template StarStability check_stability<m>(const Atlas<m>&, const PointSet<m>&, const ModelGeometry&, \
+}  // namespace
+
+StarStability star_stability(StabilityInCharts all) {
+  StarStability result;
+  result.pairs = all.pairs;
+  result.differing = all.failures.size();
+  std::vector<Label> stars;
+  for (const StarFailure& failure : all.failures) stars.push_back(failure.label);
+  std::sort(stars.begin(), stars.end());
+  result.stars = static_cast<std::size_t>(std::unique(stars.begin(), stars.end()) - stars.begin());
+  result.failures = std::move(all.failures);
+  if (all.margins) result.margins = *all.margins;
+  return result;
+}
+
+template <int m>
+StabilityInCharts check_stability_in(const Atlas<m>& atlas, const PointSet<m>& points, const ModelGeometry& geometry,
+                                     const ChartComplex<m>& complex, LabelRange charts, const Progress& progress) {
+  return stability_in_charts<m>(ChartView<m>(atlas, points, geometry), complex, charts, std::nullopt, progress);
+}
+
+template <int m>
+StarStability check_stability(const Atlas<m>& atlas, const PointSet<m>& points, const ModelGeometry& geometry,
+                              const ChartComplex<m>& complex, const Progress& progress) {
+  ChartView<m> view(atlas, points, geometry);
+  progress("compare stars in other charts", 0, complex.size());
+  const std::optional<LocalMargins> decided = margins_by_isometry<m>(view, complex);
+  return star_stability(stability_in_charts<m>(view, complex, all_labels_of(complex), decided, progress));
+}
+
+#define DELCERT_INSTANTIATE(m)                                                                                \
+  template ChartStability stability_in_chart<m>(ChartView<m>&, const ChartComplex<m>&, Label);                \
+  template StabilityInCharts check_stability_in<m>(const Atlas<m>&, const PointSet<m>&, const ModelGeometry&, \
+                                                   const ChartComplex<m>&, LabelRange, const Progress&);      \
+  template StarStability check_stability<m>(const Atlas<m>&, const PointSet<m>&, const ModelGeometry&,        \
                                             const ChartComplex<m>&, const Progress&);
 DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
 #undef DELCERT_INSTANTIATE

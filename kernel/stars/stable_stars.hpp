@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernel/chart/label_range.hpp"
 #include "kernel/stars/chart_complex.hpp"
 #include "support/progress.hpp"
 
@@ -37,5 +38,21 @@ template <int m>
 [[nodiscard]] StarStability check_stability(const Atlas<m>& atlas, const PointSet<m>& points,
                                             const ModelGeometry& geometry, const ChartComplex<m>& complex,
                                             const Progress& progress);
+
+/// What some charts say.
+struct StabilityInCharts {
+  std::size_t pairs = 0;
+  std::vector<StarFailure> failures;    ///< one for each pair that differs
+  std::optional<LocalMargins> margins;  ///< as multiples of units; none if there are none
+};
+
+/// The same as `check_stability` in the charts of some labels only, which need not be isometric: the stars of what they
+/// see are in the complex.
+template <int m>
+[[nodiscard]] StabilityInCharts check_stability_in(const Atlas<m>& atlas, const PointSet<m>& points,
+                                                   const ModelGeometry& geometry, const ChartComplex<m>& complex,
+                                                   LabelRange charts, const Progress& progress);
+/// Of all charts.
+[[nodiscard]] StarStability star_stability(StabilityInCharts all);
 
 }  // namespace delcert

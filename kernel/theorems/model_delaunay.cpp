@@ -70,13 +70,6 @@ class ModelCheck {
     report.protection = std::numeric_limits<double>::infinity();
   }
 
-  /// Takes over what was found of other simplices.
-  void include(ModelReport other) {
-    report.protection = std::min(report.protection, other.protection);
-    report.circumradius = std::max(report.circumradius, other.circumradius);
-    std::move(other.failures.begin(), other.failures.end(), std::back_inserter(report.failures));
-  }
-
   /// The simplices whose smallest interior label is i.
   void look_from(Label i) {
     const auto mine = complex_.first_seen_from(i);
@@ -90,15 +83,6 @@ class ModelCheck {
       if (failures.empty() || blames_a_point) break;
     }
     report.failures.insert(report.failures.end(), failures.begin(), failures.end());
-  }
-
-  /// 4r < 2·inj.
-  void check_lifts(const ModelGeometry& geometry) {
-    if (report.failures.empty() &&
-        Rational(2) * Rational::exactly(report.circumradius) >= geometry.injectivity_radius) {
-      report.failures.push_back(
-          {Label(0), "the largest circumradius is not below half the injectivity radius: lifts may be mistaken", {}});
-    }
   }
 
   ModelReport report;
@@ -138,25 +122,50 @@ class ModelCheck {
 
 }  // namespace
 
+void ModelReport::include(ModelReport other) {
+  protection = std::min(protection, other.protection);
+  circumradius = std::max(circumradius, other.circumradius);
+  std::move(other.failures.begin(), other.failures.end(), std::back_inserter(failures));
+}
+
+/// 4r < 2·inj.
+void ModelReport::check_lifts(const ModelGeometry& geometry) {
+  if (failures.empty() && Rational(2) * Rational::exactly(circumradius) >= geometry.injectivity_radius) {
+    failures.push_back(
+        {Label(0), "the largest circumradius is not below half the injectivity radius: lifts may be mistaken", {}});
+  }
+}
+
 template <int m>
-ModelReport check_model_delaunay(const Atlas<m>& atlas, const PointSet<m>& points, const ModelGeometry& geometry,
-                                 const ChartComplex<m>& complex, const Progress& progress) {
+ModelReport check_circumballs(const Atlas<m>& atlas, const PointSet<m>& points, const ModelGeometry& geometry,
+                              const ChartComplex<m>& complex, LabelRange labels, const Progress& progress) {
   const ChartView<m> empty_view(atlas, points, geometry);
-  ModelCheck<m> all(empty_view, complex);
+  ModelReport all;
+  all.protection = std::numeric_limits<double>::infinity();
   const auto look = [&](std::size_t first, std::size_t last) {
     ModelCheck<m> check(empty_view, complex);
-    for (std::size_t index = first; index < last; ++index) {
-      if (complex.is_interior(Label(index))) check.look_from(Label(index));
+    for (std::size_t at = first; at < last; ++at) {
+      const Label label(labels.first + at);
+      if (complex.is_interior(label)) check.look_from(label);
     }
     return std::move(check.report);
   };
-  in_parts("certify geodesic circumballs", complex.size(), progress, look,
+  in_parts("certify geodesic circumballs", labels.size(), progress, look,
            [&all](ModelReport found) { all.include(std::move(found)); });
+  return all;
+}
+
+template <int m>
+ModelReport check_model_delaunay(const Atlas<m>& atlas, const PointSet<m>& points, const ModelGeometry& geometry,
+                                 const ChartComplex<m>& complex, const Progress& progress) {
+  ModelReport all = check_circumballs<m>(atlas, points, geometry, complex, all_labels_of(complex), progress);
   all.check_lifts(geometry);
-  return std::move(all.report);
+  return all;
 }
 
 #define DELCERT_INSTANTIATE(m)                                                                            \
+  template ModelReport check_circumballs<m>(const Atlas<m>&, const PointSet<m>&, const ModelGeometry&,    \
+                                            const ChartComplex<m>&, LabelRange, const Progress&);         \
   template ModelReport check_model_delaunay<m>(const Atlas<m>&, const PointSet<m>&, const ModelGeometry&, \
                                                const ChartComplex<m>&, const Progress&);
 DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernel/chart/label_range.hpp"
 #include "kernel/stars/chart_complex.hpp"
 #include "support/progress.hpp"
 
@@ -11,6 +12,11 @@ struct ModelReport {
   double protection = 0;    ///< every other lift is farther from the centre than the radius plus this
   double circumradius = 0;  ///< no circumball has a larger radius
   std::vector<StarFailure> failures;
+
+  /// Takes over what was found of other simplices.
+  void include(ModelReport other);
+  /// Fails unless four times the largest circumradius is less than twice the injectivity radius.
+  void check_lifts(const ModelGeometry& geometry);
 };
 
 /// The rules 4.ball and 4.empty with what Theorem C4 follows from (docs/levels/core.md), each simplex at its smallest
@@ -24,5 +30,11 @@ template <int m>
 [[nodiscard]] ModelReport check_model_delaunay(const Atlas<m>& atlas, const PointSet<m>& points,
                                                const ModelGeometry& geometry, const ChartComplex<m>& complex,
                                                const Progress& progress);
+
+/// What that finds of the simplices at some labels, for several processes to `include` in one; then come the lifts.
+template <int m>
+[[nodiscard]] ModelReport check_circumballs(const Atlas<m>& atlas, const PointSet<m>& points,
+                                            const ModelGeometry& geometry, const ChartComplex<m>& complex,
+                                            LabelRange labels, const Progress& progress);
 
 }  // namespace delcert

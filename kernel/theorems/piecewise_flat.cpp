@@ -27,14 +27,8 @@ double squared_lower_stretch(int index) {
                                   : std::ldexp(1, last_difference - 3 - index);
 }
 
-/// A facet with the height of the circumcentre of one of its simplices over it, towards the opposite vertex; on a
-/// surface in halves of the edge, which makes it the cotangent of the opposite angle.
-template <int m>
-struct Side {
-  std::array<std::uint32_t, static_cast<std::size_t>(m)> facet{};
-  double lower = 0;
-  double upper = 0;
-};
+Filter squared_upper(int index) { return Filter::exactly(squared_upper_stretch(index)); }
+Filter squared_lower(int index) { return Filter::exactly(squared_lower_stretch(index)); }
 
 bool is_positive_definite(const SymmetricMatrix<Filter>& matrix) {
   const auto result = inertia(matrix);
@@ -58,15 +52,6 @@ class FlatMetric {
   /// The view is copied.
   FlatMetric(const ChartView<m>& empty_view, const ChartComplex<m>& complex) : complex_(complex), view_(empty_view) {}
 
-  /// Takes over what another one saw.
-  void include(const FlatMetric& other) {
-    sides_.insert(sides_.end(), other.sides_.begin(), other.sides_.end());
-    above_ = std::max(above_, other.above_);
-    below_ = std::max(below_, other.below_);
-    is_complete_ = is_complete_ && other.is_complete_;
-    report_.unrealised += other.report_.unrealised;
-  }
-
   void look_from(Label i) {
     const auto simplices = complex_.first_seen_from(i);
     if (simplices.empty()) return;
@@ -83,16 +68,13 @@ class FlatMetric {
       }
       if (found.size() == simplices.size()) break;
     }
-    if (found.size() < simplices.size()) is_complete_ = false;
+    if (found.size() < simplices.size()) result.stretch.is_complete = false;
+    result.stretch.simplices += found.size();
     const FilterGuard guard;
     for (const auto& [labels, places] : found) measure(labels, places);
   }
 
-  PiecewiseFlatReport finish(double circumradius) {
-    compare_sides();
-    bound_stretch(circumradius);
-    return report_;
-  }
+  FlatSimplices<m> result;
 
  private:
   void measure(const LabelSimplex<m>& labels, const PlaceSimplex<m>& places) {
@@ -112,7 +94,7 @@ class FlatMetric {
     const auto flat = edge_gram_from_squared_edges(lengths);
     const bool exists = is_positive_definite(flat.gram());
     if (!exists) {
-      ++report_.unrealised;
+      ++result.stretch.unrealised;
     } else if (curvature != Curvature::zero) {
       stretch(flat.gram(), edge_gram_from_squared_edges(chords).gram());
     }
@@ -122,7 +104,7 @@ class FlatMetric {
   void add_sides(const LabelSimplex<m>& labels, const EdgeGram<Filter>& flat, bool exists) {
     const auto sphere = circumsphere(flat);
     for (std::size_t opposite = 0; opposite <= m; ++opposite) {
-      Side<m> side;
+      FlatSide<m> side;
       std::size_t next = 0;
       for (std::size_t k = 0; k <= m; ++k) {
         if (k != opposite) side.facet[next++] = labels[k];
@@ -140,81 +122,110 @@ class FlatMetric {
         side.lower = weight.lower();
         side.upper = weight.upper();
       }
-      sides_.push_back(side);
+      result.sides.push_back(side);
     }
   }
 
   void stretch(const SymmetricMatrix<Filter>& flat, const SymmetricMatrix<Filter>& chords) {
-    while (above_ <= last_above && !is_positive_definite(combination(squared_upper(), flat, chords))) ++above_;
-    while (below_ <= last_below && !is_positive_definite(combination(squared_lower(), flat, chords).negated()))
-      ++below_;
-  }
-
-  [[nodiscard]] Filter squared_upper() const { return Filter::exactly(squared_upper_stretch(above_)); }
-  [[nodiscard]] Filter squared_lower() const { return Filter::exactly(squared_lower_stretch(below_)); }
-
-  void compare_sides() {
-    std::sort(sides_.begin(), sides_.end(), [](const auto& a, const auto& b) { return a.facet < b.facet; });
-    const FilterGuard guard;
-    report_.least_weight = std::numeric_limits<double>::infinity();
-    for (std::size_t at = 0; at + 1 < sides_.size(); ++at) {
-      if (sides_[at].facet != sides_[at + 1].facet) continue;
-      ++report_.hinges;
-      const Filter sum = Filter::between(sides_[at].lower, sides_[at].upper) +
-                         Filter::between(sides_[at + 1].lower, sides_[at + 1].upper);
-      const Verdict ordered = less(Filter(0), sum);
-      if (is_refuted(ordered)) ++report_.not_delaunay;
-      if (is_undecided(ordered)) ++report_.undecided;
-      report_.least_weight = std::min(report_.least_weight, sum.lower());
-      ++at;
-    }
-    if (!is_complete_) ++report_.undecided;
-  }
-
-  void bound_stretch(double circumradius) {
-    const Curvature curvature = view_.geometry().curvature;
-    if (!is_complete_ || sides_.empty() || report_.unrealised > 0) return;
-    if (curvature == Curvature::zero) {
-      report_.lower = report_.upper = 1;
-      return;
-    }
-    if (above_ > last_above || below_ > last_below) return;
-    const FilterGuard guard;
-    const Filter cosine = cosine_of_root(curvature, square(Filter::exactly(circumradius)));
-    if (!is_proved(less(Filter(0), cosine))) return;
-    const Filter shrink = curvature == Curvature::positive ? cosine : Filter(1) / cosine;
-    report_.lower = (square_root(squared_lower()) * shrink).lower();
-    report_.upper = (square_root(squared_upper()) / shrink).upper();
+    int& above = result.stretch.above;
+    int& below = result.stretch.below;
+    while (above <= last_above && !is_positive_definite(combination(squared_upper(above), flat, chords))) ++above;
+    while (below <= last_below && !is_positive_definite(combination(squared_lower(below), flat, chords).negated()))
+      ++below;
   }
 
   const ChartComplex<m>& complex_;
   ChartView<m> view_;
-  std::vector<Side<m>> sides_;
-  int above_ = 0;
-  int below_ = 0;
-  bool is_complete_ = true;
-  PiecewiseFlatReport report_;
 };
 
 }  // namespace
+
+void FlatStretch::include(const FlatStretch& other) {
+  simplices += other.simplices;
+  unrealised += other.unrealised;
+  above = std::max(above, other.above);
+  below = std::max(below, other.below);
+  is_complete = is_complete && other.is_complete;
+}
+
+void HingeCount::include(const HingeCount& other) {
+  hinges += other.hinges;
+  not_delaunay += other.not_delaunay;
+  undecided += other.undecided;
+  least_weight = std::min(least_weight, other.least_weight);
+}
+
+template <int m>
+FlatSimplices<m> measure_flat_simplices(const Atlas<m>& atlas, const PointSet<m>& points, const ModelGeometry& geometry,
+                                        const ChartComplex<m>& complex, LabelRange labels, const Progress& progress) {
+  const ChartView<m> empty_view(atlas, points, geometry);
+  const auto look = [&](std::size_t first, std::size_t last) {
+    FlatMetric<m> metric(empty_view, complex);
+    for (std::size_t at = first; at < last; ++at) metric.look_from(Label(labels.first + at));
+    return std::move(metric.result);
+  };
+  FlatSimplices<m> all;
+  in_parts("measure the flat metric", labels.size(), progress, look, [&all](const FlatSimplices<m>& found) {
+    all.stretch.include(found.stretch);
+    all.sides.insert(all.sides.end(), found.sides.begin(), found.sides.end());
+  });
+  return all;
+}
+
+template <int m>
+HingeCount count_hinges(std::vector<FlatSide<m>> sides) {
+  std::sort(sides.begin(), sides.end(), [](const auto& a, const auto& b) { return a.facet < b.facet; });
+  const FilterGuard guard;
+  HingeCount result;
+  for (std::size_t at = 0; at + 1 < sides.size(); ++at) {
+    if (sides[at].facet != sides[at + 1].facet) continue;
+    ++result.hinges;
+    const Filter sum =
+        Filter::between(sides[at].lower, sides[at].upper) + Filter::between(sides[at + 1].lower, sides[at + 1].upper);
+    const Verdict ordered = less(Filter(0), sum);
+    if (is_refuted(ordered)) ++result.not_delaunay;
+    if (is_undecided(ordered)) ++result.undecided;
+    result.least_weight = std::min(result.least_weight, sum.lower());
+    ++at;
+  }
+  return result;
+}
+
+PiecewiseFlatReport piecewise_flat_report(const FlatStretch& stretch, const HingeCount& hinges, Curvature curvature,
+                                          double circumradius) {
+  PiecewiseFlatReport report;
+  report.unrealised = stretch.unrealised;
+  report.hinges = hinges.hinges;
+  report.not_delaunay = hinges.not_delaunay;
+  report.undecided = hinges.undecided + (stretch.is_complete ? 0 : 1);
+  report.least_weight = hinges.least_weight;
+  if (!stretch.is_complete || stretch.simplices == 0 || stretch.unrealised > 0) return report;
+  if (curvature == Curvature::zero) {
+    report.lower = report.upper = 1;
+    return report;
+  }
+  if (stretch.above > last_above || stretch.below > last_below) return report;
+  const FilterGuard guard;
+  const Filter cosine = cosine_of_root(curvature, square(Filter::exactly(circumradius)));
+  if (!is_proved(less(Filter(0), cosine))) return report;
+  const Filter shrink = curvature == Curvature::positive ? cosine : Filter(1) / cosine;
+  report.lower = (square_root(squared_lower(stretch.below)) * shrink).lower();
+  report.upper = (square_root(squared_upper(stretch.above)) / shrink).upper();
+  return report;
+}
 
 template <int m>
 PiecewiseFlatReport measure_piecewise_flat(const Atlas<m>& atlas, const PointSet<m>& points,
                                            const ModelGeometry& geometry, const ChartComplex<m>& complex,
                                            double circumradius, const Progress& progress) {
-  const ChartView<m> empty_view(atlas, points, geometry);
-  FlatMetric<m> all(empty_view, complex);
-  const auto look = [&](std::size_t first, std::size_t last) {
-    FlatMetric<m> metric(empty_view, complex);
-    for (std::size_t index = first; index < last; ++index) metric.look_from(Label(index));
-    return metric;
-  };
-  in_parts("measure the flat metric", complex.size(), progress, look,
-           [&all](const FlatMetric<m>& found) { all.include(found); });
-  return all.finish(circumradius);
+  FlatSimplices<m> all = measure_flat_simplices<m>(atlas, points, geometry, complex, all_labels_of(complex), progress);
+  return piecewise_flat_report(all.stretch, count_hinges<m>(std::move(all.sides)), geometry.curvature, circumradius);
 }
 
 #define DELCERT_INSTANTIATE(m)                                                                                      \
+  template FlatSimplices<m> measure_flat_simplices<m>(const Atlas<m>&, const PointSet<m>&, const ModelGeometry&,    \
+                                                      const ChartComplex<m>&, LabelRange, const Progress&);         \
+  template HingeCount count_hinges<m>(std::vector<FlatSide<m>>);                                                    \
   template PiecewiseFlatReport measure_piecewise_flat<m>(const Atlas<m>&, const PointSet<m>&, const ModelGeometry&, \
                                                          const ChartComplex<m>&, double, const Progress&);
 DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)

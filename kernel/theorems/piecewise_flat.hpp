@@ -1,5 +1,10 @@
 #pragma once
 
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "kernel/chart/label_range.hpp"
 #include "kernel/stars/chart_complex.hpp"
 #include "support/progress.hpp"
 
@@ -33,5 +38,55 @@ template <int m>
 [[nodiscard]] PiecewiseFlatReport measure_piecewise_flat(const Atlas<m>& atlas, const PointSet<m>& points,
                                                          const ModelGeometry& geometry, const ChartComplex<m>& complex,
                                                          double circumradius, const Progress& progress);
+
+/// What is measured of some simplices, without their facets.
+struct FlatStretch {
+  std::size_t simplices = 0;
+  std::size_t unrealised = 0;
+  int above = 0;  ///< the place of a bound, in a list of bounds that are tried
+  int below = 0;
+  bool is_complete = true;
+
+  /// Takes over what was measured of others.
+  void include(const FlatStretch& other);
+};
+
+/// A facet with the height of the circumcentre of one of its simplices over it, towards the opposite vertex; on a
+/// surface in halves of the edge, which makes it the cotangent of the opposite angle.
+template <int m>
+struct FlatSide {
+  std::array<std::uint32_t, static_cast<std::size_t>(m)> facet{};
+  double lower = 0;
+  double upper = 0;
+};
+
+/// What sides that are put together say of hinges.
+struct HingeCount {
+  std::size_t hinges = 0;
+  std::size_t not_delaunay = 0;
+  std::size_t undecided = 0;
+  double least_weight = std::numeric_limits<double>::infinity();
+
+  /// Takes over what is said of others.
+  void include(const HingeCount& other);
+};
+
+template <int m>
+struct FlatSimplices {
+  FlatStretch stretch;
+  std::vector<FlatSide<m>> sides;  ///< in no order
+};
+
+/// Measures the simplices that are first seen from some labels, for several processes to put together: the sides of a
+/// facet are counted where both are. Preconditions as above.
+template <int m>
+[[nodiscard]] FlatSimplices<m> measure_flat_simplices(const Atlas<m>& atlas, const PointSet<m>& points,
+                                                      const ModelGeometry& geometry, const ChartComplex<m>& complex,
+                                                      LabelRange labels, const Progress& progress);
+template <int m>
+[[nodiscard]] HingeCount count_hinges(std::vector<FlatSide<m>> sides);
+/// What follows of all simplices and all hinges.
+[[nodiscard]] PiecewiseFlatReport piecewise_flat_report(const FlatStretch& stretch, const HingeCount& hinges,
+                                                        Curvature curvature, double circumradius);
 
 }  // namespace delcert

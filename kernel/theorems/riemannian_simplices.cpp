@@ -48,15 +48,8 @@ LocalVertices<Filter, m> about_first(const ChartView<m>& view, const PlaceSimple
   return result;
 }
 
-/// Of some stars.
-struct Measured {
-  double thickness = std::numeric_limits<double>::infinity();
-  double star_radius = 0;
-  bool is_complete = true;
-};
-
 template <int m>
-void measure_star(ChartView<m>& view, const ChartComplex<m>& complex, Label i, Measured& result) {
+void measure_star(ChartView<m>& view, const ChartComplex<m>& complex, Label i, StarsAboutPoints& result) {
   const auto places = star_places<m>(view, complex, i);
   if (places.empty()) result.is_complete = false;
   const FilterGuard guard;
@@ -72,25 +65,33 @@ void measure_star(ChartView<m>& view, const ChartComplex<m>& complex, Label i, M
 
 }  // namespace
 
+void StarsAboutPoints::include(const StarsAboutPoints& other) {
+  thickness = std::min(thickness, other.thickness);
+  star_radius = std::max(star_radius, other.star_radius);
+  is_complete = is_complete && other.is_complete;
+}
+
 template <int m>
-RiemannianSimplices measure_riemannian_simplices(const Atlas<m>& atlas, const PointSet<m>& points,
-                                                 const ModelGeometry& geometry, const ChartComplex<m>& complex,
-                                                 const Progress& progress) {
+StarsAboutPoints measure_stars_about_points(const Atlas<m>& atlas, const PointSet<m>& points,
+                                            const ModelGeometry& geometry, const ChartComplex<m>& complex,
+                                            LabelRange labels, const Progress& progress) {
   const ChartView<m> empty_view(atlas, points, geometry);
   const auto measure = [&](std::size_t first, std::size_t last) {
     ChartView<m> view = empty_view;
-    Measured found;
-    for (std::size_t index = first; index < last; ++index) {
-      if (complex.is_interior(Label(index))) measure_star<m>(view, complex, Label(index), found);
+    StarsAboutPoints found;
+    for (std::size_t at = first; at < last; ++at) {
+      const Label label(labels.first + at);
+      if (complex.is_interior(label)) measure_star<m>(view, complex, label, found);
     }
     return found;
   };
-  Measured all;
-  in_parts("measure stars about their points", complex.size(), progress, measure, [&all](const Measured& found) {
-    all.thickness = std::min(all.thickness, found.thickness);
-    all.star_radius = std::max(all.star_radius, found.star_radius);
-    all.is_complete = all.is_complete && found.is_complete;
-  });
+  StarsAboutPoints all;
+  in_parts("measure stars about their points", labels.size(), progress, measure,
+           [&all](const StarsAboutPoints& found) { all.include(found); });
+  return all;
+}
+
+RiemannianSimplices riemannian_simplices(const StarsAboutPoints& all, const ModelGeometry& geometry) {
   if (!all.is_complete) return {};
   RiemannianSimplices result;
   result.thickness = all.thickness;
@@ -104,8 +105,18 @@ RiemannianSimplices measure_riemannian_simplices(const Atlas<m>& atlas, const Po
   return result;
 }
 
-#define DELCERT_INSTANTIATE(m)                                  \
-  template RiemannianSimplices measure_riemannian_simplices<m>( \
+template <int m>
+RiemannianSimplices measure_riemannian_simplices(const Atlas<m>& atlas, const PointSet<m>& points,
+                                                 const ModelGeometry& geometry, const ChartComplex<m>& complex,
+                                                 const Progress& progress) {
+  return riemannian_simplices(
+      measure_stars_about_points<m>(atlas, points, geometry, complex, all_labels_of(complex), progress), geometry);
+}
+
+#define DELCERT_INSTANTIATE(m)                                                                                       \
+  template StarsAboutPoints measure_stars_about_points<m>(const Atlas<m>&, const PointSet<m>&, const ModelGeometry&, \
+                                                          const ChartComplex<m>&, LabelRange, const Progress&);      \
+  template RiemannianSimplices measure_riemannian_simplices<m>(                                                      \
       const Atlas<m>&, const PointSet<m>&, const ModelGeometry&, const ChartComplex<m>&, const Progress&);
 DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
 #undef DELCERT_INSTANTIATE

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <limits>
+
+#include "kernel/chart/label_range.hpp"
 #include "kernel/stars/chart_complex.hpp"
 #include "support/progress.hpp"
 
@@ -15,6 +18,16 @@ struct RiemannianSimplices {
   Verdict holds = Verdict::undecided;
 };
 
+/// What is measured of some stars.
+struct StarsAboutPoints {
+  double thickness = std::numeric_limits<double>::infinity();
+  double star_radius = 0;
+  bool is_complete = true;
+
+  /// Takes over what was measured of others.
+  void include(const StarsAboutPoints& other);
+};
+
 /// Measures the stars of all interior labels in the charts at the perturbed points. That stars are full there is what
 /// levels 1 and 4 say of them. Precondition: rounding to nearest.
 template <int m>
@@ -22,5 +35,12 @@ template <int m>
                                                                const ModelGeometry& geometry,
                                                                const ChartComplex<m>& complex,
                                                                const Progress& progress);
+
+/// The same of the stars of some labels, and what follows when all are included.
+template <int m>
+[[nodiscard]] StarsAboutPoints measure_stars_about_points(const Atlas<m>& atlas, const PointSet<m>& points,
+                                                          const ModelGeometry& geometry, const ChartComplex<m>& complex,
+                                                          LabelRange labels, const Progress& progress);
+[[nodiscard]] RiemannianSimplices riemannian_simplices(const StarsAboutPoints& all, const ModelGeometry& geometry);
 
 }  // namespace delcert

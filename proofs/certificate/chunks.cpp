@@ -101,9 +101,9 @@ void write_file(const std::filesystem::path& path, std::string_view text) {
   sink.commit();
 }
 
-/// Without the homology, which is of the whole.
-std::string levels_in_chunks(std::string_view levels) {
-  std::string result(levels);
+/// Without the homology, which is of the whole. No other key is called so.
+std::string levels_in_chunks(std::string_view head) {
+  std::string result(head);
   constexpr std::string_view key = R"(,"homology":[)";
   const std::size_t at = result.find(key);
   if (at != std::string::npos) result.erase(at, result.find(']', at) + 1 - at);
@@ -153,16 +153,10 @@ std::string write_chunks(const std::string& certificate, std::size_t chunks, con
   if (chunks < 2 || chunks > count)
     refuse_to_divide("cannot be divided into " + std::to_string(chunks) + " chunks: it has " + std::to_string(count) +
                      " labels");
-  std::filesystem::create_directories(folder);
-  if (std::filesystem::exists(folder / "header.json.zst") || std::filesystem::exists(folder / "header.json"))
-    refuse_to_divide(folder.string() + ": has a certificate already");
+  prepare_chunk_folder(folder);
 
   const std::size_t corners = (numbers_of(simplices.front()).size() + 1) / 2;
-  const auto first_of = [&](std::size_t chunk) { return count / chunks * chunk + std::min(chunk, count % chunks); };
-  const auto chunk_of = [&](std::size_t label) {
-    const std::size_t longer = (count / chunks + 1) * (count % chunks);
-    return label < longer ? label / (count / chunks + 1) : count % chunks + (label - longer) / (count / chunks);
-  };
+  const ChunkRanges ranges{count, chunks};
   // Of each chunk the simplices with one of its labels, in their order, and how many have their least label in it.
   std::vector<std::vector<std::uint32_t>> members(chunks);
   std::vector<std::size_t> own(chunks, 0);
@@ -171,44 +165,81 @@ std::string write_chunks(const std::string& certificate, std::size_t chunks, con
     std::vector<std::size_t> in;
     for (std::size_t corner = 0; corner < corners; ++corner) {
       if (corner >= row.size() || row[corner] >= count) refuse_to_divide("a simplex has a label that is not there");
-      const std::size_t chunk = chunk_of(row[corner]);
+      const std::size_t chunk = ranges.chunk_of(row[corner]);
       if (corner == 0) ++own[chunk];
       if (std::find(in.begin(), in.end(), chunk) != in.end()) continue;
       in.push_back(chunk);
       members[chunk].push_back(number);
     }
   }
+  std::vector<ChunkEntry> entries;
+  for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+    const std::size_t first = ranges.first_of(chunk), labels = ranges.first_of(chunk + 1) - first;
+    ChunkText text;
+    text.add_rows("net", labels, [&](std::size_t at) { return net[first + at]; });
+    text.add_rows("points", labels, [&](std::size_t at) { return points[first + at]; });
+    text.add_rows("simplices", members[chunk].size(), [&](std::size_t at) { return simplices[members[chunk][at]]; });
+    entries.push_back({first, own[chunk], write_chunk(folder, chunk, text.finished())});
+  }
+  std::string head(software);
+  head += manifold;
+  head += parameters;
+  head += levels;
+  return write_chunk_header(folder, count, entries, head, elements.substr(elements.find('[')),
+                            loops_in_chunks(loops, simplices));
+}
+
+std::size_t ChunkRanges::first_of(std::size_t chunk) const {
+  return labels / chunks * chunk + std::min(chunk, labels % chunks);
+}
+
+std::size_t ChunkRanges::chunk_of(std::size_t label) const {
+  const std::size_t longer = (labels / chunks + 1) * (labels % chunks);
+  return label < longer ? label / (labels / chunks + 1) : labels % chunks + (label - longer) / (labels / chunks);
+}
+
+void ChunkText::add_rows(std::string_view key, std::size_t count,
+                         const std::function<std::string_view(std::size_t)>& row) {
+  text_ += ",\"" + std::string(key) + "\":[";
+  for (std::size_t at = 0; at < count; ++at) {
+    if (at > 0) text_ += ',';
+    text_ += row(at);
+  }
+  text_ += ']';
+}
+
+const std::string& ChunkText::finished() {
+  text_ += "}\n";
+  return text_;
+}
+
+void prepare_chunk_folder(const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  if (std::filesystem::exists(folder / "header.json.zst") || std::filesystem::exists(folder / "header.json"))
+    refuse_to_divide(folder.string() + ": has a certificate already");
+}
+
+std::string write_chunk(const std::filesystem::path& folder, std::size_t chunk, std::string_view text) {
+  write_file(folder / (std::to_string(chunk + 1) + ".json.zst"), text);
+  return digest_of(std::string_view("\0", 1), text);
+}
+
+std::string write_chunk_header(const std::filesystem::path& folder, std::size_t labels,
+                               const std::vector<ChunkEntry>& entries, std::string_view head, std::string_view elements,
+                               std::string_view loops) {
   std::vector<std::string> digests;
   std::string table = "[";
-  for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
-    std::string text = R"({"format":"delcert-chunk","version":1)";
-    const auto add_rows = [&text](std::string_view key, std::size_t begin, std::size_t end, const auto& row) {
-      text += ",\"" + std::string(key) + "\":[";
-      for (std::size_t at = begin; at < end; ++at) {
-        if (at > begin) text += ',';
-        text += row(at);
-      }
-      text += ']';
-    };
-    const std::size_t first = first_of(chunk), end = first_of(chunk + 1);
-    add_rows("net", first, end, [&](std::size_t at) { return net[at]; });
-    add_rows("points", first, end, [&](std::size_t at) { return points[at]; });
-    add_rows("simplices", 0, members[chunk].size(), [&](std::size_t at) { return simplices[members[chunk][at]]; });
-    text += "}\n";
-    write_file(folder / (std::to_string(chunk + 1) + ".json.zst"), text);
-    digests.push_back(digest_of(std::string_view("\0", 1), text));
-    table += (chunk > 0 ? ",[" : "[") + std::to_string(first) + ',' + std::to_string(own[chunk]) + ",\"" +
-             digests.back() + "\"]";
+  for (const ChunkEntry& entry : entries) {
+    digests.push_back(entry.digest);
+    table += (table.size() > 1 ? ",[" : "[") + std::to_string(entry.first) + ',' + std::to_string(entry.own) + ",\"" +
+             entry.digest + "\"]";
   }
   const std::string root = root_of(digests);
-  std::string header = R"({"format":"delcert-chunks","version":1,"points":)" + std::to_string(count) +
+  std::string header = R"({"format":"delcert-chunks","version":1,"points":)" + std::to_string(labels) +
                        ",\"chunks\":" + table + "],\"root\":\"" + root + '"';
-  header += software;
-  header += manifold;
-  header += parameters;
-  header += levels_in_chunks(levels);
-  header += elements;
-  header += ",\"loops\":" + loops_in_chunks(loops, simplices);
+  header += levels_in_chunks(head);
+  header += ",\"elements\":" + std::string(elements);
+  header += ",\"loops\":" + std::string(loops);
   header += ",\"sha256\":\"" + digest_of(header, "") + "\"}\n";
   write_file(folder / "header.json.zst", header);
   return root;

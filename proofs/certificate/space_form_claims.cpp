@@ -72,7 +72,8 @@ SpaceFormMeasures measure_run(const SpaceFormAtlas<m>& atlas, const ChartRun<m>&
 }
 
 template <int m>
-Claims derive_claims(const SpaceFormAtlas<m>& atlas, const RunParameters& parameters, const ChartRun<m>& run,
+Claims derive_claims(const SpaceFormAtlas<m>& atlas, const RunParameters& parameters, const LocalMargins& margins,
+                     const std::function<ManifoldClaim()>& manifold, const ModelReport& model,
                      const SpaceFormMeasures& measures, const LevelSelection& selection,
                      std::vector<std::string>& reasons) {
   const Curvature curvature = atlas.curvature();
@@ -81,19 +82,32 @@ Claims derive_claims(const SpaceFormAtlas<m>& atlas, const RunParameters& parame
   Derivation derivation{selection, reasons,
                         [&](const Rational& reach) { return reach < patch && reach < injectivity_radius; },
                         parameters.algorithm.perturbation * atlas.sampling_radius()};
-  derivation.derive_stars(run);
-  derivation.derive_stability(measures.stability, run.margins.reach);
+  if (derivation.derive_margins(margins)) derivation.claims.manifold = manifold();
+  derivation.derive_stability(measures.stability, margins.reach);
   if (curvature == Curvature::zero) derivation.widen_reach();
-  derive_delaunay(derivation, run.model, curvature, patch,
+  derive_delaunay(derivation, model, curvature, patch,
                   Rational(SpaceFormAtlas<m>::patch_factor) * atlas.sampling_radius() <= patch);
   derive_triangulation(derivation, measures.simplices, curvature, injectivity_radius);
   derive_metric(derivation, measures.flat, m == 2);
   return std::move(derivation.claims);
 }
 
-#define DELCERT_INSTANTIATE(m)                                                                              \
-  template SpaceFormMeasures measure_run<m>(const SpaceFormAtlas<m>&, const ChartRun<m>&, const Progress&); \
-  template Claims derive_claims<m>(const SpaceFormAtlas<m>&, const RunParameters&, const ChartRun<m>&,      \
+template <int m>
+Claims derive_claims(const SpaceFormAtlas<m>& atlas, const RunParameters& parameters, const ChartRun<m>& run,
+                     const SpaceFormMeasures& measures, const LevelSelection& selection,
+                     std::vector<std::string>& reasons) {
+  const auto manifold = [&run] {
+    return manifold_claim(run.complex.label_complex(), run.complex.simplices().size(), true);
+  };
+  return derive_claims<m>(atlas, parameters, run.margins, manifold, run.model, measures, selection, reasons);
+}
+
+#define DELCERT_INSTANTIATE(m)                                                                                  \
+  template Claims derive_claims<m>(const SpaceFormAtlas<m>&, const RunParameters&, const LocalMargins&,         \
+                                   const std::function<ManifoldClaim()>&, const ModelReport&,                   \
+                                   const SpaceFormMeasures&, const LevelSelection&, std::vector<std::string>&); \
+  template SpaceFormMeasures measure_run<m>(const SpaceFormAtlas<m>&, const ChartRun<m>&, const Progress&);     \
+  template Claims derive_claims<m>(const SpaceFormAtlas<m>&, const RunParameters&, const ChartRun<m>&,          \
                                    const SpaceFormMeasures&, const LevelSelection&, std::vector<std::string>&);
 DELCERT_INSTANTIATE(2)
 DELCERT_INSTANTIATE(3)

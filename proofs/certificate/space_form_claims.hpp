@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,13 @@ template <int m>
 template <int m>
 [[nodiscard]] Claims derive_claims(const SpaceFormAtlas<m>& atlas, const RunParameters& parameters,
                                    const ChartRun<m>& run, const SpaceFormMeasures& measures,
+                                   const LevelSelection& selection, std::vector<std::string>& reasons);
+
+/// The same from what is known of the whole where no process has its complex. `manifold` is asked for level 2.
+template <int m>
+[[nodiscard]] Claims derive_claims(const SpaceFormAtlas<m>& atlas, const RunParameters& parameters,
+                                   const LocalMargins& margins, const std::function<ManifoldClaim()>& manifold,
+                                   const ModelReport& model, const SpaceFormMeasures& measures,
                                    const LevelSelection& selection, std::vector<std::string>& reasons);
 
 }  // namespace delcert

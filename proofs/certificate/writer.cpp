@@ -60,6 +60,12 @@ void add_complex(Document& document, const PlacedComplex<m>& complex) {
 }  // namespace
 
 template <int m>
+std::string certificate_head(const CertificateContent<m>& content) {
+  return ",\"software\":" + software_object(content.parameters) + ",\"manifold\":" + content.manifold +
+         ",\"parameters\":" + parameters_object(content) + ",\"levels\":" + levels_object(content.claims);
+}
+
+template <int m>
 void write_certificate(const std::filesystem::path& path, const CertificateContent<m>& content,
                        const Progress& progress) {
   const std::size_t net_simplices = content.claims.input ? content.net_simplices.size() : 0;
@@ -68,10 +74,7 @@ void write_certificate(const std::filesystem::path& path, const CertificateConte
   const auto add_numbers = [&](std::string_view key, const auto& row) {
     document.add_array(key, content.labels, [&](std::size_t at) { return listed(row(Label(at)), number); });
   };
-  document.add(R"({"format":"delcert-certificate","version":2,"software":)" + software_object(content.parameters));
-  document.add(",\"manifold\":" + content.manifold);
-  document.add(",\"parameters\":" + parameters_object(content));
-  document.add(",\"levels\":" + levels_object(content.claims));
+  document.add(R"({"format":"delcert-certificate","version":2)" + certificate_head(content));
   add_numbers("net", content.net);
   if (content.charts) add_numbers("charts", content.charts);
   if (content.radii)
@@ -84,7 +87,8 @@ void write_certificate(const std::filesystem::path& path, const CertificateConte
   document.seal();
 }
 
-#define DELCERT_INSTANTIATE(m) \
+#define DELCERT_INSTANTIATE(m)                                            \
+  template std::string certificate_head<m>(const CertificateContent<m>&); \
   template void write_certificate<m>(const std::filesystem::path&, const CertificateContent<m>&, const Progress&);
 DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
 #undef DELCERT_INSTANTIATE

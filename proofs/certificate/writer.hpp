@@ -38,6 +38,10 @@ struct CertificateContent {
   Rational radius_variation = Rational(0);
 };
 
+/// What a certificate states before its long arrays: `,"software":{…},"manifold":{…},"parameters":{…},"levels":{…}`.
+template <int m>
+[[nodiscard]] std::string certificate_head(const CertificateContent<m>& content);
+
 /// Writes a certificate as docs/certificate-format.md specifies, compressed if the name ends in ".zst". The file
 /// appears whole or not at all: `progress` may throw until all but the renaming is done. Equal contents give equal
 /// bytes.

@@ -8,6 +8,18 @@
 
 namespace delcert {
 
+/// Measured mode with what suits this dimension, where nothing else is asked for; `vary`: whether sampling radii do.
+[[nodiscard]] inline ParameterChoice choice_in_charts(Dimension dimension, const CertifyOptions& options, bool vary) {
+  ParameterChoice choice = options.choice;
+  choice.mode = options.no_perturbation ? RunMode::none : RunMode::measured;
+  if (!options.no_perturbation && !choice.tolerance) {
+    choice.tolerance = measured_parameters(dimension, choice.seed).tolerance;
+    // Where radii vary, there are more candidates.
+    if (vary) choice.tolerance = *choice.tolerance / Rational(2);
+  }
+  return choice;
+}
+
 /// What is done alike wherever a manifold is seen through charts, on space forms and on metric fields.
 template <int m, class ChartAtlas>
 class ChartFamily : public Family {
@@ -29,13 +41,7 @@ class ChartFamily : public Family {
 
   /// In measured mode, with what suits this dimension.
   void choose_measured_parameters(const CertifyOptions& options) {
-    ParameterChoice choice = options.choice;
-    choice.mode = options.no_perturbation ? RunMode::none : RunMode::measured;
-    if (!options.no_perturbation && !choice.tolerance) {
-      choice.tolerance = measured_parameters(Dimension(m), choice.seed).tolerance;
-      // Where radii vary, there are more candidates.
-      if (LengthUnits(*atlas_).vary()) choice.tolerance = *choice.tolerance / Rational(2);
-    }
+    const ParameterChoice choice = choice_in_charts(Dimension(m), options, LengthUnits(*atlas_).vary());
     report.parameters = parameters_for(Dimension(m), report.parameters.algorithm.separation, choice);
   }
 

@@ -70,6 +70,21 @@ TEST(ColoursOf, are_as_many_as_labels_where_all_are_in_sight) {
   EXPECT_EQ(check<2>(torus, Rational(8)), 150U);
 }
 
+TEST(ColoursOf, go_on_from_those_that_are_known) {
+  const FlatAtlas<2> torus(cubic_torus<2>(), PointSet<2>(random_points<2>(500, 1)), ratio(1, 30));
+  const auto all = colours_of<2>(torus, ratio(9, 2), no_progress());
+  for (const std::uint32_t first : {0U, 1U, 250U, 499U, 500U}) {
+    const std::vector<std::uint32_t> known(all.begin(), all.begin() + first);
+    EXPECT_EQ(more_colours_of<2>(torus, ratio(9, 2), known, 500, no_progress()), all);
+  }
+  EXPECT_EQ(more_colours_of<2>(torus, ratio(9, 2), {}, 300, no_progress()),
+            std::vector<std::uint32_t>(all.begin(), all.begin() + 300));
+  // What others have is not what it would be otherwise, and the others keep out of its way.
+  auto given = more_colours_of<2>(torus, ratio(9, 2), {7}, 500, no_progress());
+  EXPECT_EQ(given[0], 7U);
+  EXPECT_NE(given, all);
+}
+
 TEST(ColoursOf, are_the_same_for_any_number_of_threads) {
   const FlatAtlas<2> torus(cubic_torus<2>(), PointSet<2>(random_points<2>(2500, 1)), ratio(1, 40));
   std::set<std::vector<std::uint32_t>> all;
