@@ -23,6 +23,13 @@ using Lines = std::vector<std::string>;
 
 const std::string any_lines = "…";
 
+/// What mpirun needs to start delcert-ranks here: as root, and with fewer processors than ranks. Empty without MPI.
+const std::string ranks = std::string(DELCERT_RANKS_FOLDER).empty()
+                              ? ""
+                              : "export PATH=\"" DELCERT_RANKS_FOLDER
+                                ":$PATH\" OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+                                "OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1; ";
+
 Lines lines_of(std::istream& stream) {
   Lines lines;
   for (std::string line; std::getline(stream, line);) lines.push_back(line);
@@ -66,8 +73,8 @@ class Folder {
   [[nodiscard]] Lines output_of(const std::string& command) const {
     const std::string shell_command = "cd '" + path_.string() +
                                       "' && delcert() { '" DELCERT_PROGRAM
-                                      "' \"$@\"; }; delcert-check() { '" DELCERT_CHECK "' \"$@\"; }; { " +
-                                      command + "\n} 2>&1";
+                                      "' \"$@\"; }; delcert-check() { '" DELCERT_CHECK "' \"$@\"; }; " +
+                                      ranks + "{ " + command + "\n} 2>&1";
     std::FILE* pipe = popen(("bash <<'END OF THE SESSION'\n" + shell_command + "\nEND OF THE SESSION\n").c_str(), "r");
     if (pipe == nullptr) return {"cannot run a shell"};
     std::string output;
@@ -96,6 +103,9 @@ std::vector<std::string> pages() {
   const auto look_at = [&](const fs::path& path) {
     std::ifstream file(path);
     const Lines lines = lines_of(file);
+    const bool needs_ranks =
+        std::any_of(lines.begin(), lines.end(), [](const std::string& line) { return line.starts_with("$ mpirun "); });
+    if (needs_ranks && ranks.empty()) return;
     if (std::find(lines.begin(), lines.end(), "```console") != lines.end())
       found.push_back(fs::relative(path, source).string());
   };
