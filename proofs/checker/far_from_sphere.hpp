@@ -1,144 +1,207 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include "proofs/checker/metric.hpp"
+#include "proofs/checker/point_set.hpp"
 
 namespace delcert::checker {
 
-/// Tells of most points of a list, in doubles with a bound of their error, that their power s - <y, c> with respect to
-/// a sphere is not small (docs/levels/3-forbidden-configurations.md, In doubles). Here c is the centre, s the squared
-/// length of a point and y twice its covector. Precondition: the thread rounds upwards.
-class FarFromSphere {
+// Powers of points with respect to the circumspheres of simplices that have a vertex in common, in doubles with a bound
+// of their errors (docs/levels/3-forbidden-configurations.md, In doubles). The thread rounds upwards.
+
+/// Points near a vertex, seen from it: the squared distances from it, and the products of the vectors to them.
+class SeenFromVertex {
  public:
-  explicit FarFromSphere(std::size_t m) : m_(m) {}
-
-  void clear() { *this = FarFromSphere(m_); }
-  void add(const Vector<Interval>& twice_covector, const Interval& squared_length) {
-    std::array<double, 5>& point = points_.emplace_back();
-    double sum = 0;
+  explicit SeenFromVertex(const PointSet& points)
+      : set_(&points), m_(static_cast<std::size_t>(points.metric().dimension())) {
+    const Metric& metric = points.metric();
+    std::array<double, 4> sums{}, errors{};
     for (std::size_t k = 0; k < m_; ++k) {
-      point[k] = middle(twice_covector[k]);
-      covector_error_ = larger(covector_error_, error(twice_covector[k], point[k]));
-      sum += std::fabs(point[k]);
+      Vector<Interval> unit{};
+      unit[k] = Interval(1);
+      const Vector<Interval> column = metric.covector(unit);
+      for (std::size_t i = 0; i < m_; ++i) {
+        gram_[i][k] = middle(column[i]);
+        sums[i] += std::fabs(gram_[i][k]);
+        errors[i] += error_of(column[i]);
+      }
+      stretch_ = std::max(stretch_, metric.stretch(k));
     }
-    point[4] = middle(squared_length);
-    length_error_ = larger(length_error_, error(squared_length, point[4]));
-    longest_covector_ = larger(longest_covector_, sum);
-    longest_ = larger(longest_, std::fabs(point[4]));
+    row_ = *std::max_element(sums.begin(), sums.end());
+    row_error_ = *std::max_element(errors.begin(), errors.end());
+    for (Label i = 0; i < points.size(); ++i) {
+      for (const Interval& x : points.position<Interval>({i, {}}))
+        position_error_ = std::max(position_error_, error_of(x));
+    }
   }
 
-  /// A sphere, and the absolute value of computed powers above which the power itself is more than `small`.
-  struct Sphere {
-    std::array<double, 4> centre{};
-    double threshold = 0;
-  };
-  Sphere sphere(const Vector<Interval>& centre, double small) const {
-    Sphere result;
-    double greatest = 0, centre_error = 0;
-    for (std::size_t k = 0; k < m_; ++k) {
-      result.centre[k] = middle(centre[k]);
-      greatest = larger(greatest, std::fabs(result.centre[k]));
-      centre_error = larger(centre_error, error(centre[k], result.centre[k]));
+  /// From here on from this one. There are no points yet; those farther than `longest_squared` do not count.
+  void open(const Vertex& vertex, double longest_squared) {
+    points_.clear();
+    longest_squared_ = longest_squared;
+    const Vector<Interval> position = set_->position<Interval>(vertex);
+    double farthest = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      origin_[k] = middle(position[k]);
+      farthest = std::max(farthest, std::fabs(origin_[k]));
     }
-    const double enclosed = longest_covector_ * centre_error +
-                            static_cast<double>(m_) * covector_error_ * (greatest + centre_error) + length_error_;
-    const double rounded = 0x1p-49 * (longest_ + longest_covector_ * greatest) + 0x1p-1000;
-    result.threshold = small + enclosed + rounded;
-    return result;
+    greatest_ = std::sqrt(longest_squared) * stretch_ * (1 + 0x1p-10);
+    const double error = 2 * position_error_ + 0x1p-48 * (farthest + greatest_);
+    const double bound = static_cast<double>(m_) * (2 * (row_ + row_error_) * (greatest_ + error) * error +
+                                                    (row_error_ + 0x1p-48 * row_) * greatest_ * greatest_) +
+                         0x1p-400;
+    error_ = error < 0x1p-11 * greatest_ && bound < 0x1p900 ? bound : infinity;
   }
-  /// The computed power of the point with this number.
-  double power(const Sphere& sphere, std::size_t number) const {
-    return points_[number][4] - product(sphere.centre, number);
+  /// Nothing is done if the point is certainly farther.
+  void add(const Vertex& q) {
+    Point point{q, {}, {}, 0};
+    const Vector<Interval> position = set_->position<Interval>(q);
+    for (std::size_t k = 0; k < m_; ++k) {
+      point.x[k] = middle(position[k]) - origin_[k];
+      if (std::fabs(point.x[k]) > greatest_ && error_ < infinity) return;
+    }
+    for (std::size_t k = 0; k < m_; ++k) point.covector[k] = product(gram_[k], point.x);
+    point.power = product(point.x, point.covector);
+    if (!is_too_long(point.power)) points_.push_back(point);
   }
-  /// Certainly |s - <y, c>| > small for the point with this number.
-  bool is_far(const Sphere& sphere, std::size_t number) const {
-    const double found = power(sphere, number);
-    return found > sphere.threshold || -found > sphere.threshold;
+  /// By their vertices.
+  void sort() {
+    std::sort(points_.begin(), points_.end(), [](const Point& a, const Point& b) { return a.vertex < b.vertex; });
   }
-  /// Certainly s - <y, c> > bound, for a sphere with small = 0.
-  bool is_above(const Sphere& sphere, std::size_t number, double bound) const {
-    return power(sphere, number) > bound + sphere.threshold;
-  }
+
+  std::size_t size() const { return points_.size(); }
+  std::size_t number(std::size_t i) const { return i; }
+  const Vertex& vertex(std::size_t i) const { return points_[i].vertex; }
+  double power(std::size_t i) const { return points_[i].power; }
+  double product(std::size_t i, std::size_t k) const { return product(points_[i].x, points_[k].covector); }
+  /// No power and no product is wrong by more.
+  double error() const { return error_; }
+  double least_radius_squared() const { return 0; }
+  double greatest_radius_squared() const { return 0; }
+  /// Whether two of the points are certainly farther apart than one may be from the vertex.
+  bool are_apart(std::size_t i, std::size_t k) const { return is_too_long(power(i) + power(k) - 2 * product(i, k)); }
 
  private:
-  friend class SpherePencil;
-  double product(const std::array<double, 4>& vector, std::size_t number) const {
-    const std::array<double, 5>& point = points_[number];
-    double sum = point[0] * vector[0];
-    for (std::size_t k = 1; k < m_; ++k) sum += point[k] * vector[k];
-    return sum;
-  }
-  /// A double in the interval or near it; NaN if it is not bounded, and then nothing is far.
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  using Row = std::array<double, 4>;
+  struct Point {
+    Vertex vertex;
+    Row x, covector;
+    double power;
+  };
+  static double product(const Row& x, const Row& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2] + x[3] * y[3]; }
+  bool is_too_long(double squared) const { return squared > longest_squared_ + 8 * error_; }
+  /// A double in the interval or near it.
   static double middle(const Interval& x) { return x.lower() + (x.upper() - x.lower()) / 2; }
-  static double error(const Interval& x, double at) { return larger(x.upper() - at, at - x.lower()); }
-  /// NaN if one of them is.
-  static double larger(double a, double b) { return a > b || std::isnan(a) ? a : b; }
+  /// Of that as the number that is enclosed.
+  static double error_of(const Interval& x) {
+    const double error = std::max(x.upper() - middle(x), middle(x) - x.lower());
+    return error < infinity ? error : infinity;  // NaN if the interval is not bounded
+  }
 
+  const PointSet* set_;
   std::size_t m_;
-  std::vector<std::array<double, 5>> points_;
-  double covector_error_ = 0, length_error_ = 0;  // of an entry; of s
-  double longest_covector_ = 0, longest_ = 0;     // sum of the absolute values of the entries; |s|
+  std::array<Row, 4> gram_{};
+  double row_ = 0, row_error_ = 0;  // of |gram|, and of its errors: the greatest sum of a row
+  double position_error_ = 0;       // of a coordinate, at lift 0
+  double stretch_ = 0;
+  Row origin_{};
+  double greatest_ = 0;  // no coordinate of a point that counts is greater
+  double longest_squared_ = 0, error_ = 0;
+  std::vector<Point> points_;
 };
 
-/// The same for spheres with centres c + t n: the power of a point is P - t h, where P is its power for t = 0 and
-/// h = <y, n>. Precondition: the thread rounds upwards.
-class SpherePencil {
+/// How powers and products change when a point is added to the simplex from which they are seen. Products of it are
+/// those with points at later places.
+template <class Seen>
+class AddedVertex {
  public:
-  /// n is perpendicular to a simplex with circumcentre c, |n|^2 = normal_squared.
-  void open(const FarFromSphere& points, const Vector<Interval>& centre, const Interval& radius_squared,
-            const Vector<Interval>& normal, const Interval& normal_squared) {
-    points_ = &points;
-    centre_ = points.sphere(centre, 0);
-    normal_ = points.sphere(normal, 0);
-    radius_squared_ = radius_squared;
-    normal_squared_ = normal_squared;
-    greatest_power_ = greatest_height_ = 0;
-    powers_.resize(points.points_.size());
-    heights_.resize(points.points_.size());
-  }
-  /// Before the point with this number is asked for.
-  void add(std::size_t number) {
-    powers_[number] = points_->power(centre_, number);
-    heights_[number] = points_->product(normal_.centre, number);
-    greatest_power_ = FarFromSphere::larger(greatest_power_, std::fabs(powers_[number]));
-    greatest_height_ = FarFromSphere::larger(greatest_height_, std::fabs(heights_[number]));
+  AddedVertex(const Seen& seen, std::size_t at) : seen_(seen), at_(at) {
+    const double power = seen.power(at), size = seen.product(at, at), error = seen.error();
+    const double least = std::fabs(power) > 2 * error ? -(error - std::fabs(power)) : 0,
+                 most = std::fabs(power) + error;
+    inverse_ = 1 / size;
+    slope_ = power * inverse_;
+    // If infinite, nothing is far.
+    error_ = size > 0x1p20 * error ? error : std::numeric_limits<double>::infinity();
+    least_radius_squared_ = (seen.least_radius_squared() + least * least / (4 * (size + error))) * (1 - 0x1p-49);
+    greatest_radius_squared_ = seen.greatest_radius_squared() + 0.2501 * most * most * inverse_;
   }
 
-  /// The sphere that contains the point with a number, too.
-  struct Sphere {
-    double t = 0, least_radius_squared = 0, threshold = 0;
-  };
-  /// With the threshold for `factor` times the squared radius.
-  Sphere through(std::size_t number, double factor) const {
-    Sphere unknown, result;
-    unknown.threshold = std::numeric_limits<double>::infinity();
-    const double height = std::fabs(heights_[number]), least_height = -(normal_.threshold - height);
-    if (!(least_height > 0)) return unknown;
-    result.t = powers_[number] / heights_[number];
-    const double size = std::fabs(result.t) * (1 + 0x1p-50),
-                 error = (centre_.threshold + size * normal_.threshold) / least_height + size * 0x1p-50 + 0x1p-1000,
-                 least = std::fmax(-(error - std::fabs(result.t)), 0), most = size + error;
-    if (!(most < std::numeric_limits<double>::infinity())) return unknown;
-    result.least_radius_squared = (radius_squared_ + square(Interval::between(least, most)) * normal_squared_).lower();
-    const double small = factor * (radius_squared_.upper() + most * most * normal_squared_.upper());
-    result.threshold = small + centre_.threshold + greatest_height_ * error + most * normal_.threshold +
-                       0x1p-50 * (greatest_power_ + size * greatest_height_) + 0x1p-1000;
-    return result;
+  /// Of the larger simplex; the least one can be infinite, if that is degenerate.
+  double least_radius_squared() const { return least_radius_squared_; }
+  double greatest_radius_squared() const { return greatest_radius_squared_; }
+  double row(std::size_t k) const { return seen_.product(at_, k); }
+  double power(std::size_t k) const { return seen_.power(k) - slope_ * row(k); }
+  double product(std::size_t i, std::size_t k, double row_i, double row_k) const {
+    return seen_.product(i, k) - row_i * inverse_ * row_k;
   }
-  bool is_far(const Sphere& sphere, std::size_t number) const {
-    const double found = powers_[number] - sphere.t * heights_[number];
-    return found > sphere.threshold || -found > sphere.threshold;
+  double steepness(double row) const { return std::max(std::fabs(slope_), std::fabs(row) * inverse_); }
+  /// What is computed from rows of at most this steepness is wrong by no more.
+  double error(double steepness) const {
+    const double bound = 2 * (1 + steepness) * (1 + steepness) * error_;
+    return bound < 0x1p900 ? bound : std::numeric_limits<double>::infinity();
   }
+  /// Whether the power of the point at this place certainly has more than this absolute value.
+  bool is_far(std::size_t k, double small) const { return std::fabs(power(k)) > small + error(steepness(row(k))); }
 
  private:
-  const FarFromSphere* points_ = nullptr;
-  FarFromSphere::Sphere centre_, normal_;
-  Interval radius_squared_{0}, normal_squared_{0};
-  std::vector<double> powers_, heights_;
-  double greatest_power_ = 0, greatest_height_ = 0;
+  const Seen& seen_;
+  std::size_t at_;
+  double inverse_, slope_, error_, least_radius_squared_, greatest_radius_squared_;
+};
+
+/// Some of these points seen from a simplex with that vertex: their powers with respect to the sphere about its
+/// circumcentre, and the products of their parts perpendicular to it.
+class SeenFromSimplex {
+ public:
+  void clear() { places_.clear(); }
+  /// The point at this place in what is seen before.
+  void add(std::size_t place) { places_.push_back(place); }
+
+  /// These points, which are at later places than the vertex.
+  template <class Seen>
+  void see(const Seen& before, const AddedVertex<Seen>& vertex) {
+    const std::size_t n = places_.size();
+    numbers_.resize(n);
+    powers_.resize(n);
+    row_.resize(n);
+    products_.resize(n * n);
+    double steepest = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      numbers_[k] = before.number(places_[k]);
+      powers_[k] = vertex.power(places_[k]);
+      row_[k] = vertex.row(places_[k]);
+      steepest = std::max(steepest, vertex.steepness(row_[k]));
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t k = i; k < n; ++k)
+        products_[i * n + k] = vertex.product(places_[i], places_[k], row_[i], row_[k]);
+    }
+    error_ = vertex.error(steepest);
+    least_radius_squared_ = vertex.least_radius_squared();
+    greatest_radius_squared_ = vertex.greatest_radius_squared();
+  }
+
+  std::size_t size() const { return powers_.size(); }
+  std::size_t number(std::size_t i) const { return numbers_[i]; }
+  double power(std::size_t i) const { return powers_[i]; }
+  /// Precondition: i <= k.
+  double product(std::size_t i, std::size_t k) const { return products_[i * size() + k]; }
+  /// No power and no product is wrong by more.
+  double error() const { return error_; }
+  double least_radius_squared() const { return least_radius_squared_; }
+  double greatest_radius_squared() const { return greatest_radius_squared_; }
+  /// Whether the power certainly has more than this absolute value.
+  bool is_far(std::size_t i, double small) const { return std::fabs(powers_[i]) > small + error_; }
+
+ private:
+  std::vector<std::size_t> places_, numbers_;  // in what is seen before; in what the vertex sees
+  std::vector<double> powers_, row_, products_;
+  double error_ = 0, least_radius_squared_ = 0, greatest_radius_squared_ = 0;
 };
 
 }  // namespace delcert::checker
