@@ -41,10 +41,8 @@ SimplexInSpace SimplicesInSpace::of(std::uint32_t s) {
   const Interval bent = ball.tangent_squared();
   const Interval u = K == 0 ? Interval(1) : square_root(Interval(1) + Interval(K) * bent);
   const Interval radius = K == 0 ? bent : Interval(2) * bent / (u * (u + Interval(1)));
-  double power = infinity;
-  around_.visit(s, [&](Label j, core::Elements::Id moved) {
-    power = std::min(power, ball.power(complex_.elements.moved(moved, complex_.point<Interval>(j))).lower());
-  });
+  around_.look(s, ball);
+  const double power = around_.least(ball);
   result.radius = radius.upper();
   result.nearest = power < infinity ? (radius + Interval(2) * exactly(power) / u).lower() : infinity;
   std::array<Vector<Interval>, 3> edge{};

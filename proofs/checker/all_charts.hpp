@@ -1,16 +1,8 @@
 #pragma once
 
-#include "proofs/checker/core/around_simplex.hpp"
-#include "proofs/checker/core/circumball.hpp"
+#include "proofs/checker/core/powers_around.hpp"
 
 namespace delcert::checker {
-
-/// Counts a decision if bounds in doubles have made it.
-inline bool is_decided(bool is_made) {
-  Budget::spend(1);
-  if (is_made) ++decisions.filtered;
-  return is_made;
-}
 
 /// What is known of a simplex in the space; all lengths are squared chords.
 struct SimplexInSpace {
@@ -31,7 +23,7 @@ class SimplicesInSpace {
  private:
   core::Complex& complex_;
   const core::Form<Interval> form_;
-  core::AroundSimplex around_;
+  core::PowersAround around_;
 };
 
 /// What follows of it in the charts that show all of the simplex and its circumcentre within `reach` of their centres

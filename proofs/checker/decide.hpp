@@ -61,6 +61,13 @@ bool decide(const Predicate& predicate) {
   return exact == Verdict::proved;
 }
 
+/// Counts a decision if bounds in doubles have made it.
+inline bool is_decided(bool is_made) {
+  Budget::spend(1);
+  if (is_made) ++decisions.filtered;
+  return is_made;
+}
+
 /// The number in decimal, approximately: for messages about what no one states. Bounds that are stated are printed by
 /// rounded_down and rounded_up.
 inline std::string about(const Interval& x) {

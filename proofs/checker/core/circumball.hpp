@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "proofs/checker/core/complex.hpp"
 
 namespace delcert::checker::core {
@@ -12,6 +14,9 @@ class Form {
     if (K_ != 0) return;
     gram_ = as(data.form);
     inverse_ = as(inverse_of(data.form));
+    for (std::size_t i = 0; i < m_; ++i) {
+      for (std::size_t k = 0; k < i; ++k) is_diagonal_ = is_diagonal_ && data.form(i, k).is_zero();
+    }
   }
   N squared(const Vector<N>& x) const {
     return K_ == 0 ? squared_by(gram_, x) : N(K_) * square(x[0]) + squared_tail(x);
@@ -22,10 +27,12 @@ class Form {
       for (std::size_t k = 1; k <= m_; ++k) sum = sum + x[k] * y[k];
       return sum;
     }
-    return dot(x, gram_ * y, m_);
+    return dot(x, times(gram_, y), m_);
   }
+  /// Of K = 0.
+  const SquareMatrix<N>& gram() const { return gram_; }
   /// The vector u with form(x) = <u, x>. K = 0.
-  Vector<N> vector(const Vector<N>& form) const { return inverse_ * form; }
+  Vector<N> vector(const Vector<N>& form) const { return times(inverse_, form); }
   /// |u|^2 of this vector. K = 0.
   N squared_covector(const Vector<N>& form) const { return squared_by(inverse_, form); }
 
@@ -54,13 +61,20 @@ class Form {
     N sum(0);
     for (std::size_t i = 0; i < m_; ++i) {
       sum = sum + a(i, i) * square(x[i]);
-      for (std::size_t k = 0; k < i; ++k) sum = sum + N(2) * a(i, k) * x[i] * x[k];
+      for (std::size_t k = 0; k < i && !is_diagonal_; ++k) sum = sum + N(2) * a(i, k) * x[i] * x[k];
     }
     return sum;
+  }
+  Vector<N> times(const SquareMatrix<N>& a, const Vector<N>& x) const {
+    if (!is_diagonal_) return a * x;
+    Vector<N> result = x;
+    for (std::size_t i = 0; i < m_; ++i) result[i] = a(i, i) * x[i];
+    return result;
   }
 
   int K_;
   std::size_t m_;
+  bool is_diagonal_ = true;  // and then its inverse is
   SquareMatrix<N> gram_, inverse_;
 };
 
@@ -98,6 +112,9 @@ class Circumball {
     for (std::size_t k = 1; k < 4; ++k) result[k] = N(K_) * unit * linear_[k];
     return result;
   }
+  /// The first vertex v_0, and the linear form of q - v_0 in the power.
+  const Vector<N>& base() const { return base_; }
+  const Vector<N>& linear() const { return linear_; }
   /// tan^2, square, tanh^2 of the radius; for K < 0 a ball exists if this is less than 1.
   const N& tangent_squared() const { return tangent_squared_; }
   /// pow(q), half of it for K = 0.
@@ -143,10 +160,18 @@ class Circumballs {
     }
   }
   Circumball<Interval> filter(std::size_t s) { return {complex_.data, filter_, complex_.lifts<Interval>(s)}; }
+  /// The same for those who ask several times for simplices whose numbers are near.
+  const Circumball<Interval>& kept(std::size_t s) {
+    auto& [number, ball] = kept_[s % kept_.size()];
+    if (!ball || number != s) ball.emplace(filter(s));
+    number = s;
+    return *ball;
+  }
 
  private:
   Complex& complex_;
   Form<Interval> filter_;
+  std::array<std::pair<std::size_t, std::optional<Circumball<Interval>>>, 64> kept_;
 };
 
 }  // namespace delcert::checker::core

@@ -1,5 +1,4 @@
-#include "proofs/checker/core/around_simplex.hpp"
-#include "proofs/checker/core/circumball.hpp"
+#include "proofs/checker/core/powers_around.hpp"
 #include "proofs/checker/core/rules.hpp"
 #include "proofs/checker/parts.hpp"
 
@@ -49,7 +48,12 @@ class Margins {
       return less_equal(ball.tangent_squared(), square(tangent_.as<N>()));
     });
     if (!small) report_.reject("4.ball", [&] { return complex_.name(s) + " has no circumball so small"; });
-    around_.visit(s, [&](Label j, Elements::Id moved) { check(s, filter, j, moved); });
+    around_.look(s, filter);
+    const Interval room = square_root(filter.tangent_squared() * square(sine_.as<Interval>()));
+    const double bound = (versed_sine_.as<Interval>() + room).upper();
+    for (const PowersAround::Point& point : around_.points()) {
+      if (!is_decided(around_.is_above(point, bound))) check(s, filter, point.label, point.element);
+    }
   }
 
  private:
@@ -68,7 +72,7 @@ class Margins {
   Report& report_;
   Circumballs balls_;
   OfStatedLength tangent_, sine_, versed_sine_;
-  AroundSimplex around_;
+  PowersAround around_;
 };
 
 /// r + delta < pi / 2 on a sphere.
@@ -93,7 +97,7 @@ void check_hinges(Complex& complex, Report& report) {
   const auto check = [&](const Hinge& hinge, Report& found) {
     const auto [s, t] = hinge.simplex;
     if (complex.sign[s] == 0 || complex.sign[t] == 0) return;
-    const bool convex = balls.decide(s, balls.filter(s), [&]<class N>(const Circumball<N>& ball) {
+    const bool convex = balls.decide(s, balls.kept(s), [&]<class N>(const Circumball<N>& ball) {
       return less(N(0), ball.power(complex.beyond<N>(hinge)));
     });
     if (convex) return;
