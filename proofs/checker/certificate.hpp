@@ -130,6 +130,10 @@ struct Certificate {
   }
   /// The same of labels: the least that it is at one of them.
   Quantity at_least(const Label* begin, const Label* end, const Quantity& length) const;
+  /// Kept in `memory`, if it is not the length itself: copies take time.
+  const Quantity& at_least(const Label* begin, const Label* end, const Quantity& length, Quantity& memory) const {
+    return units.empty() ? length : memory = at_least(begin, end, length);
+  }
   Quantity at_simplex(std::size_t s, const Quantity& length) const {
     return at_least(simplex(s), simplex(s) + m + 1, length);
   }

@@ -1,5 +1,7 @@
 #include "proofs/checker/exact_number.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -10,13 +12,13 @@
 namespace delcert::checker {
 namespace {
 
-constexpr std::string_view decimal_digits = "0123456789";
-constexpr std::string_view hexadecimal_digits = "0123456789abcdef";
-
-/// The longest prefix of `digits`, taken off the text.
-std::string_view take(std::string_view& text, std::string_view digits) {
-  const std::string_view taken = text.substr(0, text.find_first_not_of(digits));
-  text.remove_prefix(taken.size());
+/// The longest prefix of digits, taken off the text.
+std::string_view take_digits(std::string_view& text, bool hexadecimal) {
+  const auto is_digit = [=](char c) { return ('0' <= c && c <= '9') || (hexadecimal && 'a' <= c && c <= 'f'); };
+  std::size_t length = 0;
+  while (length < text.size() && is_digit(text[length])) ++length;
+  const std::string_view taken = text.substr(0, length);
+  text.remove_prefix(length);
   return taken;
 }
 
@@ -37,19 +39,19 @@ Parts split(std::string_view text) {
   Parts parts;
   parts.negative = take_literal(text, "-");
   parts.hexadecimal = take_literal(text, "0x");
-  const std::string_view digits = parts.hexadecimal ? hexadecimal_digits : decimal_digits;
-  parts.whole = take(text, digits);
+  parts.whole = take_digits(text, parts.hexadecimal);
   if (parts.whole.empty()) return parts;
   if (take_literal(text, parts.hexadecimal ? "." : "/")) {
-    parts.part = take(text, digits);
+    parts.part = take_digits(text, parts.hexadecimal);
     if (parts.part.empty()) return parts;
     if (!parts.hexadecimal && parts.part.find_first_not_of('0') == std::string_view::npos) return parts;
   }
   if (parts.hexadecimal && take_literal(text, "p")) {
     const bool below = take_literal(text, "-");
-    const std::string_view exponent = take(text, decimal_digits);
+    const std::string_view exponent = take_digits(text, false);
     if (exponent.empty() || exponent.size() > 5) return parts;
-    parts.exponent = (below ? -1 : 1) * std::stoi(std::string(exponent));
+    std::from_chars(exponent.data(), exponent.data() + exponent.size(), parts.exponent);
+    if (below) parts.exponent = -parts.exponent;
   }
   parts.valid = text.empty();
   return parts;
@@ -59,17 +61,25 @@ Parts split(std::string_view text) {
 
 bool is_exact_number(std::string_view text) { return split(text).valid; }
 
-std::optional<double> as_double(std::string_view text) {
-  constexpr std::size_t most_digits = 13;
+std::optional<Interval> read_enclosure(std::string_view text) {
+  constexpr std::size_t most_digits = 16;
   constexpr int greatest_exponent = 900;
   const Parts parts = split(text);
-  const bool is_known = parts.valid && parts.part.empty() && parts.whole.size() <= most_digits &&
-                        -greatest_exponent <= parts.exponent && parts.exponent <= greatest_exponent;
-  if (!is_known) return std::nullopt;
+  if (!parts.valid || !parts.part.empty() || parts.whole.size() > 200) return std::nullopt;
+  const std::string_view first = parts.whole.substr(0, most_digits), others = parts.whole.substr(first.size());
   std::uint64_t whole = 0;
-  std::from_chars(parts.whole.data(), parts.whole.data() + parts.whole.size(), whole, parts.hexadecimal ? 16 : 10);
-  const double value = std::ldexp(static_cast<double>(whole), parts.exponent);
-  return parts.negative ? -value : value;
+  std::from_chars(first.data(), first.data() + first.size(), whole, parts.hexadecimal ? 16 : 10);
+  // Its first 53 binary digits; what follows is less than one of the last of them.
+  const int shift = std::max(static_cast<int>(std::bit_width(whole)) - 53, 0);
+  const int exponent = parts.exponent + 4 * static_cast<int>(others.size()) + shift;
+  const bool is_known = (others.empty() || (parts.hexadecimal && shift > 0)) && -greatest_exponent <= exponent &&
+                        exponent <= greatest_exponent;
+  if (!is_known) return std::nullopt;
+  const std::uint64_t lower = whole >> shift;
+  const bool is_exact = lower << shift == whole && others.find_first_not_of('0') == std::string_view::npos;
+  const double low = std::ldexp(static_cast<double>(lower), exponent),
+               high = std::ldexp(static_cast<double>(lower + (is_exact ? 0 : 1)), exponent);
+  return parts.negative ? Interval::between(-high, -low) : Interval::between(low, high);
 }
 
 Rational exact_value(std::string_view text) {

@@ -14,8 +14,8 @@ bool is_exact_number(std::string_view text);
 /// The value, without rounding. Precondition: is_exact_number(text).
 Rational exact_value(std::string_view text);
 
-/// The number as a double, if it is an integer of at most 52 binary digits times a power of 2, so written that this can
-/// be read off.
-std::optional<double> as_double(std::string_view text);
+/// An enclosure with relative width at most 2^-52, and no width where the number is a double, if it is an integer times
+/// a power of 2 so written that this can be read off.
+std::optional<Interval> read_enclosure(std::string_view text);
 
 }  // namespace delcert::checker

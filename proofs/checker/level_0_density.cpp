@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <optional>
 
 #include "proofs/checker/parts.hpp"
 #include "proofs/checker/run.hpp"
@@ -18,18 +17,19 @@ template <class F>
 void for_net_simplices(const Certificate& c, std::size_t begin, std::size_t end, const F& f) {
   const Quantity reach(Rational(2) * c.epsilon.exact);
   const auto size = static_cast<std::size_t>(c.m) + 1;
+  Vertices vertices;
   for (std::size_t s = begin; s < end; ++s) {
     const Label* labels = &c.net_simplices[s * size];
-    std::optional<Vertices> vertices = Vertices{{labels[0], {}}};
-    for (std::size_t k = 1; k < size && vertices; ++k) {
-      const std::vector<Lift> lifts = c.net.lifts_within({labels[0], {}}, labels[k], reach, false);
-      if (lifts.size() == 1) {
-        vertices->push_back({labels[k], lifts[0]});
-      } else {
-        vertices.reset();
-      }
+    vertices.assign(1, {labels[0], {}});
+    bool is_known = true;
+    for (std::size_t k = 1; k < size && is_known; ++k) {
+      int number = 0;
+      c.net.for_lifts_within({labels[0], {}}, labels[k], reach, false, [&](const Lift& lift) {
+        if (number++ == 0) vertices.push_back({labels[k], lift});
+      });
+      is_known = number == 1;
     }
-    f(labels, vertices);
+    f(labels, is_known ? &vertices : nullptr);
   }
 }
 
@@ -43,10 +43,12 @@ template <class N>
 Verdict in_ball_about(const Certificate& c, const Vertices& vertices, const Vertices& face, const Quantity& radius) {
   const std::vector<Vector<N>> corners = c.net.positions<N>(face);
   const Simplex<N> simplex(c.metric, corners);
-  Verdict result = simplex.complete;
-  for (const Vector<N>& x : c.net.positions<N>(vertices)) {
-    if (result == Verdict::proved)
-      result = less(simplex.power(x - corners[0]) + simplex.radius_squared, square(radius.as<N>()));
+  if (simplex.complete != Verdict::proved) return simplex.complete;
+  Verdict result = less(simplex.radius_squared, square(radius.as<N>()));  // those of the face
+  for (const Vertex& v : vertices) {
+    if (result != Verdict::proved || std::find(face.begin(), face.end(), v) != face.end()) continue;
+    const Vector<N> x = c.net.position<N>(v) - corners[0];
+    result = less(simplex.power(x) + simplex.radius_squared, square(radius.as<N>()));
   }
   return result;
 }
@@ -89,7 +91,7 @@ N determinant(const Certificate& c, const Vertices& vertices) {
 template <class N>
 N sum_of_determinants(const Certificate& c) {
   N sum(0);
-  for_each_net_simplex(c, [&](const Label*, const std::optional<Vertices>& vertices) {
+  for_each_net_simplex(c, [&](const Label*, const Vertices* vertices) {
     if (vertices) sum = sum + determinant<N>(c, *vertices);
   });
   return sum;
@@ -114,7 +116,7 @@ void check_degree_on_torus(const Certificate& c, Report& report) {
 
 void check_degree_on_ball(const Certificate& c, Report& report) {
   bool inside = false;
-  for_each_net_simplex(c, [&](const Label* labels, const std::optional<Vertices>& vertices) {
+  for_each_net_simplex(c, [&](const Label* labels, const Vertices* vertices) {
     if (!vertices) return;
     const auto negative = [&]<class N>(In<N>) { return less(determinant<N>(c, *vertices), N(0)); };
     const auto positive = [&]<class N>(In<N>) { return less(N(0), determinant<N>(c, *vertices)); };
@@ -136,8 +138,9 @@ void check_degree_on_ball(const Certificate& c, Report& report) {
 
 void check_density(const Certificate& c, Report& report) {
   const Quantity greatest(c.epsilon.exact / c.radius_factor().exact);
-  const auto check = [&](const Label* labels, const std::optional<Vertices>& vertices, Report& found) {
-    if (vertices && is_in_open_ball(c, *vertices, c.at_least(labels, labels + c.m + 1, greatest))) return;
+  const auto check = [&](const Label* labels, const Vertices* vertices, Report& found) {
+    Quantity memory;
+    if (vertices && is_in_open_ball(c, *vertices, c.at_least(labels, labels + c.m + 1, greatest, memory))) return;
     found.reject("0.ball", [&] {
       return "net simplex " + label_set(labels, labels + c.m + 1) +
              (vertices ? " is in no open ball of the radius of its vertices"
@@ -145,9 +148,8 @@ void check_density(const Certificate& c, Report& report) {
     });
   };
   in_parts("0.ball", net_simplex_count(c), report, [&](std::size_t begin, std::size_t end, Report& found) {
-    for_net_simplices(c, begin, end, [&](const Label* labels, const std::optional<Vertices>& vertices) {
-      check(labels, vertices, found);
-    });
+    for_net_simplices(c, begin, end,
+                      [&](const Label* labels, const Vertices* vertices) { check(labels, vertices, found); });
     return Counts{};
   });
   if (!is_done_here("0.degree", report)) return;

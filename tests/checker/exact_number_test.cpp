@@ -43,24 +43,47 @@ TEST(ExactNumber, of_a_hexadecimal_float_is_what_the_C_library_reads) {
   }
 }
 
-TEST(ExactNumber, is_a_double_only_if_it_has_so_few_digits) {
+TEST(ExactNumber, is_read_as_what_its_first_digits_enclose) {
   std::mt19937_64 random(3);
+  int read = 0;
   for (int k = 0; k < 10000; ++k) {
     const auto whole = random() >> (random() % 64);
-    char text[64];
+    char text[96];
     std::snprintf(text, sizeof text, "%s0x%llxp%d", k % 2 == 0 ? "" : "-", static_cast<unsigned long long>(whole),
                   static_cast<int>(random() % 2400) - 1200);
-    const auto found = checker::as_double(text);
-    if (found) {
-      EXPECT_EQ(exact(*found), exact_value(text)) << text;
-      EXPECT_LT(whole, std::uint64_t{1} << 52) << text;
+    const auto found = checker::read_enclosure(text);
+    if (!found) continue;
+    ++read;
+    const Rational x = exact_value(text);
+    EXPECT_TRUE(contains(*found, x)) << text;
+    const double magnitude = std::fabs(found->upper());
+    EXPECT_LE(found->upper() - found->lower(), std::ldexp(magnitude, -52)) << text;
+    const bool is_double =
+        whole == static_cast<std::uint64_t>(static_cast<double>(whole >> 11)) << 11 || whole >> 53 == 0;
+    if (is_double) {
+      EXPECT_EQ(found->lower(), found->upper()) << text;
     }
-    EXPECT_EQ(checker::as_double("0x" + std::string(14, 'f')), std::nullopt);
+    // With more digits, which may all be 0 or f.
+    const std::string more(1 + random() % 20, random() % 2 == 0 ? '0' : 'f');
+    std::snprintf(text, sizeof text, "0x%llx%sp%d", static_cast<unsigned long long>(whole), more.c_str(),
+                  static_cast<int>(random() % 600) - 300);
+    const auto longer = checker::read_enclosure(text);
+    EXPECT_TRUE(!longer || contains(*longer, exact_value(text))) << text;
   }
-  EXPECT_EQ(checker::as_double("-0x21c6fd298c697p-48"), -0x21c6fd298c697p-48);
-  EXPECT_EQ(checker::as_double("-17"), -17.0);
-  for (const char* other : {"1/2", "0x1.8p1", "0x1p901", "0x1p-901", "12345678901234", "", "x"})
-    EXPECT_EQ(checker::as_double(other), std::nullopt) << other;
+  EXPECT_GT(read, 5000);
+  const auto is_read_as = [](const char* text, double lower, double upper) {
+    const auto found = checker::read_enclosure(text);
+    EXPECT_TRUE(found && found->lower() == lower && found->upper() == upper) << text;
+  };
+  is_read_as("-0x21c6fd298c697p-48", -0x21c6fd298c697p-48, -0x21c6fd298c697p-48);
+  is_read_as("-17", -17, -17);
+  is_read_as("0x80000000000007ffp-10", 0x1p53, 0x1.0000000000001p53);
+  is_read_as("-0x80000000000008000000p0", -0x1.0000000000001p79, -0x1.0000000000001p79);
+  is_read_as("-0x80000000000008000001p0", -0x1.0000000000002p79, -0x1.0000000000001p79);
+  is_read_as("9007199254740993", 0x1p53, 0x1p53 + 2);
+  for (const char* other : {"1/2", "0x1.8p1", "0x1p901", "0x1p-901", "12345678901234567", "0x00000000000000001p0",
+                            "0x00001000000000000001p0", "", "x"})
+    EXPECT_EQ(checker::read_enclosure(other), std::nullopt) << other;
 }
 
 TEST(ExactNumber, lies_in_its_enclosure_whatever_its_magnitude) {
