@@ -18,16 +18,31 @@ FieldElement trace(const FieldMatrix& a) {
 /// and for m = 2 its determinant, for m = 3 either 1, -1 (determinant -1) or e^it, e^-it; then 2 cosh l is the larger
 /// root of u^2 - a u + b - 2, x^4 - a x^3 + b x^2 - a x + 1 the characteristic polynomial. One that has a fixed point
 /// in the space or at infinity alone has l = 0 in the same formulas.
-bool moves_far(const SpaceForm& form, const FieldMatrix& g) {
-  const FieldElement a = trace(g), determinant = g.leading_minor(g.order()),
-                     b = (a * a - trace(g * g)) / FieldElement(2);
+bool moves_far(const SpaceForm& form, const FieldMatrix& g, int determinant) {
+  const FieldElement a = trace(g);
   return decide_with_balls([&] {
     const Ball U = Ball(2) * Ball::apply(arb_cosh, Ball(2) * form.injectivity_radius.as<Ball>());
-    if (form.m == 2) return less(U, (a - determinant).enclosure());
-    if (determinant.sign() < 0) return less(U, a.enclosure());
+    if (form.m == 2) return less(U, (a - FieldElement(determinant)).enclosure());
+    if (determinant < 0) return less(U, a.enclosure());
+    const FieldElement b = (a * a - trace(g * g)) / FieldElement(2);
     return disjunction(less(U * U - a.enclosure() * U + b.enclosure(), Ball(2)), less(U + U, a.enclosure()));
   });
 }
+
+Vector<Interval> enclosure(const FieldVector& x) {
+  Vector<Interval> result{};
+  in_balls(96, [&] {
+    for (std::size_t k = 0; k < x.size(); ++k) result[k] = x[k].enclosure().enclosure();
+  });
+  return result;
+}
+
+/// An element of the group, and which side of the tile before it was crossed.
+struct Tile {
+  FieldMatrix element{0};
+  int determinant = 1;
+  std::size_t side = 0;
+};
 
 }  // namespace
 
@@ -42,15 +57,22 @@ Group hyperbolic_group(const SpaceForm& form, Report& report) {
     const Ball D = Ball::apply(arb_acosh, polyhedron.farthest_vertex());
     walked = Ball::apply(arb_cosh, Ball(2) * (form.injectivity_radius.as<Ball>() + D)).enclosure().upper();
   });
-  const FieldMatrix identity = FieldMatrix::identity(form.m + 1);
-  std::vector<FieldMatrix> tiles{identity};
+  const std::size_t order = form.m + 1;
+  std::vector<Tile> tiles{{FieldMatrix::identity(order)}};
   // o is inside of P alone: a tile is known by its centre, the first column of its element.
   const auto first_column = [&](const FieldMatrix& a) {
     FieldVector column;
-    for (std::size_t k = 0; k <= form.m; ++k) column.push_back(a(k, 0));
+    for (std::size_t k = 0; k < order; ++k) column.push_back(a(k, 0));
     return column;
   };
-  std::set<FieldVector> known{first_column(identity)};
+  std::set<FieldVector> known{first_column(tiles[0].element)};
+  std::vector<FieldVector> centres;  // of the tiles beyond the sides of P
+  std::vector<Vector<Interval>> enclosed;
+  std::vector<int> determinants;
+  for (const Side& side : polyhedron.sides) {
+    enclosed.push_back(enclosure(centres.emplace_back(first_column(side.element))));
+    determinants.push_back(side.element.leading_minor(order).sign());
+  }
   Group group;
   group.size = std::to_string(polyhedron.sides.size()) + " sides";
   // By Poincare's theorem: a letter for each side, which is the inverse of that of the other of its pair, and a
@@ -66,13 +88,17 @@ Group hyperbolic_group(const SpaceForm& form, Report& report) {
   for (std::size_t at = 0; at < tiles.size(); ++at) {
     Budget::spend(5000 * polyhedron.sides.size());
     if (tiles.size() > most_tiles) throw Undecided("too many tiles of the polyhedron about o to look at");
-    for (const Side& side : polyhedron.sides) {
-      const FieldVector centre = tiles[at] * first_column(side.element);
-      const double moved = in_balls(96, [&] { return centre[0].enclosure().enclosure().lower(); });
-      if (moved > walked || !known.insert(centre).second) continue;
-      const FieldMatrix next = tiles[at] * side.element;
+    const Tile tile = tiles[at];
+    FieldVector row;
+    for (std::size_t k = 0; k < order; ++k) row.push_back(tile.element(0, k));
+    const Vector<Interval> enclosed_row = enclosure(row);
+    for (std::size_t s = 0; s < polyhedron.sides.size(); ++s) {
+      if (at != 0 && s == polyhedron.sides[tile.side].inverse) continue;  // where we come from
+      const bool is_too_far = dot(enclosed_row, enclosed[s], order).lower() > walked;
+      if (is_too_far || !known.insert(tile.element * centres[s]).second) continue;
+      const Tile next{tile.element * polyhedron.sides[s].element, tile.determinant * determinants[s], s};
       tiles.push_back(next);
-      if (moves_far(form, next)) continue;
+      if (moves_far(form, next.element, next.determinant)) continue;
       report.reject("group.injectivity", [&] {
         return "an element moves a point by at most twice the injectivity radius " +
                rounded_up(form.injectivity_radius.exact);

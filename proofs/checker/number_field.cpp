@@ -63,6 +63,7 @@ NumberField::NumberField(const std::vector<Rational>& coefficients, Rational low
 }
 
 Ball NumberField::root() const {
+  if (precision_ == Ball::precision) return enclosed_;
   Rational width(1);
   fmpz_mul_2exp(fmpq_denref(width.raw()), fmpq_denref(width.raw()), static_cast<ulong>(Ball::precision));
   while (less(width, upper_ - lower_) == Verdict::proved) {
@@ -74,7 +75,8 @@ Ball NumberField::root() const {
       (sign == sign_at(modulus_, lower_) ? lower_ : upper_) = middle;
     }
   }
-  return joined(Ball(lower_), Ball(upper_));
+  precision_ = Ball::precision;
+  return enclosed_ = joined(Ball(lower_), Ball(upper_));
 }
 
 FieldElement::FieldElement(const NumberField& field, const std::vector<Rational>& coefficients) : field_(&field) {

@@ -27,6 +27,8 @@ class NumberField {
  private:
   fmpq_poly_t modulus_;
   mutable Rational lower_, upper_;  // around the root; halved on demand
+  mutable Ball enclosed_;           // what was found for this precision
+  mutable slong precision_ = 0;
 };
 
 /// An exact element of a number field; without a field, a rational number.
