@@ -1,7 +1,6 @@
 #include "proofs/checker/certificate.hpp"
 
 #include <algorithm>
-#include <set>
 
 #include "proofs/checker/budget.hpp"
 #include "proofs/checker/chunk_items.hpp"
@@ -71,8 +70,9 @@ void Certificate::require_lengths() const {
   require("form.lengths", radii_text.empty() || radii_text.size() == points_text.size() / m_size(),
           "radii and points have different lengths");
   for (const std::vector<Label>* labels : {&net_simplices, &simplex_labels}) {
-    for (const Label j : *labels)
-      require("form.labels", j < n, "label " + std::to_string(j) + " is not below " + std::to_string(n));
+    const auto place = std::find_if(labels->begin(), labels->end(), [this](Label j) { return j >= n; });
+    if (place != labels->end())
+      require("form.labels", false, "label " + std::to_string(*place) + " is not below " + std::to_string(n));
   }
 }
 
@@ -150,7 +150,9 @@ void Certificate::require_levels() const {
   const auto size = static_cast<std::size_t>(m) + 1;
   for (std::size_t s = 0; s < net_simplices.size(); s += size) {
     const Label* labels = &net_simplices[s];
-    const bool distinct = std::set<Label>(labels, labels + size).size() == size;
+    bool distinct = true;
+    for (std::size_t k = 1; k < size; ++k)
+      distinct = distinct && std::find(labels, labels + k, labels[k]) == labels + k;
     if (!distinct) Report::require("form.net-simplices", false, label_set(labels, labels + size) + " repeats a label");
   }
 }

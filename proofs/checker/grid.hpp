@@ -39,8 +39,9 @@ void Grid::visit(const Vector<Interval>& centre, double radius, const F& f) cons
   // A lift at distance <= radius has |y_k - centre_k| <= radius stretch(k). The constructor puts the cell coordinate t
   // of a stored lift into a cell c with c - 2^-10 <= t <= c + 1 + 2^-10; the margin is more than that.
   constexpr double margin = 0x1p-8;
+  // Cells that follow each other along the first axis stand together.
   struct Step {
-    std::size_t cell;
+    std::size_t cell, end;
     std::int32_t lift;
   };
   std::array<std::vector<Step>, 4> steps;
@@ -51,20 +52,27 @@ void Grid::visit(const Vector<Interval>& centre, double radius, const F& f) cons
     const double first = std::floor(box.lower() - margin), last = std::floor(box.upper() + margin);
     number *= last - first + 1;
     if (!(number <= 1e7 && first > -0x1p30 && last < 0x1p30)) throw Undecided("a ball meets too many cells");
+    steps[k].reserve(static_cast<std::size_t>(last - first) + 1);
     for (auto c = static_cast<std::int64_t>(first); c <= static_cast<std::int64_t>(last); ++c) {
       const std::int64_t turns = (c >= 0 ? c : c - cells_[k] + 1) / cells_[k];
       if (turns != 0 && !(points_->periodic() && k < dimension_)) continue;
-      steps[k].push_back({static_cast<std::size_t>(c - turns * cells_[k]), static_cast<std::int32_t>(turns)});
+      const auto cell = static_cast<std::size_t>(c - turns * cells_[k]);
+      if (k == 0 && !steps[0].empty() && steps[0].back().end == cell) {
+        ++steps[0].back().end;
+      } else {
+        steps[k].push_back({cell, cell + 1, static_cast<std::int32_t>(turns)});
+      }
     }
   }
   const auto size = [this](std::size_t k) { return static_cast<std::size_t>(cells_[k]); };
   for (const Step& s3 : steps[3]) {
     for (const Step& s2 : steps[2]) {
       for (const Step& s1 : steps[1]) {
+        const std::size_t row = ((s3.cell * size(2) + s2.cell) * size(1) + s1.cell) * size(0);
         for (const Step& s0 : steps[0]) {
-          const std::size_t cell = ((s3.cell * size(2) + s2.cell) * size(1) + s1.cell) * size(0) + s0.cell;
-          Budget::spend(1 + (begin_[cell + 1] - begin_[cell]));
-          for (std::size_t v = begin_[cell]; v < begin_[cell + 1]; ++v) {
+          const std::size_t begin = begin_[row + s0.cell], end = begin_[row + s0.end];
+          Budget::spend(s0.end - s0.cell + (end - begin));
+          for (std::size_t v = begin; v < end; ++v) {
             const Lift& at = vertices_[v].lift;
             f(Vertex{vertices_[v].label, {at[0] + s0.lift, at[1] + s1.lift, at[2] + s2.lift, at[3] + s3.lift}});
           }

@@ -45,6 +45,7 @@ FaceComplex::FaceComplex(int m, std::vector<LabelSet> simplices) : m_(m), faces_
   for (std::size_t k = dimension + 1; k-- > 0;) {
     std::vector<LabelSet>& faces = faces_[k];
     sort(faces, labels_);
+    if (k > 0) faces_[k - 1].reserve((k + 1) * faces.size());
     for (std::size_t omitted = 0; k > 0 && omitted <= k; ++omitted) {
       for (const LabelSet& face : faces) faces_[k - 1].push_back(without(face, omitted));
     }
@@ -65,23 +66,30 @@ FaceCount count_faces(std::size_t m, const std::vector<Label>& labels, Label beg
     if (is_in_range(labels[at])) places[next[labels[at] - begin]++] = at;
   }
   FaceCount count;
-  std::vector<LabelSet> faces;  // without their least label, and the dimension after it
+  // Without their least label; two of the other labels, each increased by 1, in a number, 0 for none.
+  std::vector<std::array<std::uint64_t, 2>> faces;
   for (std::size_t k = 0; k + 1 < first.size(); ++k) {
     faces.clear();
     for (std::size_t number = first[k]; number < first[k + 1]; ++number) {
       const std::size_t later = m - places[number] % (m + 1);
       for (unsigned subset = 0; subset < 1U << later; ++subset) {
-        LabelSet& face = faces.emplace_back(LabelSet{});
+        auto& face = faces.emplace_back();
+        std::size_t length = 0;
         for (std::size_t other = 0; other < later; ++other) {
-          if ((subset >> other & 1) != 0) face[face.back()++] = labels[places[number] + 1 + other];
+          if ((subset >> other & 1) == 0) continue;
+          face[length / 2] |= (std::uint64_t{labels[places[number] + 1 + other]} + 1) << 32 * (length % 2);
+          ++length;
         }
       }
     }
     std::sort(faces.begin(), faces.end());
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-    for (const LabelSet& face : faces) {
-      count.simplices += face.back() == m ? 1 : 0;
-      count.euler_characteristic += face.back() % 2 == 0 ? 1 : -1;
+    for (const auto& face : faces) {
+      std::size_t dimension = 0;
+      for (const std::uint64_t two : face)
+        dimension += ((two & UINT32_MAX) != 0 ? 1U : 0U) + (two >> 32 != 0 ? 1U : 0U);
+      count.simplices += dimension == m ? 1 : 0;
+      count.euler_characteristic += dimension % 2 == 0 ? 1 : -1;
     }
   }
   return count;
@@ -98,6 +106,7 @@ std::vector<std::string> FaceComplex::homology() const {
     // them so. So has the matrix for k = 1 as it is.
     const bool transposed = k == m;
     std::vector<Column> columns(faces_[transposed ? k - 1 : k].size());
+    const std::size_t most = transposed ? 2 : k + 1;
     const std::vector<std::size_t> begin = beginnings(faces_[k - 1], labels_);
     const auto number_of = [&](const LabelSet& face) {
       const auto first = faces_[k - 1].begin();
@@ -111,11 +120,9 @@ std::vector<std::string> FaceComplex::homology() const {
         const std::uint32_t at = number_of(without(faces_[k][face], omitted));
         if (used[k - 1][at]) continue;
         const std::int64_t sign = omitted % 2 == 0 ? 1 : -1;
-        if (transposed) {
-          columns[at].push_back({static_cast<std::uint32_t>(face), sign});
-        } else {
-          columns[face].push_back({at, sign});
-        }
+        Column& column = columns[transposed ? at : face];
+        if (column.empty()) column.reserve(most);
+        column.push_back({transposed ? static_cast<std::uint32_t>(face) : at, sign});
       }
     }
     forms[k] = transposed ? reduce(std::move(columns), faces_[k].size(), used[k], used[k - 1])

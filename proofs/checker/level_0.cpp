@@ -62,7 +62,8 @@ void check_separation(const Certificate& c, Report& report) {
     grid.visit(c.net.position<Interval>(base), farthest.filter.upper(), [&](const Vertex& q) {
       if (q.label < i || q == base) return;
       const std::array<Label, 2> both{i, q.label};
-      const Quantity least = c.at_least(both.data(), both.data() + 2, apart);
+      Quantity memory;
+      const Quantity& least = c.at_least(both.data(), both.data() + 2, apart, memory);
       if (decide([&]<class N>(In<N>) { return less_equal(square(least.as<N>()), c.net.between<N>(base, q)); })) return;
       found.reject("0.separation", [&] {
         return "net points " + std::to_string(i) + " and " + to_string(q, c.m) + " have a squared distance of about " +

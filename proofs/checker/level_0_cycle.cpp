@@ -57,12 +57,22 @@ bool is_beyond_radius(const Certificate& c, const Label* labels) {
 
 void check_cycle(const Certificate& c, Report& report) {
   const int size = c.m + 1;
-  std::vector<Facet> facets;
-  facets.reserve(c.net_simplices.size());
-  for (std::size_t s = 0; s < c.net_simplices.size(); s += static_cast<std::size_t>(size)) {
-    for (int k = 0; k < size; ++k) facets.push_back(facet_opposite(&c.net_simplices[s], size, k));
+  const auto for_facets = [&](const auto& f) {
+    for (std::size_t s = 0; s < c.net_simplices.size(); s += static_cast<std::size_t>(size)) {
+      for (int k = 0; k < size; ++k) f(facet_opposite(&c.net_simplices[s], size, k));
+    }
+  };
+  // In order; first those of each least label together.
+  std::vector<std::size_t> place(std::size_t{c.n} + 1, 0);
+  for_facets([&](const Facet& facet) { ++place[facet.labels[0] + 1]; });
+  for (Label i = 0; i < c.n; ++i) place[i + 1] += place[i];
+  std::vector<Facet> facets(place.back());
+  for_facets([&](const Facet& facet) { facets[place[facet.labels[0]]++] = facet; });
+  for (Label i = 0; i < c.n; ++i) {
+    const auto begin = facets.begin() + std::ptrdiff_t(i == 0 ? 0 : place[i - 1]);
+    std::sort(begin, facets.begin() + std::ptrdiff_t(place[i]),
+              [](const Facet& a, const Facet& b) { return a.labels < b.labels; });
   }
-  std::sort(facets.begin(), facets.end(), [](const Facet& a, const Facet& b) { return a.labels < b.labels; });
   for (auto begin = facets.begin(), end = begin; begin != facets.end(); begin = end) {
     int sum = 0;
     for (; end != facets.end() && end->labels == begin->labels; ++end) sum += end->sign;

@@ -51,8 +51,9 @@ class StarChecker {
       ++simplices;
       const Label* labels = c_.simplex(s);
       const Label* end = labels + c_.m + 1;
-      const bool fits = chart_.fits(in_space_->of(s), c_.at_least(labels, end, c_.circumradius), c_.thickness,
-                                    c_.at_least(labels, end, c_.protection));
+      std::array<Quantity, 2> memory;
+      const bool fits = chart_.fits(in_space_->of(s), c_.at_least(labels, end, c_.circumradius, memory[0]),
+                                    c_.thickness, c_.at_least(labels, end, c_.protection, memory[1]));
       if (!is_decided(fits)) check_simplex(i, labels + 1);
     }
   }

@@ -20,6 +20,17 @@ void subtract(Column& a, std::size_t begin, const Column& b, Column& rest) {
   std::int64_t factor = 0;
   if (__builtin_mul_overflow(a[begin].coefficient, b[0].coefficient, &factor)) throw Undecided(too_large);
   Budget::spend(10 + a.size() + b.size());
+  if (a.size() == begin + 2 && b.size() == 2 && a[begin + 1].face != b[1].face) {
+    // As below, without memory.
+    Entry other{b[1].face, 0};
+    if (__builtin_mul_overflow(factor, b[1].coefficient, &other.coefficient) ||
+        __builtin_sub_overflow(0, other.coefficient, &other.coefficient))
+      throw Undecided(too_large);
+    a[begin] = a[begin + 1];
+    a[begin + 1] = other;
+    if (a[begin].face < other.face) std::swap(a[begin], a[begin + 1]);
+    return;
+  }
   rest.clear();
   std::size_t i = begin, j = 0;
   while (i < a.size() || j < b.size()) {

@@ -150,17 +150,25 @@ void check_star(Complex& complex, Label i, Report& report) {
     if (begin == end) report.reject("core.stars", [&] { return "label " + name_of(i) + " is in no simplex"; });
     return;
   }
+  const auto in_witness = [&]<class N>(In<N>) {
+    const Lifts<N> lifts = complex.lifts<N>(witness->simplex);
+    Vector<N> sum{};
+    for (std::size_t other = 0; other < complex.vertices(); ++other)
+      sum = add(sum, N(1), lifts[other] - lifts[witness->vertex]);
+    return sum;
+  };
+  const Vector<Interval> filter = in_witness(In<Interval>{});
   for (const auto* place = begin; place != end; ++place) {
     const std::size_t s = place->simplex, k = place->vertex;
     if (place == witness || complex.sign[s] == 0) continue;
     const Elements::Id back = complex.elements.inverse(complex.element(witness->simplex, witness->vertex));
     const Elements::Id g = complex.elements.product(complex.element(s, k), back);
-    const bool outside = complex.decide([&]<class N>(In<N>) {
-      const Lifts<N> lifts = complex.lifts<N>(witness->simplex);
-      Vector<N> sum{};
-      for (std::size_t other = 0; other < complex.vertices(); ++other)
-        sum = add(sum, N(1), lifts[other] - lifts[witness->vertex]);
-      return is_outside(complex, s, k, complex.elements.turned(g, sum));
+    const bool outside = complex.decide([&]<class N>(In<N> in) {
+      if constexpr (std::is_same_v<N, Interval>) {
+        return is_outside(complex, s, k, complex.elements.turned(g, filter));
+      } else {
+        return is_outside(complex, s, k, complex.elements.turned(g, in_witness(in)));
+      }
     });
     if (outside) continue;
     report.reject("core.stars", [&] {
