@@ -1,5 +1,7 @@
 #include "properties/instances/curved_configuration_class.hpp"
 
+#include <algorithm>
+
 #include "properties/instances/configuration_geometry.hpp"
 #include "properties/instances/exponential_transition.hpp"
 #include "properties/instances/random_simplex.hpp"
@@ -36,6 +38,11 @@ class CurvedConfigurationClass : public InstanceClass {
     return result;
   }
   std::vector<Shape> shapes() const override { return {{2, 2}, {2, 3}, {3, 3}}; }
+  /// Those listed, and no others: points of spaces have dimension 2 or 3.
+  bool has(const Shape& shape) const override {
+    const std::vector<Shape> listed = shapes();
+    return std::find(listed.begin(), listed.end(), shape) != listed.end();
+  }
   std::uint64_t cost(const Shape&) const override { return 10; }
   bool has_structure(const Shape&) const override { return true; }
 
