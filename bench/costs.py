@@ -266,19 +266,25 @@ def write(file, record):
 
 
 def measure_all(arguments, record, file):
+    """Cheap runs first, as they tell which programs these are, and long ones last: what ends early keeps what it has measured."""
     for name, run in ALL.items():
-        if not run.is_due(arguments, record):
-            if name not in record["runs"]:
-                print(f"{name}: left out, {'--long' if run.long else '--members'} measures it", flush=True)
-            continue
-        record["runs"][name] = measure(run, arguments.build)
-        one = record["runs"][name]
-        write(file, record)
-        print(f"{name}: certify {one['certify']['wall']} s, check {one['check']['wall']} s", flush=True)
-    identity = identity_of(record)
-    for name, run in ALL.items():
-        if name in record["runs"] and run.is_due(arguments, record):
-            record["runs"][name]["programs"] = identity
+        if not run.is_due(arguments, record) and name not in record["runs"]:
+            print(f"{name}: left out, {'--long' if run.long else '--members'} measures it", flush=True)
+    due = [(name, run) for name, run in ALL.items() if run.is_due(arguments, record)]
+    due.sort(key=lambda one: (not one[1].cheap, one[1].long))
+    for at, (name, run) in enumerate(due):
+        begin = time.monotonic()
+        one = measure(run, arguments.build)
+        record["runs"][name] = one
+        cheap_ones_are_known = all(other in record["runs"] for other, each in ALL.items() if each.cheap)
+        if cheap_ones_are_known:
+            identity = identity_of(record)
+            for other, each in due[: at + 1]:
+                if each.cheap or other == name:
+                    record["runs"][other]["programs"] = identity
+            write(file, record)
+        print(f"{name}: certify {one['certify']['wall']} s, check {one['check']['wall']} s; {at + 1} of {len(due)} measured, "
+              f"this one in {time.monotonic() - begin:.0f} s", flush=True)
     for name, command in BENCHES.items():
         if arguments.only and not re.search(arguments.only, name):
             continue
