@@ -32,7 +32,7 @@ class MessageWriter {
   Message text_;
 };
 
-/// Throws std::runtime_error for a message that ends too early, or that has a number that is none.
+/// Throws std::runtime_error if a message ends too early, or if a text in it is not a number where one is read.
 class MessageReader {
  public:
   /// The message must outlive it.
