@@ -31,7 +31,7 @@ Rational MessageReader::get_rational() {
   switch (get<NumberForm>()) {
     case NumberForm::as_double: {
       const auto value = get<double>();
-      // What is neither is refused as a number that is not finite is: std::domain_error is no error of its caller here.
+      // `Rational::exactly` would throw std::domain_error, which is not the error that this class promises.
       if (!(value - value == 0)) throw std::runtime_error("a message between ranks has a number that is not finite");
       return Rational::exactly(value);
     }
