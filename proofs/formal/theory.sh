@@ -17,20 +17,32 @@ coq() { coq_within 600 "$@"; }
 coq_within() { (cd "$work" && timeout "$1" coqc -q -Q "$out" $logical -w none "${@:2}"); }
 
 # digest FILE…: one for all of them and for the version of Coq.
+coq_version=$(coqc --print-version)
 digest() {
-  { coqc --print-version; cat "$@"; } | sha256sum | cut -c1-16
+  { echo "$coq_version"; cat "$@"; } | sha256sum | cut -c1-16
 }
 
 # The theory's files, each after what it needs.
 theory_files() { (cd "${formal:?}" && coqdep -Q . $logical -sort ./*.v 2>/dev/null) | tr ' ' '\n' | sed 's,^.*/,,' | grep '\.v$'; }
 
-# compile_theory: 0 if every file compiles; the first that does not is named.
+# needed_by_files: of each file a line, with those of the theory's files that it names after it.
+needed_by_files() {
+  (cd "${formal:?}" && coqdep -Q . $logical ./*.v 2>/dev/null) |
+    sed -nE 's,^([^ ]*/)?([A-Za-z0-9_]+)\.vo [^:]*: [^ ]*\.v ?,\2 ,p' | sed -E 's,[^ ]*/,,g; s/\.vo//g'
+}
+
+# compile_theory: 0 if every file compiles; the first that does not is named. The key of what has been compiled is of the file
+# and of the keys of what it needs.
 compile_theory() {
-  local file key before=()
+  local file name names key keys
+  local -A needed_by=() key_of=()
   mkdir -p "$out"
+  while read -r name names; do needed_by[$name]=$names; done < <(needed_by_files)
   while read -r file; do
-    before+=("$formal/$file")
-    key=$(digest "${before[@]}")
+    keys=""
+    for name in ${needed_by[${file%.v}]}; do keys+="${key_of[$name]:-} "; done
+    key=$(digest "$formal/$file" - <<<"$keys")
+    key_of[${file%.v}]=$key
     [[ -e $out/${file}o && $(cat "$out/$file.key" 2>/dev/null) == "$key" ]] && continue
     cp "$formal/$file" "$out/$file"
     if ! coq "$out/$file" >"$work/log" 2>&1; then

@@ -15,7 +15,8 @@ fail() {
 copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
 
-# refused NAME FILE EXPRESSION REASON: the theory with a file changed by sed, or a new one, is refused for this reason.
+# refused WORK NAME FILE EXPRESSION REASON: the theory with a file changed by sed, or a new file by itself, is refused for this
+# reason.
 refused() {
   rm -rf "${copy:?}"/*
   cp -r "$project/proofs/formal" "$copy/formal"
@@ -25,6 +26,7 @@ refused() {
     changed=$(sed "$4" "$file")
     [[ $changed != "$(cat "$file")" ]] || { fail "$name: nothing was changed"; return; }
   else
+    rm "$copy"/formal/*.v
     changed=$4
   fi
   printf '%s\n' "$changed" >"$file"
