@@ -101,6 +101,7 @@ delcert_cli_test(complexes-are-made STATUS 0 OUTPUT "^$" ERROR "^$"
 # Meshes of a surface in space, against its equation.
 add_executable(surface-mesh ${CMAKE_CURRENT_LIST_DIR}/surface_mesh.cpp)
 target_compile_features(surface-mesh PRIVATE cxx_std_20)
+target_compile_options(surface-mesh PRIVATE $<$<CONFIG:Release>:-O1>)
 target_link_libraries(surface-mesh PRIVATE CGAL::CGAL Eigen3::Eigen)
 add_test(NAME cli.mesh COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/mesh.py
   $<TARGET_FILE:delcert> $<TARGET_FILE:delcert-check> $<TARGET_FILE:surface-mesh>)
