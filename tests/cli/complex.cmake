@@ -107,6 +107,8 @@ add_test(NAME cli.mesh COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/me
   $<TARGET_FILE:delcert> $<TARGET_FILE:delcert-check> $<TARGET_FILE:surface-mesh>)
 add_test(NAME cli.mesh_manifold COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/mesh_manifold.py
   $<TARGET_FILE:delcert> $<TARGET_FILE:delcert-check>)
+# It begins early: it takes longer than others.
+set_tests_properties(cli.mesh PROPERTIES COST 100)
 set_tests_properties(cli.mesh cli.mesh_manifold PROPERTIES TIMEOUT 600)
 # Surfaces that the examples do not have, with the radii that are advised.
 add_test(NAME cli.surfaces COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/surfaces.py
