@@ -18,6 +18,15 @@ constexpr double absolute_slack = 0x1p-44;
 /// No more cells than this for each point, whatever the shape of the box.
 constexpr double cells_per_point = 4;
 
+/// In a Cartesian frame the same number without the products by 0 and 1.
+template <int m>
+double squared_norm(bool is_cartesian, const Matrix<double, m>& gram, const Vector<double, m>& offset) {
+  if (is_cartesian) return pairing(offset, offset);
+  double squared = 0;
+  for (std::size_t row = 0; row < m; ++row) squared += offset[row] * pairing(gram[row], offset);
+  return squared;
+}
+
 }  // namespace
 
 template <int m>
@@ -140,6 +149,7 @@ void PointGrid<m>::visit_near(const Vector<double, m>& centre, double distance, 
       first_period[axis] = static_cast<std::int32_t>(turns);
     }
   }
+  const bool is_cartesian = metric_.is_cartesian();
   Index cell = first;
   Index wrapped = first_wrapped;
   Shift<m> period = first_period;
@@ -149,8 +159,7 @@ void PointGrid<m>::visit_near(const Vector<double, m>& centre, double distance, 
       for (std::size_t axis = 0; axis < m; ++axis) {
         offset[axis] = entry.reduced[axis] + static_cast<double>(period[axis]) - centre[axis];
       }
-      double squared = 0;
-      for (std::size_t row = 0; row < m; ++row) squared += offset[row] * pairing(gram_[row], offset);
+      const double squared = squared_norm<m>(is_cartesian, gram_, offset);
       if (squared <= most && visit(entry, period)) return;
     }
     std::size_t axis = m;

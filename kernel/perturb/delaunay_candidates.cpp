@@ -12,6 +12,14 @@ void DelaunayCandidates<m>::prepare(const Rational& sampling_radius, const Candi
   frame_ = &test.frame();
   const double scaled_unit = approximate_double(sampling_radius) * frame_->scale();
   others_ = test.around();
+  // Spheres pass near the point at hand, so points inside of them are mostly near it, too.
+  const double far = 3 * scaled_unit;
+  const auto is_within = [](double distance) {
+    return
+        [squared = distance * distance](const PointAround<m>& other) { return pairing(other.at, other.at) < squared; };
+  };
+  const auto far_begin = std::partition(others_.begin(), others_.end(), is_within(far));
+  std::partition(others_.begin(), far_begin, is_within(2 * scaled_unit));
   const double clearance = approximate_double(parameters_.clearance) * scaled_unit;
   const double drift = approximate_double(parameters_.perturbation) * scaled_unit;
   const double largest = 2 * approximate_double(parameters_.circumradius_bound) * scaled_unit;
@@ -37,11 +45,15 @@ void DelaunayCandidates<m>::prepare(const Rational& sampling_radius, const Candi
       const auto offset = difference(other.at, sphere.centre);
       return pairing(offset, offset) < (other.is_placed ? squared_placed : squared_unplaced);
     };
-    // A point that was inside of one sphere often is inside of the next one: it is asked first.
-    const auto inside = std::find_if(others_.begin(), others_.end(), is_inside);
-    if (inside == others_.end()) {
+    // No ball goes farther than its centre and its radius do: where that is near, so are all points inside.
+    const double room = far * (1 - 0x1p-20) - sphere.radius;
+    const bool is_near = room > 0 && pairing(sphere.centre, sphere.centre) < room * room;
+    const auto end = is_near ? far_begin : others_.end();
+    // A near point that was inside of one sphere often is inside of the next one: it is asked first.
+    const auto inside = std::find_if(others_.begin(), end, is_inside);
+    if (inside == end) {
       spheres_.push_back(sphere);
-    } else {
+    } else if (inside < far_begin) {
       std::iter_swap(others_.begin(), inside);
     }
   }
