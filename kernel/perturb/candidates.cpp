@@ -8,6 +8,24 @@
 
 namespace delcert {
 
+namespace {
+
+/// Bounds of the forms of simplices by their numbers of vertices, with those of the power of the original point, which
+/// the origin is up to this error.
+template <int m, class Note>
+void for_each_bounded_form(const RoundedBounds<m>& bounds, double error, const Note& note) {
+  Vector<RoundingBound, m> origin;
+  origin.fill(RoundingBound::of(error, error));
+  const auto offset = difference(origin, bounds.place);
+  const RoundingBound squared = pairing(offset, offset);
+  for (std::size_t k = 1; k < m; ++k) note(k + 1, bounds.face[k].sphere, bounds.face[k].sphere.power(offset, squared));
+  const auto facet = bounds.facet();
+  const auto apex = bounds.apex();
+  note(m + 1, apex.form(facet), apex.signed_power(ApexForm<RoundingBound>::probe(facet, offset, squared)));
+}
+
+}  // namespace
+
 /// Collects the simplices whose sphere meets the ball of all perturbations, widened by the tolerance.
 template <int m>
 struct CandidateTest<m>::Collector {
@@ -26,6 +44,7 @@ struct CandidateTest<m>::Collector {
   // In the frame, whose origin is nearly the original point.
   double reach = 0;
   double circumradius_bound = 0;
+  std::array<double, static_cast<std::size_t>(m) + 2> certain_gap_errors{};  // by vertex count
   Vector<double, m> offset{};
   double squared_offset = 0;
   ApexForm<double>::Probe rounded_probe{};
@@ -101,15 +120,34 @@ struct CandidateTest<m>::Collector {
     return excess < -test->radius_errors_[vertex_count] ? Verdict::proved : Verdict::undecided;
   }
 
+  /// As `bound_gaps` does, for what follows.
+  void bound_certain_gaps() {
+    for_each_bounded_form<m>(
+        *test->bounds_, test->bounded_error_,
+        [this](std::size_t vertex_count, const SphereForm<RoundingBound, m>& form, const RoundingBound& power) {
+          const auto& lengths = test->lengths_;
+          certain_gap_errors[vertex_count] =
+              certain_gap(power, form.weight, lengths.bound_of_reach_of_spheres, lengths.bound_of_circumradius_bound)
+                  .error();
+        });
+  }
+  /// Whether the sphere is out of reach whatever its radius below the bound.
+  [[nodiscard]] bool is_certainly_far(double power, double weight, std::size_t vertex_count) const {
+    return certain_gap(power, weight, reach, circumradius_bound) > certain_gap_errors[vertex_count];
+  }
+
   RoundedAnswer enter_rounded(const FaceForm<double, m>& face, std::span<const std::uint32_t> vertices) {
     const SphereForm<double, m>& form = face.sphere;
     const Verdict small = is_small(form.norm, form.weight, vertices.size());
     if (is_undecided(small)) return RoundedAnswer::unsure;
     if (is_proved(small) && vertices.size() >= least_vertices) {
-      const SphereGap<double> gap(form.power(offset, squared_offset), form.norm, form.weight, reach);
-      const Verdict farther = is_farther(gap, *test->centre_gap_bounds_[vertices.size()]);
-      if (is_undecided(farther)) return RoundedAnswer::unsure;
-      if (is_refuted(farther)) add(vertices, form);
+      const double power = form.power(offset, squared_offset);
+      if (!is_certainly_far(power, form.weight, vertices.size())) {
+        const SphereGap<double> gap(power, form.norm, form.weight, reach);
+        const Verdict farther = is_farther(gap, *test->centre_gap_bounds_[vertices.size()]);
+        if (is_undecided(farther)) return RoundedAnswer::unsure;
+        if (is_refuted(farther)) add(vertices, form);
+      }
     }
     ++test->visited_;
     return is_proved(small) ? RoundedAnswer::go_on : RoundedAnswer::stop;
@@ -121,18 +159,20 @@ struct CandidateTest<m>::Collector {
 
   RoundedAnswer over_rounded(const FacetForm<double, m>& facet, const ApexForm<double>& apex,
                              std::span<const std::uint32_t> vertices) {
-    const Verdict small = is_small(apex.norm, apex.weight, m + 1);
+    const double power = apex.signed_power(rounded_probe);
+    if (is_certainly_far(power, apex.weight, m + 1)) return RoundedAnswer::stop;
+    const double norm = apex.norm(facet);
+    const Verdict small = is_small(norm, apex.weight, m + 1);
     if (is_undecided(small)) return RoundedAnswer::unsure;
     if (is_proved(small)) {
-      const double power = apex.signed_power(rounded_probe);
-      const SphereGap<double> gap(apex.slope < 0 ? -power : power, apex.norm, apex.weight, reach);
+      const SphereGap<double> gap(apex.slope < 0 ? -power : power, norm, apex.weight, reach);
       const Verdict farther = is_farther(gap, *test->centre_gap_bounds_[m + 1]);
       if (is_undecided(farther)) return RoundedAnswer::unsure;
       if (is_refuted(farther)) add(vertices, apex.form(facet));
     }
-    ++test->visited_;
     return RoundedAnswer::stop;
   }
+  void count_over(std::uint64_t count) { test->visited_ += count; }
 
   void add(std::span<const std::uint32_t> vertices, const SphereForm<double, m>& form) {
     add(vertices);
@@ -332,6 +372,7 @@ void CandidateTest<m>::prepare(Label i) {
     if (in_doubles_) {
       collector.reach = lengths_.scaled_reach_of_spheres;
       collector.circumradius_bound = lengths_.scaled_circumradius_bound;
+      collector.bound_certain_gaps();
       RoundedWalk<m, Collector> in_doubles(view_, places_.at, *bounds_, walk, collector);
       for (std::uint32_t origin = 0; origin < view_.size(); ++origin) in_doubles.from(origin);
       is_done = true;
@@ -347,25 +388,17 @@ void CandidateTest<m>::prepare(Label i) {
 template <int m>
 void CandidateTest<m>::bound_gaps() {
   const RoundingBound doubled_radius = lengths_.bound_of_circumradius_bound + lengths_.bound_of_circumradius_bound;
-  Vector<RoundingBound, m> origin;
-  origin.fill(RoundingBound::of(bounded_error_, bounded_error_));
   Vector<RoundingBound, m> anywhere;
   anywhere.fill(RoundingBound::of(lengths_.largest_offset + error_of_x_, error_of_x_));
-  const auto from_origin = difference(origin, bounds_->place);
   const auto from_anywhere = difference(anywhere, bounds_->place);
-  const auto note = [&](std::size_t vertex_count, const SphereForm<RoundingBound, m>& form,
-                        const RoundingBound& power) {
-    radius_errors_[vertex_count] = (form.norm - doubled_radius * form.weight).error();
-    centre_gap_bounds_[vertex_count].emplace(power, form.norm, form.weight, lengths_.bound_of_reach_of_spheres);
-    gap_bounds_[vertex_count].emplace(form.power(from_anywhere, pairing(from_anywhere, from_anywhere)), form.norm,
-                                      form.weight, lengths_.bound_of_tolerance);
-  };
-  const RoundingBound squared = pairing(from_origin, from_origin);
-  for (std::size_t k = 1; k < m; ++k)
-    note(k + 1, bounds_->face[k].sphere, bounds_->face[k].sphere.power(from_origin, squared));
-  const auto facet = bounds_->facet();
-  const auto apex = bounds_->apex();
-  note(m + 1, apex.form(facet), apex.signed_power(ApexForm<RoundingBound>::probe(facet, from_origin, squared)));
+  for_each_bounded_form<m>(
+      *bounds_, bounded_error_,
+      [&](std::size_t vertex_count, const SphereForm<RoundingBound, m>& form, const RoundingBound& power) {
+        radius_errors_[vertex_count] = (form.norm - doubled_radius * form.weight).error();
+        centre_gap_bounds_[vertex_count].emplace(power, form.norm, form.weight, lengths_.bound_of_reach_of_spheres);
+        gap_bounds_[vertex_count].emplace(form.power(from_anywhere, pairing(from_anywhere, from_anywhere)), form.norm,
+                                          form.weight, lengths_.bound_of_tolerance);
+      });
 }
 
 template <int m>

@@ -135,16 +135,19 @@ class Search {
     // The weight is the squared altitude times the base.
     if (vertices.size() >= 3 && !(face.sphere.weight - squared_hoop_reach_ * face.base > altitude_error_))
       return RoundedAnswer::unsure;
-    return counted(face.sphere.norm, face.sphere.weight, vertices.size());
+    const RoundedAnswer answer = sized(face.sphere.norm, face.sphere.weight, vertices.size());
+    if (answer != RoundedAnswer::unsure) count(1, vertices.size());
+    return answer;
   }
 
   void facet_rounded(const FacetForm<double, m>& facet) { least_slope_ = hoop_reach_ * facet.covector_norm; }
 
-  RoundedAnswer over_rounded(const FacetForm<double, m>&, const ApexForm<double>& apex,
+  RoundedAnswer over_rounded(const FacetForm<double, m>& facet, const ApexForm<double>& apex,
                              std::span<const std::uint32_t> vertices) {
     if (vertices.size() >= 3 && !(std::fabs(apex.slope) - least_slope_ > slope_error_)) return RoundedAnswer::unsure;
-    return counted(apex.norm, apex.weight, vertices.size());
+    return sized(apex.norm(facet), apex.weight, vertices.size());
   }
+  void count_over(std::uint64_t number) { count(number, m + 1); }
 
   bool top_rounded(const SphereForm<double, m>& form, const Vector<double, m>& edge, double squared_edge) {
     const SphereGap<double> gap(form.power(edge, squared_edge), form.norm, form.weight, hoop_reach_);
@@ -154,13 +157,16 @@ class Search {
   }
 
  private:
-  /// Prunes on P2, and counts what is not left open.
-  RoundedAnswer counted(double norm, double weight, std::size_t vertex_count) {
+  void count(std::uint64_t number, std::size_t vertex_count) {
+    result.simplices += number;
+    if (vertex_count >= 3) result.configurations += number;
+  }
+
+  /// Prunes on P2.
+  [[nodiscard]] RoundedAnswer sized(double norm, double weight, std::size_t vertex_count) const {
     const double excess = norm - doubled_radius_bound_ * weight;
     const double error = radius_errors_[vertex_count];
     if (!(std::fabs(excess) > error)) return RoundedAnswer::unsure;
-    ++result.simplices;
-    if (vertex_count >= 3) ++result.configurations;
     return excess > 0 ? RoundedAnswer::stop : RoundedAnswer::go_on;
   }
 
@@ -181,7 +187,7 @@ class Search {
     }
     const auto facet = bounds.facet();
     const auto apex = bounds.apex();
-    radius_errors_[m + 1] = (apex.norm - doubled_radius * apex.weight).error();
+    radius_errors_[m + 1] = (apex.norm(facet) - doubled_radius * apex.weight).error();
     slope_error_ = (apex.slope - hoop_reach * facet.covector_norm).error();
     const auto form = apex.form(facet);
     gap_bound_.emplace(form.power(bounds.edge, bounds.squared_edge), form.norm, form.weight, hoop_reach);

@@ -61,6 +61,7 @@ struct RoundedBounds {
 ///   void facet_rounded(const FacetForm<double, m>&) – the facet of those that follow;
 ///   RoundedAnswer over_rounded(const FacetForm<double, m>&, const ApexForm<double>&,
 ///                              std::span<const std::uint32_t> vertices)
+///   void count_over(std::uint64_t count) – of so many it was not unsure
 /// and if `visits_top`, where `over_rounded` says to go on,
 ///   bool top_rounded(const SphereForm<double, m>&, const Vector<double, m>& edge, double squared_edge)
 ///     – an m-simplex and one further vertex: whether the doubles can tell.
@@ -90,22 +91,23 @@ class RoundedWalk {
     });
     vertices_[0] = origin;
     masks_[0].assign(row.begin(), row.end());
+    for (BitRow* mask = &masks_[0] + 1; mask != &masks_[0] + m; ++mask) mask->resize(view_->words());
+    top_mask_.resize(view_->words());
     visitor_->start_rounded(home);
-    extend(FaceForm<double, m>{point_form<double, m>(), 1}, 1);
+    extend<1>(FaceForm<double, m>{point_form<double, m>(), 1});
   }
 
  private:
   [[nodiscard]] std::span<const std::uint32_t> vertices(std::size_t count) const { return {vertices_.data(), count}; }
-  void leave_open(std::size_t count, std::uint32_t next) { thorough_->extend(vertices(count), next); }
+  [[gnu::noinline]] void leave_open(std::size_t count, std::uint32_t next) { thorough_->extend(vertices(count), next); }
 
-  /// What contains the face of the first `count` vertices.
-  void extend(const FaceForm<double, m>& face, std::size_t count) {
-    if (count == m) {
-      walk_over(FacetForm<double, m>(face.sphere, facet_edges()), count);
-      return;
-    }
-    if constexpr (m > 1) {
-      for_each_bit(masks_[count - 1], [&](std::uint32_t next) { step(count, next); });
+  /// What contains the face of the first `count` vertices. Nearly all of the time goes here.
+  template <std::size_t count>
+  [[gnu::flatten]] void extend(const FaceForm<double, m>& face) {
+    if constexpr (count == m) {
+      walk_over(FacetForm<double, m>(face.sphere, facet_edges()));
+    } else {
+      for_each_bit(masks_[count - 1], [&](std::uint32_t next) { step<count>(next); });
     }
   }
 
@@ -115,11 +117,12 @@ class RoundedWalk {
     return result;
   }
 
-  void step(std::size_t count, std::uint32_t next) {
+  template <std::size_t count>
+  void step(std::uint32_t next) {
     const Vector<double, m>& edge = edges_[next];
     const double squared = squared_edges_[next];
     FaceForm<double, m> face;
-    if (count == 1) {
+    if constexpr (count == 1) {
       face = {edge_form<double, m>(edge), 1};
       if (!(squared > squared_edge_error_ && squared < most_squared_edge_)) return leave_open(count, next);
     } else {
@@ -131,33 +134,42 @@ class RoundedWalk {
     const RoundedAnswer answer = visitor_->enter_rounded(face, vertices(count + 1));
     if (answer == RoundedAnswer::unsure) return leave_open(count, next);
     if (answer == RoundedAnswer::stop) return;
-    const auto row = view_->later_neighbours(next);
-    masks_[count].resize(view_->words());
-    for (std::size_t word = 0; word < view_->words(); ++word) masks_[count][word] = masks_[count - 1][word] & row[word];
-    extend(face, count + 1);
+    narrow(masks_[count - 1], next, masks_[count]);
+    extend<count + 1>(face);
   }
 
-  // Nearly all of the time goes here.
-  [[gnu::flatten]] void walk_over(const FacetForm<double, m>& facet, std::size_t count) {
+  /// What of this comes after a vertex.
+  std::uint64_t narrow(const BitRow& mask, std::uint32_t vertex, BitRow& narrowed) const {
+    const auto row = view_->later_neighbours(vertex);
+    std::uint64_t any = 0;
+    for (std::size_t word = 0; word < row.size(); ++word) any |= narrowed[word] = mask[word] & row[word];
+    return any;
+  }
+
+  void walk_over(const FacetForm<double, m>& facet) {
     visitor_->facet_rounded(facet);
-    for_each_bit(masks_[count - 1], [&](std::uint32_t next) {
+    std::uint64_t sure = 0;
+    for_each_bit(masks_[m - 1], [&](std::uint32_t next) {
       const double squared = squared_edges_[next];
       const ApexForm<double> apex(facet, edges_[next], squared);
-      vertices_[count] = next;
+      vertices_[m] = next;
       const RoundedAnswer answer = std::fabs(apex.slope) > slope_error_ && squared < most_squared_edge_
-                                       ? visitor_->over_rounded(facet, apex, vertices(count + 1))
+                                       ? visitor_->over_rounded(facet, apex, vertices(m + 1))
                                        : RoundedAnswer::unsure;
-      if (answer == RoundedAnswer::unsure) leave_open(count, next);
+      if (answer == RoundedAnswer::unsure) {
+        leave_open(m, next);
+        return;
+      }
+      ++sure;
       if constexpr (Visitor::visits_top) {
-        if (answer == RoundedAnswer::go_on) look_at_tops(apex.form(facet), next);
+        if (answer == RoundedAnswer::go_on && narrow(masks_[m - 1], next, top_mask_) != 0)
+          look_at_tops(apex.form(facet));
       }
     });
+    visitor_->count_over(sure);
   }
 
-  void look_at_tops(const SphereForm<double, m>& form, std::uint32_t last) {
-    const auto row = view_->later_neighbours(last);
-    top_mask_.resize(view_->words());
-    for (std::size_t word = 0; word < view_->words(); ++word) top_mask_[word] = masks_[m - 1][word] & row[word];
+  void look_at_tops(const SphereForm<double, m>& form) {
     for_each_bit(top_mask_, [&](std::uint32_t apex) {
       const double squared = squared_edges_[apex];
       if (!(squared < most_squared_edge_) || !visitor_->top_rounded(form, edges_[apex], squared))

@@ -39,8 +39,8 @@ template <class S, int m>
 
 /// Of the triangle 0ab; the weight is the Gram determinant |a|²|b|² − ⟨a, b⟩².
 template <class S, int m>
-[[nodiscard]] SphereForm<S, m> triangle_form(const Vector<S, m>& a, const S& squared_a, const Vector<S, m>& b,
-                                             const S& squared_b) {
+[[nodiscard]] [[gnu::always_inline]] inline SphereForm<S, m> triangle_form(const Vector<S, m>& a, const S& squared_a,
+                                                                           const Vector<S, m>& b, const S& squared_b) {
   const S product = pairing(a, b);
   SphereForm<S, m> result;
   result.weight = squared_a * squared_b - product * product;
@@ -67,14 +67,18 @@ struct ApexForm {
   S slope{};  ///< of the apex, by the covector of the facet; 0 for a degenerate simplex
   S lift{};   ///< w times the power of the apex with respect to the facet
   S weight{};
-  S norm{};
 
   template <int m>
   [[gnu::always_inline]] ApexForm(const FacetForm<S, m>& facet, const Vector<S, m>& edge, const S& squared_edge)
       : slope(pairing(facet.covector, edge)),
         lift(facet.sphere.power(edge, squared_edge)),
-        weight(absolute(slope) * facet.sphere.weight),
-        norm(delcert::norm(std::array<S, 2>{slope * facet.sphere.norm, lift * facet.covector_norm})) {}
+        weight(absolute(slope) * facet.sphere.weight) {}
+
+  /// Of the form. It has a root, which what is far away is decided about without.
+  template <int m>
+  [[nodiscard]] [[gnu::always_inline]] S norm(const FacetForm<S, m>& facet) const {
+    return delcert::norm(std::array<S, 2>{slope * facet.sphere.norm, lift * facet.covector_norm});
+  }
 
   /// What a point y has to do with the facet: w times its power, and its slope.
   struct Probe {
@@ -91,14 +95,23 @@ struct ApexForm {
   }
   /// As a form of its own.
   template <int m>
-  [[nodiscard]] SphereForm<S, m> form(const FacetForm<S, m>& facet) const {
+  [[nodiscard]] [[gnu::always_inline]] SphereForm<S, m> form(const FacetForm<S, m>& facet) const {
     auto normal = sum(scaled(slope, facet.sphere.normal), scaled(lift, facet.covector));
     if (is_negative(slope)) {
       for (S& coordinate : normal) coordinate = -coordinate;
     }
-    return {normal, weight, norm};
+    return {normal, weight, norm(facet)};
   }
 };
+
+/// Above 0 only for points that are farther than t from the sphere, whatever its radius R below ϱ is: w(|P| − t(2ϱ +
+/// t)). For |d − R| ≤ t at the distance d from the centre gives |P| = |d − R|(d + R) ≤ t(2R + t). `power` is w·P or
+/// −w·P.
+template <class S>
+[[nodiscard]] [[gnu::always_inline]] inline S certain_gap(const S& power, const S& weight, const S& t,
+                                                          const S& radius) {
+  return absolute(power) - (t * (radius + radius + t)) * weight;
+}
 
 /// How far beyond a length t a point is from a sphere, in three quantities: farther exactly if `outer` is above 0, or
 /// `inner` and `room` both are.

@@ -22,6 +22,7 @@ struct Recorder {
   int repeated = 0;
   int in_doubles = 0;
   int on_intervals = 0;
+  std::uint64_t over_in_doubles = 0;
   bool claims_nothing = false;
 
   void record(std::set<Positions>& sets, std::span<const std::uint32_t> vertices) {
@@ -61,6 +62,7 @@ struct Recorder {
                              std::span<const std::uint32_t> vertices) {
     return tell(RoundedAnswer::stop, vertices);
   }
+  void count_over(std::uint64_t count) { over_in_doubles += count; }
 };
 
 enum class Errors { bounded, huge, ignored };
@@ -131,6 +133,9 @@ void check(const FlatSpace<m>& space, const ExactPoints<m>& points, const Ration
   const auto both = walk_both<m>(space, points, edge_bound, radius_bound);
   expect_the_same(both);
   EXPECT_GT(both.rounded.in_doubles, static_cast<int>(points.size()));
+  const auto is_over = [](const Positions& vertices) { return vertices.size() == m + 1; };
+  EXPECT_EQ(both.rounded.over_in_doubles, static_cast<std::uint64_t>(std::count_if(
+                                              both.rounded.entered.begin(), both.rounded.entered.end(), is_over)));
   EXPECT_EQ(both.rounded.on_intervals, 0) << "of points in general position nothing is left open";
   // Forced to leave everything open, by errors and by answers.
   for (const bool claims_nothing : {false, true}) {
@@ -138,6 +143,7 @@ void check(const FlatSpace<m>& space, const ExactPoints<m>& points, const Ration
                                      claims_nothing ? Errors::bounded : Errors::huge, claims_nothing);
     expect_the_same(forced);
     EXPECT_EQ(forced.rounded.in_doubles, 0);
+    EXPECT_EQ(forced.rounded.over_in_doubles, 0U);
     EXPECT_EQ(forced.rounded.entered, both.thorough.entered);
   }
 }

@@ -35,6 +35,33 @@ void expect_form_of(const SphereForm<double, m>& form, const SphereStack<Rationa
             weight * stack.power(exact_y, metric.squared_norm(exact_y)));
 }
 
+/// A point at distance d from the centre of a sphere of radius R.
+TEST(CertainGap, is_above_0_only_for_what_is_farther_whatever_the_radius) {
+  std::mt19937_64 random(11);
+  const auto draw = [&random](unsigned most) { return Rational(Integer(random() % (4U * most)), Integer(4)); };
+  int certain = 0;
+  int wrong_beyond_the_bound = 0;
+  for (int sample = 0; sample < 4000; ++sample) {
+    const Rational bound = draw(8) + Rational(1);
+    const Rational radius = draw(12);
+    const Rational distance = draw(20);
+    const Rational t = draw(3);
+    const Rational weight = draw(5) + Rational(1);
+    const Rational power = weight * (square(distance) - square(radius));
+    const Rational signed_power = random() % 2 == 0 ? power : -power;
+    if (certain_gap(signed_power, weight, t, bound) <= Rational(0)) continue;
+    const bool is_farther = absolute(distance - radius) > t;
+    if (radius < bound) {
+      EXPECT_TRUE(is_farther);
+      ++certain;
+    } else if (!is_farther) {
+      ++wrong_beyond_the_bound;
+    }
+  }
+  EXPECT_GT(certain, 500);
+  EXPECT_GT(wrong_beyond_the_bound, 0) << "of larger spheres it says nothing";
+}
+
 template <int m>
 void check_forms(std::uint64_t seed) {
   std::mt19937_64 random(seed);
