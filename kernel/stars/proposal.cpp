@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "kernel/manifold/lattice.hpp"
 #include "kernel/simplex/dimensions.hpp"
@@ -125,11 +126,15 @@ std::vector<LiftedSimplex<m>> propose_delaunay(const FlatSpace<m>& space, const 
     return result;
   }
   const double widest = coordinate_of_a_unit<m>(space.metric);
-  for (double margin = 2.5 * usual_circumradius; margin * widest <= most_copies; margin *= 2) {
+  double enough = std::numeric_limits<double>::infinity();
+  for (double most = 2.5 * usual_circumradius; most * widest <= most_copies; most *= 2) {
+    const double margin = std::min(most, enough);
     auto [simplices, largest] =
         simplices_at_unit_cell<m>(space.metric, copies_around_unit_cell<m>(space.metric, points, margin));
     // A ball of radius R through a point of the cell lies within 2R of the cell: it has seen all the points it could.
     if (!simplices.empty() && 2 * largest <= margin) return simplices;
+    // More points make no Voronoi cell larger.
+    if (!simplices.empty()) enough = 2 * largest * (1 + 0x1p-20);
   }
   const Matrix<Rational, m> reduced = reduced_gram<m>(space.metric);
   if (2 * coordinate_of_a_unit<m>(FrameMetric<m>(reduced)) < widest) {
