@@ -2,6 +2,7 @@
 
 #include "proofs/checker/dirichlet.hpp"
 #include "proofs/checker/group.hpp"
+#include "proofs/checker/metric.hpp"
 
 namespace delcert::checker {
 namespace {
@@ -47,7 +48,8 @@ struct Tile {
 }  // namespace
 
 /// Tiles gamma P are met by crossing sides from P. With D the greatest distance of a vertex of P from o: those with
-/// d(o, gamma o) <= r + 2D include all with d(x, gamma y) <= r for x and y in P (docs/space-forms.md).
+/// d(o, gamma o) <= r + 2D include all with d(x, gamma y) <= r for x and y in P (docs/space-forms.md). A tile is left
+/// out only if it is certainly farther.
 Group hyperbolic_group(const SpaceForm& form, Report& report) {
   const Dirichlet polyhedron(form);
   if (!polyhedron.fault.empty()) report.reject("group.polyhedron", [&] { return polyhedron.fault; });
@@ -94,8 +96,12 @@ Group hyperbolic_group(const SpaceForm& form, Report& report) {
     const Vector<Interval> enclosed_row = enclosure(row);
     for (std::size_t s = 0; s < polyhedron.sides.size(); ++s) {
       if (at != 0 && s == polyhedron.sides[tile.side].inverse) continue;  // where we come from
-      const bool is_too_far = dot(enclosed_row, enclosed[s], order).lower() > walked;
-      if (is_too_far || !known.insert(tile.element * centres[s]).second) continue;
+      const Interval moved = dot(enclosed_row, enclosed[s], order);
+      if (moved.lower() > walked) continue;
+      const FieldVector centre = tile.element * centres[s];
+      // Doubles tell little in a basis that is far from orthogonal.
+      if (!(moved.upper() <= walked) && enclosure(FieldVector{centre[0]})[0].lower() > walked) continue;
+      if (!known.insert(centre).second) continue;
       const Tile next{tile.element * polyhedron.sides[s].element, tile.determinant * determinants[s], s};
       tiles.push_back(next);
       if (moves_far(form, next.element, next.determinant)) continue;

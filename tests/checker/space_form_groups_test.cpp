@@ -8,6 +8,7 @@
 #include "kernel/number/exact_text.hpp"
 #include "proofs/certificate/content.hpp"
 #include "proofs/checker/group.hpp"
+#include "tests/checker/support/space_form_samples.hpp"
 #include "tests/checker/upwards.hpp"
 
 namespace delcert::checker_tests {
@@ -140,6 +141,52 @@ TEST(SpaceFormGroups, with_fixed_points_are_rejected) {
   // Translations outside of the lattice count.
   EXPECT_EQ(rule_against(0, "[" + eighth + "]", "1/16"), "");
   EXPECT_EQ(rule_against(0, "[" + eighth + "]", "1/10").substr(0, 18), "group.injectivity:");
+}
+
+/// The surface with a crosscap far from o, in the basis o, e + skew f, skew e + (1 + skew^2) f.
+std::string rule_against_crosscap(const Integer& skew, const std::string& injectivity_radius) {
+  Json block = surface_with_far_crosscap();
+  const auto number = [](const Json& entry) { return parse_exact(entry[0].get<std::string>()); };
+  const auto changed = [](Json& entry, const Rational& x) { entry = Json::array({exact_text(x)}); };
+  const Rational s(skew);
+  const Rational basis[2][2] = {{1, s}, {s, 1 + s * s}};
+  const Rational inverse[2][2] = {{1 + s * s, -s}, {-s, 1}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t k = 0; k < 2; ++k)
+      changed(block["gram"][i][k], basis[0][i] * basis[0][k] + basis[1][i] * basis[1][k]);
+  }
+  for (Json& g : block["generators"]) {
+    for (Json& row : g) {
+      const Rational x = number(row[1]), y = number(row[2]);
+      for (std::size_t k = 0; k < 2; ++k) changed(row[k + 1], x * basis[0][k] + y * basis[1][k]);
+    }
+    for (std::size_t column = 0; column < 3; ++column) {
+      const Rational x = number(g[1][column]), y = number(g[2][column]);
+      for (std::size_t i = 0; i < 2; ++i) changed(g[i + 1][column], inverse[i][0] * x + inverse[i][1] * y);
+    }
+  }
+  block["injectivity_radius"] = injectivity_radius;
+  const std::string text = block.dump();
+  const checker::SpaceForm form = read({-1, 2, {}}, text);
+  checker::Report report;
+  (void)check_group(form, report);
+  return report.findings.empty() ? "" : report.findings[0].rule;
+}
+
+/// What moves a point by log 4 is no side, and three tiles away from o.
+TEST(SpaceFormGroups, that_move_points_far_from_o_by_less_than_stated_are_rejected) {
+  const test::Upwards upwards;
+  EXPECT_EQ(rule_against_crosscap(0, "69/100"), "");
+  EXPECT_EQ(rule_against_crosscap(0, "7/10"), "group.injectivity");
+}
+
+/// Entries are some 2^80 times as large as in an orthonormal basis, and what they sum up to is not: an interval of
+/// doubles does not tell how far away any tile is.
+TEST(SpaceFormGroups, in_a_skew_basis_are_walked_by_exact_centres) {
+  const test::Upwards upwards;
+  const Integer skew = (Integer(1) << 40) + 1;
+  EXPECT_EQ(rule_against_crosscap(skew, "69/100"), "");
+  EXPECT_EQ(rule_against_crosscap(skew, "7/10"), "group.injectivity");
 }
 
 /// The Bolza surface without some of its generators, or with one replaced by its product with another.

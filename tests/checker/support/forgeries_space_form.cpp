@@ -14,7 +14,8 @@ std::vector<std::pair<std::string, std::string>> valid_space_form_certificates()
                                      {"projective space", projective_space()},
                                      {"Bolza surface", bolza_surface()},
                                      {"Klein bottle", klein_bottle()},
-                                     {"unstable Bolza surface", unstable_bolza_surface()}}) {
+                                     {"unstable Bolza surface", unstable_bolza_surface()},
+                                     {"surface with a crosscap far from o", far_crosscap()}}) {
     result.emplace_back(name, sealed(sample.document()));
   }
   using Groups = std::vector<std::string>;
@@ -60,6 +61,9 @@ std::vector<Forgery> forgeries_of_groups() {
         [](Json& j) { j["manifold"]["injectivity_radius"] = "501/1000"; });
   forge("a Bolza surface wider than it is", "group.injectivity", bolza_surface(),
         [](Json& j) { j["manifold"]["injectivity_radius"] = "153/100"; });
+  // The element that moves a point by 2 log 2 is no side of the octagon, nor near to one.
+  forge("a crosscap far from o wider than it is", "group.injectivity", far_crosscap(),
+        [](Json& j) { j["manifold"]["injectivity_radius"] = "7/10"; });
   // The square of the first generator: in the group, but no side of the octagon.
   forge("a generator too many", "group.polyhedron", bolza_surface(), [&](Json& j) {
     const auto entry = [](const std::string& a, const std::string& b) { return Json::array({a, b}); };

@@ -212,6 +212,39 @@ void throw_darts(SpaceFormModel& model, double separation, std::uint64_t seed,
   }
 }
 
+/// Adds the products of the generators and their inverses, which come in turn in `steps`, that move o by less than
+/// this.
+void add_elements(SpaceFormModel& model, const std::vector<Isometry>& steps, double reach) {
+  model.elements = {identity(2)};
+  for (std::size_t at = 0; at < model.elements.size(); ++at) {
+    for (std::size_t number = 0; number < steps.size(); ++number) {
+      const Isometry next = product(model.elements[at], steps[number]);
+      const bool known = std::any_of(model.elements.begin(), model.elements.end(), [&](const Isometry& g) {
+        return std::fabs(g[1][0] - next[1][0]) + std::fabs(g[2][0] - next[2][0]) < 1e-4;
+      });
+      if (known || next[0][0] >= std::cosh(reach)) continue;
+      const int letter = static_cast<int>(number / 2) + 1;
+      model.words.push_back({static_cast<int>(at), number % 2 == 0 ? letter : -letter});
+      model.elements.push_back(next);
+    }
+  }
+}
+
+/// Random points closer to o than to its images under the steps. The squares of conformal coordinates are at most
+/// `farthest` there, and (1 - a quarter of them)^2 at least `thinnest`.
+void throw_darts_into_polygon(SpaceFormModel& model, const std::vector<Isometry>& steps, double farthest,
+                              double thinnest) {
+  throw_darts(model, 0.105, 5, [&](const std::function<double()>& uniform, Point& a) {
+    a = {2 * (2 * uniform() - 1), 2 * (2 * uniform() - 1), 0, 0};
+    if (a[0] * a[0] + a[1] * a[1] > farthest) return false;
+    // With the right density, and closer to o than to its images.
+    const double D = 1 - (a[0] * a[0] + a[1] * a[1]) / 4;
+    if (uniform() > thinnest / (D * D)) return false;
+    const Point x = linear_of(-1, 2, a);
+    return std::all_of(steps.begin(), steps.end(), [&](const Isometry& g) { return image(2, g, x)[0] >= x[0]; });
+  });
+}
+
 }  // namespace
 
 const SpaceFormSample& icosphere() {
@@ -284,28 +317,9 @@ const SpaceFormSample& bolza_surface() {
     model.manifold = manifold("a test", "hyperbolic", 2, Json::array({"-2", "0", "1"}), Json::array({"1", "2"}),
                               pair("-56", "-40"), diagonal(2, "1"), generators, "3/2");
     model.injectivity_radius = 1.5;
-    model.elements = {identity(2)};
-    for (std::size_t at = 0; at < model.elements.size(); ++at) {
-      for (std::size_t number = 0; number < steps.size(); ++number) {
-        const Isometry next = product(model.elements[at], steps[number]);
-        const bool known = std::any_of(model.elements.begin(), model.elements.end(), [&](const Isometry& g) {
-          return std::fabs(g[1][0] - next[1][0]) + std::fabs(g[2][0] - next[2][0]) < 1e-4;
-        });
-        if (known || next[0][0] >= std::cosh(8)) continue;
-        const int letter = static_cast<int>(number / 2) + 1;
-        model.words.push_back({static_cast<int>(at), number % 2 == 0 ? letter : -letter});
-        model.elements.push_back(next);
-      }
-    }
-    throw_darts(model, 0.105, 5, [&](const std::function<double()>& uniform, Point& a) {
-      a = {2 * (2 * uniform() - 1), 2 * (2 * uniform() - 1), 0, 0};
-      if (a[0] * a[0] + a[1] * a[1] > 2.9) return false;  // all of the octagon is within
-      // With the right density, and closer to o than to its images.
-      const double D = 1 - (a[0] * a[0] + a[1] * a[1]) / 4;
-      if (uniform() > 0.0756 / (D * D)) return false;
-      const Point x = linear_of(-1, 2, a);
-      return std::all_of(steps.begin(), steps.end(), [&](const Isometry& g) { return image(2, g, x)[0] >= x[0]; });
-    });
+    add_elements(model, steps, 8);
+    // All of the octagon is within 2.9.
+    throw_darts_into_polygon(model, steps, 2.9, 0.0756);
     return finished(std::move(model), 0.115, 0.9, 0.2, surface_levels, 6);
   }();
   return result;
@@ -314,6 +328,52 @@ const SpaceFormSample& bolza_surface() {
 const SpaceFormSample& unstable_bolza_surface() {
   static const SpaceFormSample result =
       finished(bolza_surface().model, 0.115, 0.9, 0.2, {"0", "1", "2", "4", "5", "6"}, 6);
+  return result;
+}
+
+Json surface_with_far_crosscap() {
+  Json generators = Json::array();
+  for (const auto& matrix : {std::array{"7/2", "3/2", "0", "15/2", "7/2", "0", "0", "0", "1"},
+                             {"7/2", "0", "3/2", "0", "1", "0", "15/2", "0", "7/2"},
+                             {"19", "6", "6", "30", "9", "10", "30", "10", "9"},
+                             {"19", "6", "-6", "30", "9", "-10", "-30", "-10", "9"}})
+    generators.push_back(rows(3, [&](std::size_t i, std::size_t k) { return rational(matrix[3 * i + k]); }));
+  return manifold("a test", "hyperbolic", 2, rational_field, around_0, rational("-5"), diagonal(2, "1"), generators,
+                  "69/100");
+}
+
+const SpaceFormSample& far_crosscap() {
+  static const SpaceFormSample result = [] {
+    SpaceFormModel model;
+    model.K = -1;
+    model.manifold = surface_with_far_crosscap();
+    model.injectivity_radius = 0.69;
+    // The basis of the file stretches o by t = sqrt 5.
+    const double t = std::sqrt(5.0);
+    const auto isometry = [&](const std::array<double, 9>& entries) {
+      Isometry g{};
+      for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t k = 0; k < 3; ++k)
+          g[i][k] = entries[3 * i + k] * (i == 0 && k > 0 ? t : i > 0 && k == 0 ? 1 / t : 1);
+      }
+      return g;
+    };
+    std::vector<Isometry> steps;
+    for (const auto& [forward, backward] :
+         {std::pair(std::array{3.5, 1.5, 0., 7.5, 3.5, 0., 0., 0., 1.},
+                    std::array{3.5, -1.5, 0., -7.5, 3.5, 0., 0., 0., 1.}),
+          {{3.5, 0., 1.5, 0., 1., 0., 7.5, 0., 3.5}, {3.5, 0., -1.5, 0., 1., 0., -7.5, 0., 3.5}},
+          {{19., 6., 6., 30., 9., 10., 30., 10., 9.}, {19., -6., -6., -30., 9., 10., -30., 10., 9.}},
+          {{19., 6., -6., 30., 9., -10., -30., -10., 9.}, {19., -6., 6., -30., 9., -10., 30., -10., 9.}}}) {
+      steps.push_back(isometry(forward));
+      steps.push_back(isometry(backward));
+      model.letters.push_back(isometry(forward));
+    }
+    add_elements(model, steps, 5.2);
+    // cosh^2 of the distance of a vertex from o is 45/4.
+    throw_darts_into_polygon(model, steps, 2.2, 0.2);
+    return finished(std::move(model), 0.115, 0.9, 0.2, {"1", "2", "4"}, 6);
+  }();
   return result;
 }
 
