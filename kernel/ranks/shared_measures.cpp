@@ -26,7 +26,10 @@ StarStability shared_stability(Communicator& ranks, const LabelsHere& labels, co
   out.put(static_cast<std::uint64_t>(mine.pairs));
   out.put(mine.margins.has_value());
   out.put(mine.margins.value_or(LocalMargins{}));
-  for (const StarFailure& failure : mine.failures) out.put(labels.name(failure.label));
+  for (const StarFailure& failure : mine.failures) {
+    out.put(labels.name(failure.label));
+    out.put(failure.cause);
+  }
   StabilityInCharts all;
   for (const Message& message : gather_everywhere(ranks, out.take())) {
     MessageReader in(message);
@@ -35,7 +38,10 @@ StarStability shared_stability(Communicator& ranks, const LabelsHere& labels, co
     const auto margins = in.get<LocalMargins>();
     if (has_margins && all.margins) all.margins->include(margins);
     if (has_margins && !all.margins) all.margins = margins;
-    while (!in.is_at_end()) all.failures.push_back({Label(in.get<std::uint32_t>()), {}, {}});
+    while (!in.is_at_end()) {
+      const Label label(in.get<std::uint32_t>());
+      all.failures.push_back({label, {}, {}, in.get<FailureCause>()});
+    }
   }
   return star_stability(std::move(all));
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <set>
 #include <type_traits>
 
 #include "kernel/chart/length_units.hpp"
@@ -117,7 +118,7 @@ class ChartCheck {
     for (std::size_t corner = 0; corner <= m; ++corner) {
       const auto place = view_.find(Label(labels[corner]));
       if (!place) {
-        reasons_[labels] = "label " + std::to_string(labels[corner]) + " is not seen once";
+        reasons_[labels] = {FailureCause::undecided, "label " + std::to_string(labels[corner]) + " is not seen once"};
         return Outcome::sees_too_little;
       }
       places[corner] = *place;
@@ -139,7 +140,7 @@ class ChartCheck {
     std::string text = simplex_text(std::vector<Label>(labels.begin(), labels.end())) + " " + failure->reason;
     const bool blames_a_point = witness < view_.size();
     if (blames_a_point) text += ": label " + std::to_string(view_.label(witness).value);
-    reasons_[labels] = std::move(text);
+    reasons_[labels] = {failure->cause, std::move(text)};
     return blames_a_point ? Outcome::fails : Outcome::sees_too_little;
   }
 
@@ -148,13 +149,18 @@ class ChartCheck {
     if (reasons_.empty()) return;
     for (const Label i : stars_) {
       auto first = reasons_.end();
+      FailureCause cause = FailureCause::undecided;
       for (const auto& others : complex_.chart_star(i).simplices) {
         const auto found = reasons_.find(labels_of<m>(i, others));
-        if (found != reasons_.end() && (first == reasons_.end() || found->first < first->first)) first = found;
+        if (found == reasons_.end()) continue;
+        if (first == reasons_.end() || found->first < first->first) first = found;
+        if (found->second.cause == FailureCause::occupied_ball) cause = FailureCause::occupied_ball;
       }
       if (first == reasons_.end()) continue;
-      result_.failures.push_back(
-          {i, "in the chart of label " + std::to_string(chart_.value) + " " + first->second, {i, chart_}});
+      result_.failures.push_back({i,
+                                  "in the chart of label " + std::to_string(chart_.value) + " " + first->second.reason,
+                                  {i, chart_},
+                                  cause});
     }
   }
 
@@ -163,7 +169,7 @@ class ChartCheck {
   Label chart_;
   KnownMargins<m>& known_;
   std::vector<Label> stars_;
-  std::map<LabelSimplex<m>, std::string> reasons_;  // of the simplices that are not certified
+  std::map<LabelSimplex<m>, SimplexFailure> reasons_;  // of the simplices that are not certified
   ChartStability result_;
 };
 
@@ -272,10 +278,14 @@ StarStability star_stability(StabilityInCharts all) {
   StarStability result;
   result.pairs = all.pairs;
   result.differing = all.failures.size();
-  std::vector<Label> stars;
-  for (const StarFailure& failure : all.failures) stars.push_back(failure.label);
-  std::sort(stars.begin(), stars.end());
-  result.stars = static_cast<std::size_t>(std::unique(stars.begin(), stars.end()) - stars.begin());
+  std::set<Label> stars;
+  std::set<Label> occupied;
+  for (const StarFailure& failure : all.failures) {
+    stars.insert(failure.label);
+    if (failure.cause == FailureCause::occupied_ball) occupied.insert(failure.label);
+  }
+  result.stars = stars.size();
+  result.occupied = occupied.size();
   result.failures = std::move(all.failures);
   if (all.margins) result.margins = *all.margins;
   return result;

@@ -15,9 +15,10 @@ struct ChartStability {
 
 /// Level 2s: whether the star of every label is the same in the charts of all its vertices.
 struct StarStability {
-  std::size_t pairs = 0;              ///< stars times charts looked at
-  std::size_t differing = 0;          ///< pairs in which the star is not certified to be the same
-  std::size_t stars = 0;              ///< labels in such a pair
+  std::size_t pairs = 0;      ///< stars times charts looked at
+  std::size_t differing = 0;  ///< pairs in which the star is not certified to be the same
+  std::size_t stars = 0;      ///< labels in such a pair
+  std::size_t occupied = 0;   ///< of these, labels with a pair in which another point is shown to be in a closed ball
   std::vector<StarFailure> failures;  ///< one for each such pair: which star, in which chart, why
   LocalMargins margins;  ///< of all simplices in all these charts, where nothing fails: as multiples of units
 };

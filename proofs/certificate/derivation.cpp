@@ -26,7 +26,10 @@ void Derivation::derive_stability(const StarStability& stability, double own_rea
   if (stability.differing > 0) {
     reasons.push_back("level 2s: " + std::to_string(stability.stars) +
                       " stars are not certified to be the same in all charts (" + std::to_string(stability.differing) +
-                      " of " + std::to_string(stability.pairs) + " pairs)");
+                      " of " + std::to_string(stability.pairs) + " pairs)" +
+                      (stability.occupied == 0 ? ""
+                                               : "; of " + std::to_string(stability.occupied) +
+                                                     " a simplex has another point in its ball in such a chart"));
     return;
   }
   const Rational reach = stated_above(std::max(own_reach, stability.margins.reach));

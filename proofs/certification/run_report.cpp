@@ -213,7 +213,8 @@ Json measures_json(const RunReport& report) {
   if (report.stability) {
     json["star_chart_pairs"] = {{"all", report.stability->pairs},
                                 {"differing", report.stability->differing},
-                                {"stars_differing", report.stability->stars}};
+                                {"stars_differing", report.stability->stars},
+                                {"stars_with_occupied_balls", report.stability->occupied}};
   }
   if (report.flat) {
     json["hinges"] = {{"all", report.flat->hinges},

@@ -29,6 +29,7 @@ void compare(const WholeSphere<m>& whole, std::size_t count) {
     EXPECT_EQ(shared.pairs, stability.pairs);
     EXPECT_EQ(shared.differing, stability.differing);
     EXPECT_EQ(shared.stars, stability.stars);
+    EXPECT_EQ(shared.occupied, stability.occupied);
     EXPECT_EQ(shared.margins.reach, stability.margins.reach);
     const auto riemannian = shared_riemannian_simplices<m>(ranks, part.labels, part.atlas, run, no_progress());
     EXPECT_EQ(riemannian.thickness, simplices.thickness);

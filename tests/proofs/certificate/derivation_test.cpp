@@ -46,6 +46,18 @@ TEST(Derivation, of_stable_stars_refuses_those_that_differ) {
                                 "level 2s: 2 stars are not certified to be the same in all charts (3 of 12 pairs)"});
 }
 
+TEST(Derivation, of_stable_stars_says_how_many_certainly_differ) {
+  StarStability stability = stable_within(0.5);
+  stability.stars = 2;
+  stability.differing = 3;
+  stability.occupied = 1;
+  Sample sample;
+  EXPECT_FALSE(sample.reach(stability, 0.25));
+  EXPECT_EQ(sample.reasons, std::vector<std::string>{
+                                "level 2s: 2 stars are not certified to be the same in all charts (3 of 12 pairs); "
+                                "of 1 a simplex has another point in its ball in such a chart"});
+}
+
 TEST(Derivation, of_stable_stars_refuses_those_that_do_not_fit) {
   Sample sample;
   sample.patch = Rational(1) / Rational(2);
