@@ -86,7 +86,8 @@ void add_certify(CLI::App& program, Action& chosen) {
       ->check(CLI::Range(0, 1000000));
   command
       ->add_option("--refine", options->refinement_rounds,
-                   "Submanifolds: greatest number of rounds that halve radii where something fails (default 0)")
+                   "Greatest number of rounds that halve radii where something fails, on submanifolds, or choose home "
+                   "charts, on atlases (default 0)")
       ->check(CLI::Range(0, 100));
   command->add_flag("--no-perturbation", options->no_perturbation, "Take the net as it is");
   command->add_option_function<std::string>(

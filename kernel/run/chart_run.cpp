@@ -8,14 +8,21 @@
 
 namespace delcert {
 
+namespace {
+
+double required_protection(const RunRequest& request) {
+  return request.required_protection ? approximate_double(*request.required_protection) : 0;
+}
+
+}  // namespace
+
 template <int m>
 ChartRun<m> run_in_charts(const Atlas<m>& atlas, const ModelGeometry& geometry,
                           const PerturbationParameters& parameters, const RunRequest& request,
                           const Progress& progress) {
   Perturbation<m> perturbation(atlas, parameters);
   if (request.perturb) perturbation.place_all(progress);
-  const double required = request.required_protection ? approximate_double(*request.required_protection) : 0;
-  KeptStars<m> stars(atlas, geometry, required, all_labels_of(atlas));
+  KeptStars<m> stars(atlas, geometry, required_protection(request), all_labels_of(atlas));
   StarAgreement first_agreement;
   std::size_t first_failures = 0;
   std::size_t repaired = 0;
@@ -56,6 +63,28 @@ ChartRun<m> run_in_charts(const Atlas<m>& atlas, const ModelGeometry& geometry,
 }
 
 template <int m>
+ChartRun<m> stars_in_charts(const Atlas<m>& atlas, const ModelGeometry& geometry, PointSet<m> points,
+                            const RunRequest& request, const Progress& progress) {
+  KeptStars<m> stars(atlas, geometry, required_protection(request), all_labels_of(atlas));
+  stars.update(points, progress);
+  ChartComplex<m> complex = stars.complex();
+  StarAgreement agreement = complex.agreement();
+  auto failures = stars.failures();
+  const std::size_t failing = star_count(failures);
+  return {std::move(points),
+          std::move(complex),
+          stars.margins(),
+          agreement,
+          {},
+          std::move(failures),
+          agreement,
+          failing,
+          {},
+          0,
+          0};
+}
+
+template <int m>
 ModelGeometry geometry_of(const SpaceFormAtlas<m>& atlas) {
   const Rational factor = atlas.patch_radius() / atlas.sampling_radius();
   return {atlas.curvature(), atlas.form().injectivity_radius.lower, floor_of(factor).template convert_to<int>(),
@@ -80,9 +109,11 @@ PerturbationParameters measured_parameters(Dimension dimension, std::uint64_t se
   return result;
 }
 
-#define DELCERT_INSTANTIATE(m)                                                                                \
-  template ChartRun<m> run_in_charts<m>(const Atlas<m>&, const ModelGeometry&, const PerturbationParameters&, \
-                                        const RunRequest&, const Progress&);
+#define DELCERT_INSTANTIATE(m)                                                                                   \
+  template ChartRun<m> run_in_charts<m>(const Atlas<m>&, const ModelGeometry&, const PerturbationParameters&,    \
+                                        const RunRequest&, const Progress&);                                     \
+  template ChartRun<m> stars_in_charts<m>(const Atlas<m>&, const ModelGeometry&, PointSet<m>, const RunRequest&, \
+                                          const Progress&);
 DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
 #undef DELCERT_INSTANTIATE
 

@@ -39,6 +39,12 @@ template <int m>
                                         const PerturbationParameters& parameters, const RunRequest& request,
                                         const Progress& progress);
 
+/// What such a run finds of these points as they are: stars, and whether they agree. Nothing is repaired, and nothing
+/// is asked of level 4.
+template <int m>
+[[nodiscard]] ChartRun<m> stars_in_charts(const Atlas<m>& atlas, const ModelGeometry& geometry, PointSet<m> points,
+                                          const RunRequest& request, const Progress& progress);
+
 /// Curvature and certified injectivity radius of a verified group, and the size of the patches.
 template <int m>
 [[nodiscard]] ModelGeometry geometry_of(const SpaceFormAtlas<m>& atlas);

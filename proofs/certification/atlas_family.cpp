@@ -1,6 +1,7 @@
 #include "kernel/manifold/gluing/atlas_distortion.hpp"
 #include "kernel/manifold/gluing/gluing_check.hpp"
 #include "kernel/sample/separation.hpp"
+#include "kernel/theorems/seam_homes.hpp"
 #include "proofs/certificate/atlas_claims.hpp"
 #include "proofs/certificate/content.hpp"
 #include "proofs/certification/chart_family.hpp"
@@ -46,10 +47,13 @@ class AtlasFamily final : public ChartFamily<m, FormulaAtlas<m>> {
     report.gluing->distortion = fit_patches<m>(*this->atlas_, progress);
     report.patch_factor = this->atlas_->patch_factor();
     this->choose_measured_parameters(options);
+    refinement_rounds_ = options.refinement_rounds;
   }
 
   void derive(const LevelSelection& selection, const Progress& progress) override {
-    const AtlasMeasures<m> measures = measure_atlas<m>(*this->atlas_, *this->run_, geometry(), selection, progress);
+    AtlasMeasures<m> measures = measure_atlas<m>(*this->atlas_, *this->run_, geometry(), selection, progress);
+    if (measures.triangulation && !measures.triangulation->failures.empty() && refinement_rounds_ > 0)
+      choose_homes(measures, selection, progress);
     report.claims =
         derive_claims<m>(*this->atlas_, report.parameters, *this->run_, measures, selection, report.reasons);
     report.stability = measures.stability;
@@ -63,11 +67,36 @@ class AtlasFamily final : public ChartFamily<m, FormulaAtlas<m>> {
   }
 
  private:
+  /// Other home charts, where that makes level 5 hold and is certified on levels 1 and 2.
+  void choose_homes(AtlasMeasures<m>& measures, const LevelSelection& selection, const Progress& progress) {
+    auto homes = homes_without_folds<m>(gluing_, *this->atlas_, this->run_->points, this->run_->complex.simplices(),
+                                        refinement_rounds_, progress);
+    if (!homes) return;
+    FormulaAtlas<m> atlas(gluing_, homes->net, this->atlas_->sampling_radius());
+    const Rational distortion = fit_patches<m>(atlas, progress);
+    const ModelGeometry seen = geometry_of<m>(atlas, distortion);
+    ChartRun<m> run = stars_in_charts<m>(atlas, seen, std::move(homes->points), this->request_, progress);
+    if (!run.is_certified()) return;
+    AtlasMeasures<m> found = measure_atlas<m>(atlas, run, seen, selection, progress);
+    if (!found.triangulation->triangulates()) return;
+    run.statistics = this->run_->statistics;
+    run.repair_rounds = this->run_->repair_rounds;
+    run.repaired_points = this->run_->repaired_points;
+    measures = std::move(found);
+    this->atlas_.emplace(std::move(atlas));
+    this->run_.emplace(std::move(run));
+    report.gluing->distortion = distortion;
+    report.patch_factor = this->atlas_->patch_factor();
+    report.refinement_rounds = homes->rounds;
+    report.take(*this->run_);
+  }
+
   [[nodiscard]] ModelGeometry geometry() const override {
     return geometry_of<m>(*this->atlas_, report.gluing->distortion);
   }
 
   std::shared_ptr<const ChartGluing> gluing_;
+  int refinement_rounds_ = 0;
 };
 
 }  // namespace

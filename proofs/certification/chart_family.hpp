@@ -26,6 +26,7 @@ class ChartFamily : public Family {
  public:
   void run(RunRequest request, const Progress& progress) override {
     request.certify_model = certifies_model_;
+    request_ = request;
     run_.emplace(run_in_charts<m>(*atlas_, geometry(), report.parameters.algorithm, request, progress));
     report.take(*run_);
     report.first = RunReport::FirstStars{run_->first_failures, run_->first_agreement.stars};
@@ -61,6 +62,7 @@ class ChartFamily : public Family {
 
   std::optional<ChartAtlas> atlas_;
   std::optional<ChartRun<m>> run_;
+  RunRequest request_;
 
  private:
   bool certifies_model_;

@@ -15,6 +15,12 @@ delcert_cli_test(certify-atlas-json STATUS 0 ERROR "^$"
 delcert_cli_test(certify-atlas-too-coarse-for-level-5 STATUS 0 ERROR "^$"
   OUTPUT "not reached: level 5: [0-9]+ of [0-9]+ simplices between charts are not certainly mapped as they should be; simplex [0-9 ]+: what transitions do to it may fold it"
   COMMAND ${delcert} certify --manifold sphere-2-stereographic --radius 1/8 --output coarse.json)
+delcert_cli_test(certify-atlas-between-charts STATUS 0 ERROR "^$" OUTPUT "not reached: level 5: 3 of 129 simplices between charts"
+  COMMAND ${delcert} certify --manifold sphere-2-stereographic --radius 1/11 --seed 1 --levels 1,2,5 --output between.json)
+delcert_cli_test(certify-atlas-with-other-homes STATUS 0 ERROR "^$" OUTPUT "2 rounds of refinement.*  5   triangulation"
+  COMMAND ${delcert} certify --manifold sphere-2-stereographic --radius 1/11 --seed 1 --levels 1,2,5 --refine 30 --output homes.json FIXTURE_SETUP run-homes)
+delcert_cli_test(check-atlas-with-other-homes STATUS 0 ERROR "^$" OUTPUT "level 5    verified   132 simplices between charts" FIXTURES run-homes
+  COMMAND ${delcert} check homes.json)
 delcert_cli_test(info-of-atlas STATUS 0 OUTPUT "sphere-2-stereographic .atlas, dimension 2., [0-9]* points" ERROR "^$"
   FIXTURES run-glued COMMAND ${delcert} info glued.json)
 delcert_cli_test(sample-atlas STATUS 0 OUTPUT "points in glued.txt" ERROR "^$" FIXTURE_SETUP run-glued-points
