@@ -7,6 +7,7 @@
 #include "apps/other_programs.hpp"
 #include "apps/witness_file.hpp"
 #include "proofs/drawing/certificate_facts.hpp"
+#include "proofs/drawing/figure_pdf.hpp"
 #include "proofs/drawing/picture.hpp"
 #include "support/atomic_file.hpp"
 #include "support/error.hpp"
@@ -31,18 +32,17 @@ Figure figure_of_certificate(const FigureOptions& options) {
 
 ExitStatus write_figure(const FigureOptions& options) {
   const std::string ending = std::filesystem::path(options.output).extension().string();
-  if (ending != ".svg" && ending != ".tikz" && ending != ".tex") {
-    throw InputError(
-        "--output " + options.output +
-        ": the name ends in .svg, or in .tikz or .tex for a tikzpicture (of SVG, rsvg-convert -f pdf makes "
-        "PDF)");
+  if (ending != ".svg" && ending != ".pdf" && ending != ".tikz" && ending != ".tex") {
+    throw InputError("--output " + options.output +
+                     ": the name ends in .svg or .pdf, or in .tikz or .tex for a tikzpicture");
   }
   const bool is_witness = witness_file(options.file) != WitnessFile::other;
   if (is_witness && is_left_to_claims(about_attack.name)) hand_over_to(claims_program);
   try {
     Figure figure = is_witness ? witness_figure(options.file) : figure_of_certificate(options);
     if (options.plain) figure.scale.reset();
-    write_file_atomically(options.output, ending == ".svg" ? svg_of(figure) : tikz_of(figure));
+    const auto text_of = ending == ".svg" ? svg_of : ending == ".pdf" ? pdf_of : tikz_of;
+    write_file_atomically(options.output, text_of(figure));
     std::cout << options.output << ": " << figure.description << "\n";
   } catch (const InputError& error) {
     const std::string message = error.what();
@@ -59,7 +59,9 @@ void add_figure(CLI::App& program, Action& chosen) {
   CLI::App* command = add_named(program, about_figure);
   command->add_option("FILE", options->file, "A certificate, plain or compressed, or a witness of attack or tighten")
       ->required();
-  command->add_option("--output", options->output, "The file to write: x.svg, or x.tikz or x.tex for a tikzpicture")
+  command
+      ->add_option("--output", options->output,
+                   "The file to write: x.svg or x.pdf, or x.tikz or x.tex for a tikzpicture")
       ->type_name("FILE")
       ->required();
   command->add_flag("--plain", options->plain, "Neither mark the worst star nor draw a scale");
@@ -68,7 +70,7 @@ void add_figure(CLI::App& program, Action& chosen) {
       "witness, its simplices with circumscribed balls and least altitudes.\n\n"
       "Examples:\n"
       "  delcert figure torus-2.json.zst --output torus-2.svg\n"
-      "  delcert figure bolza.json.zst --output bolza.tikz\n"
+      "  delcert figure bolza.json.zst --output bolza.pdf\n"
       "  delcert figure witness.json --output witness.svg");
   command->callback([options, &chosen] { chosen = [options] { return write_figure(*options); }; });
 }

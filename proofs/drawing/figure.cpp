@@ -4,67 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
+#include "proofs/drawing/figure_page.hpp"
 #include "support/latex_text.hpp"
 
 namespace delcert {
 
 namespace {
-
-constexpr double figure_pixels = 720;
-constexpr double figure_margin = 12;
-constexpr double scale_band = 44;  ///< in pixels: the bar and its text
-constexpr double figure_centimetres = 12;
-constexpr double name_distance = 6;  ///< in pixels, of a name from its point
-
-/// Where things are on the page: pixels, y downwards.
-class Page {
- public:
-  explicit Page(const Figure& figure) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    lowest_ = {infinity, infinity};
-    highest_ = {-infinity, -infinity};
-    for (const Figure::Path& path : figure.paths) {
-      for (const auto& line : path.lines) {
-        for (const Figure::Point& point : line) include(point, 0);
-      }
-    }
-    for (const Figure::Circle& circle : figure.circles) include(circle.centre, circle.radius);
-    for (const Figure::Dot& dot : figure.dots) include(dot.centre, 0);
-    if (!(lowest_[0] <= highest_[0])) lowest_ = highest_ = {0, 0};
-    const double size = std::max(highest_[0] - lowest_[0], highest_[1] - lowest_[1]);
-    scale_ = size > 0 ? (figure_pixels - 2 * figure_margin) / size : 1;
-    width_ = (highest_[0] - lowest_[0]) * scale_ + 2 * figure_margin;
-    height_ = (highest_[1] - lowest_[1]) * scale_ + 2 * figure_margin + (figure.scale ? scale_band : 0);
-  }
-
-  [[nodiscard]] double scale() const { return scale_; }
-  [[nodiscard]] double width() const { return width_; }
-  [[nodiscard]] double height() const { return height_; }
-  [[nodiscard]] Figure::Point place(const Figure::Point& point) const {
-    return {figure_margin + (point[0] - lowest_[0]) * scale_, figure_margin + (highest_[1] - point[1]) * scale_};
-  }
-  /// The ends of a bar of this length.
-  [[nodiscard]] std::array<Figure::Point, 2> bar(double length) const {
-    const double y = height_ - scale_band / 2 - figure_margin / 2;
-    return {{{figure_margin, y}, {figure_margin + length * scale_, y}}};
-  }
-
- private:
-  void include(const Figure::Point& point, double radius) {
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      lowest_[axis] = std::min(lowest_[axis], point[axis] - radius);
-      highest_[axis] = std::max(highest_[axis], point[axis] + radius);
-    }
-  }
-
-  Figure::Point lowest_{};
-  Figure::Point highest_{};
-  double scale_ = 1;
-  double width_ = 0;
-  double height_ = 0;
-};
 
 std::string in_markup(const std::string& text) {
   std::string result;
@@ -74,7 +21,7 @@ std::string in_markup(const std::string& text) {
 
 std::string rgb(const Figure::Colour& colour) { return fmt::format("rgb({} {} {})", colour[0], colour[1], colour[2]); }
 
-std::string svg_of(const Figure::Path& path, const Page& page) {
+std::string svg_of(const Figure::Path& path, const FigurePage& page) {
   std::string lines;
   for (const auto& line : path.lines) {
     for (std::size_t at = 0; at < line.size(); ++at) {
@@ -96,7 +43,7 @@ std::string tikz_colour(const char* use, const Figure::Colour& colour) {
 }  // namespace
 
 std::string svg_of(const Figure& figure) {
-  const Page page(figure);
+  const FigurePage page(figure);
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
       "role=\"img\">\n<title>{2}</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n"
@@ -130,7 +77,7 @@ std::string svg_of(const Figure& figure) {
 }
 
 std::string tikz_of(const Figure& figure) {
-  const Page page(figure);
+  const FigurePage page(figure);
   const double unit = figure_centimetres / figure_pixels;
   std::string out = fmt::format("% {}\n\\begin{{tikzpicture}}[x={:.6f}cm,y=-{:.6f}cm,line join=round]\n",
                                 latex_text(figure.description), unit, unit);

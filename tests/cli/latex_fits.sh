@@ -8,7 +8,7 @@ shift
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 {
-  printf '%s\n' '\documentclass{article}' '\usepackage{amsmath,amssymb,booktabs,longtable,tikz}' '\hfuzz=1pt' '\begin{document}' \
+  printf '%s\n' '\documentclass{article}' '\usepackage{amsmath,amssymb,booktabs,longtable,graphicx,tikz}' '\hfuzz=1pt' '\begin{document}' \
     '\typeout{WIDTH \the\textwidth}' '\noindent'
   "$@"
   status=$?

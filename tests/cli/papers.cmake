@@ -58,7 +58,7 @@ delcert_cli_test(figure-has-scale STATUS 0 OUTPUT "class=.scale.*>0.2<" FIXTURES
   COMMAND sh -c "\"$1\" figure run-square.json.zst --output figure-scale.svg > /dev/null && tail -n 5 figure-scale.svg" sh ${delcert})
 delcert_cli_test(figure-plain STATUS 0 OUTPUT "^0\n$" FIXTURES run-square
   COMMAND sh -c "\"$1\" figure run-square.json.zst --plain --output figure-plain.svg > /dev/null && ! grep -c scale figure-plain.svg" sh ${delcert})
-delcert_cli_test(figure-other-ending STATUS 3 OUTPUT "^$" ERROR "figure.png: the name ends in .svg, or" FIXTURES run-square
+delcert_cli_test(figure-other-ending STATUS 3 OUTPUT "^$" ERROR "figure.png: the name ends in .svg or .pdf, or" FIXTURES run-square
   COMMAND ${delcert} figure run-square.json.zst --output figure.png)
 delcert_cli_test(figure-of-dimension-3 STATUS 3 OUTPUT "^$" ERROR "run-torus-3.json.zst: pictures are of certificates of dimension 1 or 2" FIXTURES run-torus-3
   COMMAND ${delcert} figure run-torus-3.json.zst --output never.svg)
@@ -67,12 +67,21 @@ delcert_cli_test(figure-of-changed STATUS 3 OUTPUT "^$" ERROR "export-unsealed.j
 delcert_latex_test(figure FIXTURES run-square
   COMMAND sh -c "\"$1\" figure run-square.json.zst --output figure-fits.tikz > /dev/null && cat figure-fits.tikz" sh ${delcert})
 
+# Whether pdflatex reads the page of PDF, and it fits the line: 12 cm are 341.4 pt.
+function(delcert_pdf_test name file)
+  cmake_parse_arguments(PARSE_ARGV 2 ARG "" "FIXTURES" "")
+  delcert_latex_test(${name} FIXTURES ${ARG_FIXTURES} COMMAND sh -c
+    "\"$1\" figure \"$2\" --output ${name}.pdf > /dev/null && printf '%s' '\\includegraphics{'\"$PWD\"'/${name}.pdf}'" sh ${delcert} ${file})
+endfunction()
+delcert_pdf_test(figure-pdf run-square.json.zst FIXTURES run-square)
+
 set(witnesses ${PROJECT_SOURCE_DIR}/proofs/claims/witnesses)
 delcert_cli_test(figure-witness STATUS 0 ERROR "^$"
   OUTPUT "witness against faces-of-thick-simplices, sharper-twin, twin sharper-twin: the hypotheses are proved, .* is refuted, ratio .*; the simplex s\n$"
   COMMAND ${delcert} figure ${witnesses}/faces-of-thick-simplices.sharper-twin.json --output figure-witness.svg)
 delcert_latex_test(figure-witness COMMAND sh -c "\"$1\" figure \"$2\" --output figure-witness.tikz > /dev/null && cat figure-witness.tikz"
   sh ${delcert} ${witnesses}/faces-of-thick-simplices.sharper-twin.json)
+delcert_pdf_test(figure-witness-pdf ${witnesses}/faces-of-thick-simplices.sharper-twin.json)
 delcert_cli_test(figure-curve STATUS 0 ERROR "^$" OUTPUT "not verified.; [0-9]+ edges; the star of label" COMMAND sh -c
   "\"$1\" certify --manifold circle --radius 1/30 --output figure-circle.json > /dev/null && \"$1\" figure figure-circle.json --output figure-circle.svg"
   sh ${delcert})
