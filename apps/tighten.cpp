@@ -14,6 +14,7 @@
 #include "apps/search_options.hpp"
 #include "proofs/publication/latex_table.hpp"
 #include "properties/attack/attack_report.hpp"
+#include "properties/attack/ratio_guess.hpp"
 #include "properties/attack/search_plan.hpp"
 #include "properties/attack/twins.hpp"
 #include "support/error.hpp"
@@ -40,13 +41,22 @@ std::string note_of(const Tightest& found) {
   return is_proved(found.verdict) ? "holds" : "undecided";
 }
 
+/// What the supremum looks like; "" where both sides are the same number.
+std::string guess_of(const Tightest& found) { return found.is_equality ? "" : ratio_guess(found.ratio); }
+
+std::string note_and_guess(const Tightest& found) {
+  const std::string guess = guess_of(found);
+  return note_of(found) + (guess.empty() ? "" : "; " + guess + " (a guess)");
+}
+
 void print_table(const std::vector<SearchTarget>& targets, const std::vector<std::optional<Tightest>>& results) {
   std::cout << "| claim / conclusion | shape | worst ratio found | evaluations | |\n|---|---|--:|--:|---|\n";
   for (std::size_t at = 0; at < targets.size(); ++at) {
     const auto& found = results[at];
     std::cout << fmt::format("| {} / {} | {} | {} | {} | {} |\n", targets[at].claim.name, conclusion_of(targets[at]),
                              text_of(targets[at].shape), found ? ratio_text(found->ratio) : "–",
-                             found ? found->evaluations : 0, found ? note_of(*found) : "no instance with a ratio");
+                             found ? found->evaluations : 0,
+                             found ? note_and_guess(*found) : "no instance with a ratio");
   }
 }
 
@@ -57,7 +67,7 @@ void print_latex(const std::vector<SearchTarget>& targets, const std::vector<std
     rows.push_back({latex_label(targets[at].claim.name + " / " + conclusion_of(targets[at])),
                     latex_text(text_of(targets[at].shape)), latex_text(found ? ratio_text(found->ratio) : "–"),
                     std::to_string(found ? found->evaluations : 0),
-                    found ? note_of(*found) : "no instance with a ratio"});
+                    found ? note_and_guess(*found) : "no instance with a ratio"});
   }
   std::cout << latex_table(
       {{"claim / conclusion", 116}, {"shape", 44}, {"worst ratio found", 60}, {"evaluations", 44}, {"", 57}}, rows);
@@ -75,6 +85,7 @@ void print_json(const std::vector<SearchTarget>& targets, const std::vector<std:
       one["upper"] = found->ratio.upper;
       one["evaluations"] = found->evaluations;
       one["note"] = note_of(*found);
+      if (const std::string guess = guess_of(*found); !guess.empty()) one["guess"] = guess;
     }
     list.push_back(std::move(one));
   }

@@ -1,12 +1,14 @@
 # The directed search.
 set(delcert $<TARGET_FILE:delcert>)
 set(claims ${PROJECT_SOURCE_DIR}/examples/claims)
+delcert_cli_test(tighten-guess STATUS 0 ERROR "^$" OUTPUT "\"guess\": \"looks like 1/4, not attained\""
+  COMMAND ${delcert} tighten ${claims}/circumradius-by-thickness.toml --shape 2,2 --seed 1 --json)
 
-delcert_cli_test(tighten-loose STATUS 0 ERROR "^$" OUTPUT "circumradius-by-thickness / radius . k=1 m=1 . 0[.]5 . [0-9]+ . holds .\n$"
+delcert_cli_test(tighten-loose STATUS 0 ERROR "^$" OUTPUT "circumradius-by-thickness / radius . k=1 m=1 . 0[.]5 . [0-9]+ . holds; looks like 1/2 .a guess. .\n$"
   COMMAND ${delcert} tighten ${claims}/circumradius-by-thickness.toml --evaluations 40 --shape 1,1)
 delcert_cli_test(tighten-equality STATUS 0 ERROR "^$" OUTPUT " 1 . [0-9]+ . equality, exactly .\n$"
   COMMAND ${delcert} tighten ${claims}/circumradius-from-below.toml --evaluations 40 --shape 1,1)
-delcert_cli_test(tighten-false STATUS 1 ERROR "^$" OUTPUT "REFUTED" FIXTURE_SETUP tighten-found
+delcert_cli_test(tighten-false STATUS 1 ERROR "^$" OUTPUT "REFUTED; looks unbounded .a guess. ." FIXTURE_SETUP tighten-found
   COMMAND ${delcert} tighten ${claims}/circumradius-below-edge.toml --evaluations 200 --shape 2,2 --witnesses tighten-found)
 delcert_cli_test(tighten-replay STATUS 1 ERROR "^$" OUTPUT ": refuted, ratio" FIXTURES tighten-found
   COMMAND ${delcert} attack --replay tighten-found/circumradius-below-edge.radius.2-2.json)
