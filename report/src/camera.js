@@ -26,6 +26,13 @@ export class Camera {
     else this.turned = product(product(rotation([1, 0, 0], -3 * up), rotation([0, 1, 0], 3 * right)), this.turned);
   }
 
+  /** Turns a direction of the drawing, of length 1, towards the eye, by the shortest way. */
+  face(direction) {
+    const [x, y, z] = applied(this.turned, direction), across = Math.hypot(x, y);
+    const axis = across > 1e-6 ? [y / across, -x / across, 0] : [0, 1, 0];
+    this.turned = product(rotation(axis, Math.atan2(across, z)), this.turned);
+  }
+
   scale(factor) {
     this.zoom = Math.min(Math.max(this.zoom * factor, 0.4), 200);
   }

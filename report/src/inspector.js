@@ -28,7 +28,11 @@ export class Inspector {
     this.root = element("section", { class: "inspector" }, element("h3", {}, "Stars"),
       element("div", { class: "controls" }, form, worst, labelled("only this star", this.only)), this.state, this.body);
     complex.addEventListener("choice", () => this.fill());
-    complex.addEventListener("look", () => { if (complex.measure !== this.measure) this.at = -1; });
+    complex.addEventListener("look", () => {
+      if (complex.measure !== this.measure) this.at = -1;
+      // The worst are listed by what is coloured.
+      if (complex.measure !== this.listed) this.fill();
+    });
     this.fill();
   }
 
@@ -54,6 +58,7 @@ export class Inspector {
 
   fill() {
     const { complex, body } = this, { label, drawing } = complex;
+    this.listed = complex.measure;
     if (label === null) {
       body.replaceChildren(...[element("p", {}, "Click at a simplex, search a label, or go to the worst star."), this.worstList(true)].filter(Boolean));
       return;

@@ -223,8 +223,24 @@ export class Picture {
     if (simplex === undefined) return;
     const point = scene.point(complex.vertexOf(simplex, complex.label));
     camera.zoom = Math.max(camera.zoom, Math.min(12, Math.max(1.5, Math.sqrt(complex.size) / 12)));
+    if (!this.flat && !this.solid) this.turnTo(complex.simplex ?? simplex, point);
     camera.aim(point);
     scene.redraw();
+  }
+
+  /** Turns a surface in space so that this simplex is seen, from the outside if it is seen there; the point is in the middle. */
+  turnTo(simplex, point) {
+    const { complex, camera, scene, canvas } = this, [a, b, c] = [...complex.vertices(simplex)].map((vertex) => scene.point(vertex));
+    const [u, v] = [b, c].map((corner) => corner.map((value, axis) => value - a[axis]));
+    const across = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]], length = Math.hypot(...across);
+    if (!(length > 0)) return;
+    const outside = across.reduce((sum, value, axis) => sum + value * (a[axis] - camera.centre[axis]), 0) < 0 ? -1 : 1;
+    const star = complex.star(complex.label);
+    for (const side of [outside, -outside, outside]) {
+      camera.face(across.map((value) => side * value / length));
+      camera.aim(point);
+      if (star.includes(scene.simplexAt(canvas.clientWidth / 2, canvas.clientHeight / 2))) return;
+    }
   }
 
   /** Chooses what is drawn at a place of the canvas: the simplex, and the vertex of it that is nearest there. */

@@ -57,8 +57,9 @@ class StarDrawing extends TurnableDrawing {
         parts.push(drawn("circle", { class: "nearest", cx: a, cy: b, r: 4.5 }, drawn("title", {}, `label ${nearest.label}`)));
       }
     }
-    for (const [own, [x, y]] of places) {
+    for (const [own, [x, y]] of places)
       parts.push(drawn("circle", { class: own === label ? "centre-vertex" : "vertex", cx: x, cy: y, r: own === label ? 5 : 3 }, drawn("title", {}, `label ${own}`)));
+    for (const [own, [x, y]] of places) {
       if (complex.corners === 3 || chosenLabels.includes(own)) parts.push(drawn("text", { class: "name", x: x + 6, y: y - 6 }, String(own)));
     }
     this.svg.replaceChildren(...parts);

@@ -10,6 +10,7 @@ const { approximate } = await load("exact.js"), { foldsOf, neighboursOf, visible
 const { inModel, inverseStep, periodsOf } = await load("models.js"), { Scale } = await load("measures.js");
 const { circumscribed, foot, shapeOf } = await load("plane.js"), { levels, order, claimedLevels } = await load("statements.js");
 const { Complex } = await load("complex.js"), { moved, starChart } = await load("star_chart.js"), { ballOf } = await load("star_drawing.js");
+const { Camera } = await load("camera.js"), { applied } = await load("matrices.js");
 const { visible } = await load("elements.js"), { colourAt } = await load("colours.js");
 
 const near = (a, b, error = 1e-12) => Math.abs(a - b) <= error * Math.max(1, Math.abs(b));
@@ -65,6 +66,20 @@ const inside = places(5, (vertex) => [[1, 1, 1], [0, 0, 0], [4, 0, 0], [0, 4, 0]
 expectEqual(visibleFacets(beside, five, 0).length, 0, "a closed complex has no facet without a neighbour");
 expectEqual(visibleFacets(beside, five, 0, folds), [0, 4, 8, 12, 16, 17, 18, 19], "its outline");
 await expectNoticed(() => expectEqual(foldsOf(closed, beside, inside.map((x, at) => at === 0 ? 9 : x)).join(), folds.join(), "folds"), "a vertex outside of the others");
+
+// Cameras: a direction that is faced is in the middle, nearer to the eye than the centre, wherever it was.
+for (const turns of [[0, 0], [0.3, 0.1], [-0.9, 0.4]]) {
+  for (const direction of [[0, 0, 1], [0, 0, -1], [1, 0, 0], [-0.36, 0.48, -0.8]]) {
+    const camera = new Camera({ centre: [1, 2, 3], radius: 2 }, { turns: true, perspective: false });
+    camera.drag(...turns);
+    camera.face(direction);
+    const [x, y, z] = applied(camera.place(), direction.map((value, axis) => camera.centre[axis] + value));
+    expect(Math.hypot(x, y, z - 0.5) < 1e-5, `${direction} is faced: ${[x, y, z]}`);
+    expect(near(Math.hypot(...applied(camera.turned, [0.6, 0, 0.8]).slice(0, 3)), 1, 1e-5), "a camera that faces something keeps lengths");
+    camera.drag(0.1, 0);
+    await expectNoticed(() => expect(Math.hypot(...applied(camera.place(), camera.centre.map((value, axis) => value + direction[axis])).slice(0, 2)) < 1e-5, "faced"), "a camera that is turned away");
+  }
+}
 
 // Models: conformal and straight disks against the hyperboloid, and the sphere.
 for (let trial = 0; trial < 50; ++trial) {

@@ -1,7 +1,7 @@
 // pages_test.mjs DELCERT EXAMPLES MODULES FOLDER [NAME…]: pages of `delcert report` in Chromium, as their readers use them.
 // MODULES has node_modules, FOLDER is where certificates and pages go. With names, those certificates of the gallery alone.
-import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
+import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { basename, join } from "node:path";
 import { Browser } from "./browser.mjs";
 import { expect, expectEqual, expectNoticed, finish } from "./check.mjs";
 import { gallery, withoutPicture } from "./gallery.mjs";
@@ -14,7 +14,9 @@ const programs = new Programs(delcert, folder), browser = await Browser.start(mo
 const file = (name) => join(folder, name);
 
 function certified({ name, certify }, ending = "json.zst") {
-  const words = certify.map((word) => word.replace("EXAMPLES", examples));
+  // A certificate states the command by which it is made: a file of its own folder, so that no path is in it.
+  const words = certify.map((word) => word.startsWith("EXAMPLES/") ? basename(word) : word);
+  for (const word of certify) if (word.startsWith("EXAMPLES/")) copyFileSync(join(examples, word.slice("EXAMPLES/".length)), file(basename(word)));
   programs.must("certify", ...words, ...words[0] === "--manifold" ? ["--seed", "1"] : [], "--output", `${name}.${ending}`);
 }
 
@@ -104,6 +106,17 @@ async function expectWorst(page, name) {
   expect(labels.has(chosen), `${name}: the worst star is at ${chosen}, not at ${[...labels].slice(0, 3)}`);
 }
 
+/** A surface in space is turned so that the star that is gone to is in the middle, with nothing in front of it. */
+async function expectFacing(page, name) {
+  const look = (turn) => page.evaluate((turn) => {
+    const { picture, complex } = window.delcertReport.pages[0], { scene, canvas, camera } = picture;
+    if (turn) camera.drag(turn, 0);
+    return complex.star(complex.label).includes(scene.simplexAt(canvas.clientWidth / 2, canvas.clientHeight / 2));
+  }, turn);
+  expect(await look(0), `${name}: the worst star is seen in the middle`);
+  await expectNoticed(async () => expect(await look(Math.PI / 3), "the star is seen"), `${name}: the star from behind`);
+}
+
 /** Each histogram counts every simplex, and a part of it that is marked filters the picture. */
 async function expectHistograms(page, name, simplices) {
   const totals = await page.evaluate(() => [...document.querySelectorAll(".histogram")].map((figure) =>
@@ -124,8 +137,9 @@ async function expectPictures(page, name, models = 0) {
   for (const measure of await controls.getByLabel("Colour").locator("option").all()) {
     await controls.getByLabel("Colour").selectOption(await measure.getAttribute("value"));
     await browser.drawn(page);
-    const colours = await browser.colours(canvas);
-    expect(colours >= 3, `${name}, ${await measure.innerText()}: ${colours} colours`);
+    const colours = await browser.colours(canvas), coloured = await measure.innerText();
+    expect(colours >= 3, `${name}, ${coloured}: ${colours} colours`);
+    expect((await text(page, ".inspector details summary")).endsWith(`worst: ${coloured.split(" ")[0].toLowerCase()}`), `${name}, ${coloured}: the worst of it are listed`);
   }
   const choice = controls.getByLabel("Model");
   expectEqual(await choice.count() ? await choice.locator("option").count() : 0, models, `${name}: models to choose among`);
@@ -165,6 +179,7 @@ async function lookAt(own) {
   await expectLedger(page, name, info);
   await expectPicking(page, name, info);
   await expectWorst(page, name);
+  if (own.inSpace) await expectFacing(page, name);
   expectEqual(await browser.obstacles(page), [], `${name}: axe-core`);
   await expectHistograms(page, name, simplices);
   await expectPictures(page, name, own.models);
