@@ -3,12 +3,14 @@
 
   receivers.py check NAME…     certifies the manifolds, exports them in every format that can hold them, and compares what
                                GUDHI, meshio, VTK and Regina read with the certificate: sets of simplices, counts, measures,
-                               Euler characteristic, homology. Fails, too, unless docs/export.md has the row that comes out.
-  receivers.py notices NAME…   the same with two labels exchanged between two simplices in each file: every comparison has
-                               to fail
+                               Euler characteristic, homology. The same comparison has to fail with two labels exchanged
+                               between two simplices of the file. Fails, too, unless docs/export.md has the row that comes out.
   receivers.py table [--long]  writes the table of docs/export.md; with --long also the rows of long_manifolds.tsv, which
                                take minutes each, and without it leaves them as they are
+  receivers.py rows NAME…      writes these rows of the table, and leaves all others as they are
   receivers.py missing         adds the rows that the table lacks, and leaves all others as they are
+  receivers.py complete        fails unless every built-in manifold is in one of the lists and has its row; exempt are
+                               those below EXEMPT
 
 A manifold that fails does not keep the others from being looked at. manifolds.tsv has a name and the options of
 `delcert certify` on every line, and above each kind of manifold a line with # and the kind."""
@@ -41,6 +43,8 @@ PAGE = ROOT / "docs" / "export.md"
 BEGIN = "<!-- receivers: begin -->\n"
 END = "<!-- receivers: end -->\n"
 MOST_FOR_HOMOLOGY = 2000
+# Hypotheses 1 ask for ε <= 1/24 there, which in dimension 4 is more than certify has been tried on.
+EXEMPT = {"torus-4"}
 CELLS = {1: "line", 2: "triangle", 3: "tetra"}
 
 
@@ -352,19 +356,29 @@ def comparisons(certified, reader):
 # Two labels exchanged between two simplices, in each format.
 
 
-def exchanged(lines, rows, corners, separator=" "):
-    """The lines with the entries of the last of these columns exchanged between the first of these rows and the next one
-    that allows it: no simplex has a vertex twice then."""
-    split = {row: lines[row].split(separator) for row in rows}
-    vertices = {row: [split[row][column] for column in corners] for row in rows}
-    first, column = rows[0], corners[-1]
-    for row in rows[1:]:
-        one, other = vertices[first][-1], vertices[row][-1]
-        is_other_facet = set(vertices[first][:-1]) != set(vertices[row][:-1]) or len(corners) == 1
-        if is_other_facet and other not in vertices[first] and one not in vertices[row]:
-            split[first][column], split[row][column] = other, one
-            return [separator.join(split[at]) if at in (first, row) else line for at, line in enumerate(lines)]
+def exchange(simplices, label):
+    """Exchanges the last vertex of the first of these lists of vertices with that of the next one with which other sets of
+    labels come out, none of them with a label twice: what came out before is missing then. The place of that list."""
+    def sets(*lists):
+        return sorted(sorted(label(vertex) for vertex in one) for one in lists)
+
+    first = simplices[0]
+    for at, other in enumerate(simplices):
+        new = sets([*first[:-1], other[-1]], [*other[:-1], first[-1]])
+        if new != sets(first, other) and all(len(set(one)) == len(one) for one in new):
+            first[-1], other[-1] = other[-1], first[-1]
+            return at
     raise SystemExit("receivers.py: there is nothing to exchange")
+
+
+def exchanged(lines, rows, corners, separator, label):
+    """The lines with two entries of the last of these columns exchanged between two of these rows."""
+    split = {row: lines[row].split(separator) for row in rows}
+    simplices = [[split[row][column] for column in corners] for row in rows]
+    exchange(simplices, label)
+    for row, simplex in zip(rows, simplices):
+        split[row][corners[-1]] = simplex[-1]
+    return [separator.join(split[at]) if at in split else line for at, line in enumerate(lines)]
 
 
 def otherwise_glued(lines, form, m):
@@ -392,40 +406,42 @@ def otherwise_glued(lines, form, m):
     return [changed.get(at, line) for at, line in enumerate(lines)]
 
 
-def with_exchanged_labels(path, form, m, simplices):
+# In these formats vertices are numbered, from this number on.
+FIRST_VERTEX = {"vtu": 0, "medit": 1, "gmsh": 1, "off": 0, "ply": 0, "obj": 1}
+
+
+def with_exchanged_labels(certified, path, form):
+    m, simplices, labels = certified.dimension, len(certified.rows), certified.drawing["vertices"]["label"]
     text = path.read_text()
     lines = text.split("\n")
 
     def first_with(start):
         return next(at for at, line in enumerate(lines) if line.startswith(start))
 
-    def rows_from(start):
-        return list(range(start, min(start + 60, start + simplices, len(lines) - 1)))
-
     if form == "json":
         drawing = json.loads(text)
-        rows = drawing["simplices"]
-        for at in range(2 * m + 1, len(rows), m + 1):
-            if rows[at] not in rows[: m + 1] and rows[m] not in rows[at - m : at + 1]:
-                rows[m], rows[at] = rows[at], rows[m]
-                return json.dumps(drawing)
+        rows = numpy.reshape(drawing["simplices"], (-1, m + 1)).tolist()
+        exchange(rows, labels.__getitem__)
+        return json.dumps({**drawing, "simplices": list(itertools.chain(*rows))})
     if form == "isosig":
         middle = len(text) // 2
         other = next(at for at in range(middle, len(text)) if text[at] != text[middle])
         return text[:middle] + text[other] + text[middle + 1 : other] + text[middle] + text[other + 1 :]
     if form in ("regina", "snappea"):
         return "\n".join(otherwise_glued(lines, form, m))
-    rows, corners = {
-        "vtu": lambda: (rows_from(1 + next(at for at, line in enumerate(lines) if '"connectivity"' in line)), range(m + 1)),
-        "medit": lambda: (rows_from(2 + first_with({1: "Edges", 2: "Triangles", 3: "Tetrahedra"}[m])), range(m + 1)),
-        "gmsh": lambda: (rows_from(2 + first_with("$Elements")), range(5, 6 + m)),
-        "off": lambda: (rows_from(len(lines) - 62), range(1, 4)),
-        "ply": lambda: (rows_from(len(lines) - 62), range(1, 4)),
-        "obj": lambda: (rows_from(first_with("f ")), range(1, 4)),
-        "csv": lambda: (rows_from(2), range(1, m + 2)),
-        "simplex-tree": lambda: (rows_from(first_with(f"{m} 0 1") if m > 1 else first_with("1 ")), range(1, m + 2)),
+    first, corners = {
+        "vtu": lambda: (1 + next(at for at, line in enumerate(lines) if '"connectivity"' in line), range(m + 1)),
+        "medit": lambda: (2 + first_with({1: "Edges", 2: "Triangles", 3: "Tetrahedra"}[m]), range(m + 1)),
+        "gmsh": lambda: (2 + first_with("$Elements"), range(5, 6 + m)),
+        "off": lambda: (len(lines) - 1 - simplices, range(1, 4)),
+        "ply": lambda: (len(lines) - 1 - simplices, range(1, 4)),
+        "obj": lambda: (first_with("f "), range(1, 4)),
+        "csv": lambda: (2, range(1, m + 2)),
+        "simplex-tree": lambda: (first_with(f"{m} "), range(1, m + 2)),
     }[form]()
-    return "\n".join(exchanged(lines, [at for at in rows if lines[at].strip()], corners, "," if form == "csv" else " "))
+    start = FIRST_VERTEX.get(form)
+    label = int if start is None else lambda vertex: labels[int(vertex) - start]
+    return "\n".join(exchanged(lines, range(first, first + simplices), corners, "," if form == "csv" else " ", label))
 
 
 # The table.
@@ -477,13 +493,27 @@ def certified_at(arguments, name, options, folder):
     return Certified(arguments.delcert, certificate, folder)
 
 
+def expect_noticed(certified, form, path, compare):
+    """The comparison fails with two labels exchanged, in a file of its own: what is compared with is the export as it is."""
+    broken = certified.folder / f"exchanged.{form}"
+    broken.write_text(with_exchanged_labels(certified, path, form))
+    expect(broken.read_text() != path.read_text(), True, "another file")
+    try:
+        compare(certified, broken, form)
+    except Exception:  # a mismatch, or the receiver itself refuses
+        return
+    raise Mismatch("two labels are exchanged, and nothing is noticed")
+
+
 def compare_all(arguments, name, options):
     with tempfile.TemporaryDirectory() as folder:
         certified = certified_at(arguments, name, options, Path(folder))
         done = []
         for receiver, form, export_options, compare in comparisons(certified, arguments.reader):
             try:
-                compare(certified, certified.export(form, *export_options), form)
+                path = certified.export(form, *export_options)
+                compare(certified, path, form)
+                expect_noticed(certified, form, path, compare)
             except Mismatch as mismatch:
                 sys.exit(f"{name}: {receiver} reads {form}: {mismatch}")
             done.append((receiver, form))
@@ -525,30 +555,6 @@ def check(arguments):
     for_each_name(arguments, check_one)
 
 
-def notices_one(arguments, name, options):
-    with tempfile.TemporaryDirectory() as folder:
-        certified = certified_at(arguments, name, options, Path(folder))
-        for receiver, form, export_options, compare in comparisons(certified, arguments.reader):
-            path = certified.export(form, *export_options)
-            compare(certified, path, form)
-            # In a file of its own: what is compared with is the export as it is.
-            broken = Path(folder) / f"exchanged.{form}"
-            broken.write_text(with_exchanged_labels(path, form, certified.dimension, len(certified.rows)))
-            expect(broken.read_text() != path.read_text(), True, "another file")
-            try:
-                compare(certified, broken, form)
-            except Mismatch as mismatch:
-                print(f"{name}: {receiver}, {form}: {mismatch}")
-            except Exception as error:  # the receiver itself refuses
-                print(f"{name}: {receiver}, {form}: {type(error).__name__}: {error}")
-            else:
-                sys.exit(f"{name}: {receiver} reads {form} with two labels exchanged, and nothing is noticed")
-
-
-def notices(arguments):
-    for_each_name(arguments, notices_one)
-
-
 def write_table(rows):
     """Of rows by name, in the order of the lists."""
     names = [name for file in ("manifolds.tsv", "long_manifolds.tsv") for name, _ in entries(file)]
@@ -564,6 +570,26 @@ def table(arguments):
         for name, options in entries(file):
             rows[name] = compare_all(arguments, name, options)
     write_table(rows)
+
+
+def rows_again(arguments):
+    rows, options = table_rows(), dict(entries("manifolds.tsv") + entries("long_manifolds.tsv"))
+    for name in arguments.names:
+        rows[name] = compare_all(arguments, name, options[name])
+        print(rows[name], flush=True)
+        write_table(rows)
+
+
+def complete(arguments):
+    listed = {name for file in ("manifolds.tsv", "long_manifolds.tsv") for name, _ in entries(file)}
+    run = subprocess.run([arguments.delcert, "manifolds", "--json"], capture_output=True, text=True, check=True)
+    built_in = {manifold["name"] for manifold in json.loads(run.stdout)}
+    wanting = {"in no list": built_in - listed - EXEMPT, "without a row": listed - set(table_rows())}
+    wanting["exempt, but no built-in manifold, or listed"] = EXEMPT - (built_in - listed)
+    for what, names in wanting.items():
+        if names:
+            sys.exit(f"{what}: {' '.join(sorted(names))}")
+    print(f"{len(built_in - EXEMPT)} of {len(built_in)} built-in manifolds have a row")
 
 
 def missing(arguments):
@@ -583,12 +609,12 @@ def main():
     parser.add_argument("--reader", default=ROOT / "build/release/tests/receivers/read_simplex_tree")
     parser.add_argument("--certificates", help="a folder of certificates NAME.json: used where there are any, and kept there")
     commands = parser.add_subparsers(required=True)
-    for command, action in (("check", check), ("notices", notices), ("table", table), ("missing", missing)):
+    for command, action in (("check", check), ("table", table), ("rows", rows_again), ("missing", missing), ("complete", complete)):
         subparser = commands.add_parser(command)
         subparser.set_defaults(action=action)
         if command == "table":
             subparser.add_argument("--long", action="store_true")
-        elif command != "missing":
+        elif command in ("check", "rows"):
             subparser.add_argument("names", nargs="+")
     arguments = parser.parse_args()
     arguments.action(arguments)
