@@ -1,6 +1,7 @@
 # Most of the time of a clean build goes into the headers of libraries, read again for every source: they are read once
-# for the libraries and programs, and once for the tests instead. Each time takes a quarter of a gigabyte in the build. What is in a precompiled header is visible in sources that have forgotten to include it, so the
-# preset `clang` does without. A compiler cache works better without, too.
+# for the libraries and programs, and once for the tests of each kind instead. Each time takes a quarter of a gigabyte in the
+# build. What is in a precompiled header is visible in sources that have forgotten to include it, so the preset `clang` does
+# without. A compiler cache works better without, too.
 option(DELCERT_PRECOMPILED_HEADERS "Read the headers of libraries once a target: quicker clean builds" ON)
 
 if(DELCERT_PRECOMPILED_HEADERS AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
