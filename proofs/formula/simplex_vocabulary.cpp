@@ -4,11 +4,11 @@
 
 #include "kernel/simplex/altitude.hpp"
 #include "kernel/simplex/circumsphere.hpp"
+#include "kernel/simplex/dual_basis.hpp"
 #include "kernel/simplex/edges.hpp"
 #include "kernel/simplex/faces.hpp"
 #include "kernel/simplex/flake.hpp"
 #include "kernel/simplex/good.hpp"
-#include "kernel/simplex/gram_elimination.hpp"
 #include "kernel/simplex/hoop.hpp"
 #include "kernel/simplex/realisability.hpp"
 #include "kernel/simplex/spectrum.hpp"
@@ -227,37 +227,22 @@ void add_lengths(Vocabulary& vocabulary) {
       []<class S>(Evaluation<S>& e, Arguments<S> a) -> Partial<S> { return circumradius(simplex_of(a[0]).gram(e)); }));
 }
 
+template <class S>
+const std::optional<DualBasis>& dual_basis(Evaluation<S>& evaluation, const SimplexObject& simplex) {
+  return evaluation.template attached<std::optional<DualBasis>>(simplex,
+                                                                [&] { return DualBasis::of(simplex.exact_gram()); });
+}
+
 /// ⟨w_i, p_j − p_0⟩ for i = 0 … k, j = 1 … k, from the coordinates where there are any; empty if degenerate.
 struct DualProducts {
   std::vector<std::vector<Rational>> of;
 };
 
-DualProducts dual_products(const SimplexObject& simplex) {
-  const std::size_t k = simplex.dimension();
-  const auto& gram = simplex.exact_gram().gram();
-  const GramElimination<Rational> elimination(gram);
-  DualProducts result;
-  if (!is_proved(elimination.definite())) return result;
-  result.of.assign(k + 1, std::vector<Rational>(k, Rational(0)));
-  const auto edge = [&simplex](std::size_t j, std::size_t axis) {
-    return simplex.points()[j + 1][axis] - simplex.points()[0][axis];
-  };
-  for (std::size_t i = 0; i < k; ++i) {
-    std::vector<Rational> unit(k, Rational(0));
-    unit[i] = Rational(1);
-    const std::vector<Rational> coefficients = elimination.solve(std::move(unit))->x;
-    std::vector<Rational> dual(simplex.has_coordinates() ? simplex.ambient_dimension() : 0, Rational(0));
-    for (std::size_t axis = 0; axis < dual.size(); ++axis) {
-      for (std::size_t j = 0; j < k; ++j) dual[axis] += coefficients[j] * edge(j, axis);
-    }
-    for (std::size_t j = 0; j < k; ++j) {
-      Rational& product = result.of[i + 1][j];
-      for (std::size_t axis = 0; axis < dual.size(); ++axis) product += dual[axis] * edge(j, axis);
-      for (std::size_t a = 0; dual.empty() && a < k; ++a) product += coefficients[a] * gram(a, j);
-      result.of[0][j] -= product;
-    }
-  }
-  return result;
+template <class S>
+DualProducts dual_products(Evaluation<S>& evaluation, const SimplexObject& simplex) {
+  const auto& basis = dual_basis(evaluation, simplex);
+  if (!basis) return {};
+  return {simplex.has_coordinates() ? basis->products(simplex.points()) : basis->products()};
 }
 
 void add_dual_basis(Vocabulary& vocabulary) {
@@ -279,14 +264,9 @@ void add_dual_basis(Vocabulary& vocabulary) {
         const SimplexObject& s = simplex_of(a[0]);
         const std::size_t i = vertex_of(s, a[1]);
         if (s.dimension() == 0) return Partial<S>::absent(Verdict::refuted);
-        struct ExactDuals {
-          Partial<std::vector<Rational>> squared_lengths;
-        };
-        const auto& duals =
-            e.template attached<ExactDuals>(s, [&] { return ExactDuals{squared_dual_lengths(s.exact_gram())}; });
-        const auto altitude = squared_altitude(s.exact_gram(), i);
-        if (!duals.squared_lengths || !altitude) return Partial<S>::absent(Verdict::refuted);
-        return square_root(scalar_from<S>(*altitude * (*duals.squared_lengths)[i]));
+        const auto& basis = dual_basis(e, s);
+        if (!basis) return Partial<S>::absent(Verdict::refuted);
+        return square_root(scalar_from<S>(basis->squared_altitude_times_length(i)));
       }));
   vocabulary.add(number_function(
       "dual_product", {types::simplex, types::integer, types::integer},
@@ -296,7 +276,7 @@ void add_dual_basis(Vocabulary& vocabulary) {
         const SimplexObject& s = simplex_of(a[0]);
         const std::size_t i = vertex_of(s, a[1]);
         const std::size_t j = vertex_of(s, a[2]);
-        const auto& products = e.template attached<DualProducts>(s, [&] { return dual_products(s); });
+        const auto& products = e.template attached<DualProducts>(s, [&] { return dual_products(e, s); });
         if (products.of.empty()) return Partial<S>::absent(Verdict::refuted);
         return j == 0 ? S(0) : scalar_from<S>(products.of[i][j - 1]);
       }));
