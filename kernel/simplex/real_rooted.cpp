@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <boost/multiprecision/mpfr.hpp>
+#include <cmath>
 
 #include "kernel/simplex/bisection.hpp"
 
@@ -32,10 +33,14 @@ int sign_at(const std::vector<Integer>& coefficients, const Integer& numerator, 
 }
 
 /// The least root in size by Laguerre's method from 0, which converges where all roots are real; `known` are left out.
-/// Without error bounds; nothing where it does not converge.
-std::optional<Real> approximate_root(const std::vector<Real>& coefficients, const std::vector<Real>& known) {
-  constexpr int most_steps = 100;
-  const Real close = ldexp(Real(1), -290);
+/// Until it moves by less than 2^−bits of itself; without error bounds; nothing where it does not converge.
+template <class Real>
+std::optional<Real> approximate_root(const std::vector<Real>& coefficients, const std::vector<Real>& known, int bits,
+                                     int most_steps) {
+  using std::abs;
+  using std::ldexp;
+  using std::sqrt;
+  const Real close = ldexp(Real(1), -bits);
   const auto remaining = static_cast<int>(coefficients.size() - 1 - known.size());
   Real x(0);
   for (int step = 0; step < most_steps; ++step) {
@@ -59,11 +64,68 @@ std::optional<Real> approximate_root(const std::vector<Real>& coefficients, cons
     const Real root = under_root > 0 ? Real(sqrt(under_root)) : Real(0);
     const Real divisor = first > 0 ? Real(first + root) : Real(first - root);
     const Real change = remaining / divisor;
+    if (!(change - change == 0)) return std::nullopt;  // not finite
+    x -= change;
+    if (abs(change) <= abs(x) * close) return x;
+  }
+  return std::nullopt;
+}
+
+/// The root near an approximation by Newton's method; nothing where it does not converge quickly.
+std::optional<Real> polished_root(const std::vector<Real>& coefficients, Real x) {
+  constexpr int most_steps = 6;
+  const Real close = ldexp(Real(1), -160);  // the next step would be twice as close
+  for (int step = 0; step < most_steps; ++step) {
+    Real value(0);
+    Real slope(0);
+    for (std::size_t at = coefficients.size(); at-- > 0;) {
+      slope = slope * x + value;
+      value = value * x + coefficients[at];
+    }
+    const Real change = value / slope;
     if (!(boost::multiprecision::isfinite)(change)) return std::nullopt;
     x -= change;
     if (abs(change) <= abs(x) * close) return x;
   }
   return std::nullopt;
+}
+
+/// All roots, where they are far enough from each other to be found in machine numbers first, in any order.
+/// Without error bounds.
+std::optional<std::vector<Real>> roots_from_machine_numbers(const std::vector<Real>& coefficients) {
+  constexpr int machine_bits = 50;
+  constexpr int most_steps = 20;
+  const Real apart = ldexp(Real(1), -20);
+  std::vector<long double> rounded;
+  for (const Real& coefficient : coefficients) rounded.push_back(mpfr_get_ld(coefficient.backend().data(), MPFR_RNDN));
+  std::vector<long double> approximate;
+  std::vector<Real> result;
+  while (result.size() + 1 < coefficients.size()) {
+    const auto near = approximate_root(rounded, approximate, machine_bits, most_steps);
+    if (!near) return std::nullopt;
+    approximate.push_back(*near);
+    const auto root = polished_root(coefficients, Real(*near));
+    if (!root) return std::nullopt;
+    for (const Real& other : result) {
+      if (abs(*root - other) <= abs(other) * apart) return std::nullopt;
+    }
+    result.push_back(*root);
+  }
+  return result;
+}
+
+/// All roots, in any order, without error bounds; nothing where they are not found.
+std::optional<std::vector<Real>> approximate_roots(const std::vector<Real>& coefficients) {
+  if (auto roots = roots_from_machine_numbers(coefficients)) return roots;
+  constexpr int bits = 290;
+  constexpr int most_steps = 100;
+  std::vector<Real> result;
+  while (result.size() + 1 < coefficients.size()) {
+    const auto root = approximate_root(coefficients, result, bits, most_steps);
+    if (!root || *root == 0) return std::nullopt;
+    result.push_back(*root);
+  }
+  return result;
 }
 
 /// numerator·2^exponent
@@ -144,13 +206,11 @@ std::optional<std::vector<BigInterval>> separated_roots(std::vector<Integer> exa
     coefficients.erase(coefficients.begin());
     result.emplace_back(0);
   }
-  std::vector<Real> approximate;
+  const auto approximate = approximate_roots(coefficients);
+  if (!approximate) return std::nullopt;
   std::vector<RationalBounds> enclosures;
-  while (approximate.size() + 1 < coefficients.size()) {
-    const auto root = approximate_root(coefficients, approximate);
-    if (!root || *root == 0) return std::nullopt;
-    approximate.push_back(*root);
-    const Dyadic near = refined(exact, *root, bits);
+  for (const Real& root : *approximate) {
+    const Dyadic near = refined(exact, root, bits);
     if (near.numerator == 0) return std::nullopt;
     bool is_proved = false;
     for (long width = 2; width < bits / 2 && !is_proved; width += bits / 8) {
