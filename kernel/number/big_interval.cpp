@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "kernel/number/dyadic_arithmetic.hpp"
+
 namespace delcert {
 
 namespace {
@@ -12,6 +14,15 @@ PrecisionBits& precision_of_this_thread() {
 }
 
 mpfr_prec_t digits_of(PrecisionBits precision) { return static_cast<mpfr_prec_t>(precision.value); }
+
+/// x rounded; without a division where the denominator is a power of two.
+void set(mpfr_ptr result, const Rational& x, mpfr_rnd_t direction) {
+  if (const auto exponent = dyadic_exponent(x.gmp())) {
+    mpfr_set_z_2exp(result, mpq_numref(x.gmp()), -static_cast<mpfr_exp_t>(*exponent), direction);
+  } else {
+    mpfr_set_q(result, x.gmp(), direction);
+  }
+}
 
 Rational rational_of(mpfr_srcptr x) {
   if (mpfr_number_p(x) == 0) throw std::domain_error("unbounded interval has no rational endpoint");
@@ -36,7 +47,10 @@ BigInterval::BigInterval(Unset) noexcept { mpfi_init2(value_, digits_of(precisio
 
 BigInterval::BigInterval(int integer) noexcept : BigInterval(Unset{}) { mpfi_set_si(value_, integer); }
 
-BigInterval::BigInterval(const Rational& x) noexcept : BigInterval(Unset{}) { mpfi_set_q(value_, x.gmp()); }
+BigInterval::BigInterval(const Rational& x) noexcept : BigInterval(Unset{}) {
+  set(&value_->left, x, MPFR_RNDD);
+  set(&value_->right, x, MPFR_RNDU);
+}
 
 BigInterval::BigInterval(const BigInterval& other) noexcept {
   mpfi_init2(value_, mpfi_get_prec(other.value_));
@@ -71,8 +85,8 @@ void BigInterval::release() noexcept {
 
 BigInterval BigInterval::between(const Rational& lower, const Rational& upper) {
   BigInterval result(Unset{});
-  mpfr_set_q(&result.value_->left, lower.gmp(), MPFR_RNDD);
-  mpfr_set_q(&result.value_->right, upper.gmp(), MPFR_RNDU);
+  set(&result.value_->left, lower, MPFR_RNDD);
+  set(&result.value_->right, upper, MPFR_RNDU);
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "support/error.hpp"
 
@@ -45,6 +46,11 @@ S number_from(const Rational& x) {
     return S(static_cast<int>(mpz_get_si(mpq_numref(x.gmp()))));
   }
   return scalar_from<S>(x);
+}
+
+template <class S>
+S number_from(long x) {
+  return std::in_range<int>(x) ? S(static_cast<int>(x)) : scalar_from<S>(Rational(x));
 }
 
 /// Exact powers have as many digits as they have; intervals have not.
@@ -223,7 +229,7 @@ Partial<S> Evaluation<S>::number(const Expression& term) {
     case Operation::literal:
       return number_from<S>(term.value);
     case Operation::name: {
-      const auto of_item = [](const Item& value) { return number_from<S>(Rational(std::get<long>(value))); };
+      const auto of_item = [](const Item& value) { return number_from<S>(std::get<long>(value)); };
       if (const Argument<S>* value = local(term.text)) {
         if (const S* number = std::get_if<S>(value)) return *number;
         return of_item(std::get<Item>(*value));
@@ -231,12 +237,12 @@ Partial<S> Evaluation<S>::number(const Expression& term) {
       const Binding* binding = sees_bindings_ ? scene_.find(term.text) : nullptr;
       if (binding == nullptr) throw std::logic_error("the instance has no " + term.text);
       if (const Rational* value = std::get_if<Rational>(binding)) return number_from<S>(*value);
-      return number_from<S>(Rational(std::get<long>(*binding)));
+      return number_from<S>(std::get<long>(*binding));
     }
     case Operation::call:
       if (term.definition != nullptr) return call_definition(term);
       if (std::holds_alternative<ItemFunction>(term.function->value)) {
-        return number_from<S>(Rational(std::get<long>(item(term))));
+        return number_from<S>(std::get<long>(item(term)));
       }
       return call(term);
     case Operation::sum_over:
