@@ -15,7 +15,12 @@ __extension__ using Wide = unsigned __int128;
 constexpr unsigned field_bits = 61;
 constexpr std::uint64_t prime = (std::uint64_t{1} << field_bits) - 1;
 
-std::uint64_t product(std::uint64_t a, std::uint64_t b) { return static_cast<std::uint64_t>(Wide{a} * b % prime); }
+/// 2⁶¹ = 1
+std::uint64_t product(std::uint64_t a, std::uint64_t b) {
+  const Wide whole = Wide{a} * b;
+  const std::uint64_t sum = static_cast<std::uint64_t>(whole & prime) + static_cast<std::uint64_t>(whole >> field_bits);
+  return sum >= prime ? sum - prime : sum;
+}
 std::uint64_t difference(std::uint64_t a, std::uint64_t b) { return a >= b ? a - b : a + prime - b; }
 
 std::uint64_t inverse(std::uint64_t a) {
@@ -34,7 +39,6 @@ std::optional<std::uint64_t> residue(const Rational& x) {
   const std::uint64_t numerator = mpz_fdiv_ui(mpq_numref(x.gmp()), prime);
   const mp_bitcnt_t shift = mpz_sizeinbase(denominator, 2) - 1;
   if (mpz_scan1(denominator, 0) == shift) {
-    // 2⁶¹ = 1
     return product(numerator, std::uint64_t{1} << ((field_bits - shift % field_bits) % field_bits));
   }
   const std::uint64_t divisor = mpz_fdiv_ui(denominator, prime);
@@ -48,12 +52,13 @@ bool are_independent(std::vector<std::vector<std::uint64_t>> rows) {
     std::size_t column = 0;
     while (column < rows[row].size() && rows[row][column] == 0) ++column;
     if (column == rows[row].size()) return false;
-    const std::uint64_t scale = inverse(rows[row][column]);
+    // Rows are multiplied by the pivot, which is not 0, instead of divided: an inverse takes longer than all products.
+    const std::uint64_t pivot = rows[row][column];
     for (std::size_t later = row + 1; later < rows.size(); ++later) {
-      const std::uint64_t multiplier = product(rows[later][column], scale);
+      const std::uint64_t multiplier = rows[later][column];
       if (multiplier == 0) continue;
-      for (std::size_t at = column; at < rows[row].size(); ++at) {
-        rows[later][at] = difference(rows[later][at], product(multiplier, rows[row][at]));
+      for (std::size_t at = 0; at < rows[row].size(); ++at) {
+        rows[later][at] = difference(product(pivot, rows[later][at]), product(multiplier, rows[row][at]));
       }
     }
   }

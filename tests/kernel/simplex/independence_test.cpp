@@ -36,6 +36,19 @@ TEST(Independence, DoesNotDependOnThePrime) {
   EXPECT_FALSE(are_affinely_independent({{prime}, {prime}}));
 }
 
+/// The first edge begins with a 0, the second has one below its pivot, and the third is their sum.
+TEST(Independence, OfEdgesWithZeros) {
+  const auto number = [](long x) { return Rational(x); };
+  const Points points{{number(0), number(0), number(0)},
+                      {number(0), number(2), number(2)},
+                      {number(1), number(0), number(1)},
+                      {number(1), number(2), number(3)}};
+  EXPECT_FALSE(are_affinely_independent(points));
+  Points others = points;
+  others[3][2] = number(4);
+  EXPECT_TRUE(are_affinely_independent(others));
+}
+
 TEST(Independence, NeedsPointsOfOneDimension) {
   EXPECT_TRUE(are_affinely_independent({{Rational(3)}}));
   EXPECT_FALSE(are_affinely_independent({{Rational(1)}, {Rational(2)}, {Rational(3)}}));
