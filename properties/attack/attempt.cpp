@@ -2,6 +2,8 @@
 
 #include <mpfr.h>
 
+#include <cmath>
+
 #include "proofs/formula/substitution.hpp"
 
 namespace delcert {
@@ -35,6 +37,28 @@ std::optional<DoubleBounds> ratio_as_sharp_as_needed(const Expression& statement
   return sharpest ? sharpest : ratio;
 }
 
+/// Whether the ratio of a comparison is certainly not above `known`, exactly, by square roots of rational numbers.
+/// Asked where these have decided it: then they have its terms already, which 128 bits do not enclose well. Not for a
+/// statement of several comparisons, of which those that surds cannot tell would be left out.
+bool is_at_most(const Expression& statement, Scene& scene, double known) {
+  if (!is_comparison(statement.operation)) return false;
+  const auto ratio = Evaluation<Surd>(scene).ratio(statement);
+  return ratio && is_proved(less_equal(*ratio, Surd(Rational::exactly(known))));
+}
+
+std::uint64_t decisions_by_surds() { return ladder_statistics().settled[static_cast<std::size_t>(Rung::rational)]; }
+
+/// Decides the statement and measures it, if it may be above `known`.
+ConclusionOutcome outcome_of(const Expression& statement, Scene& scene, const double* known) {
+  ConclusionOutcome outcome;
+  const std::uint64_t before = decisions_by_surds();
+  outcome.verdict = decide_statement(statement, scene);
+  const bool is_by_surds = decisions_by_surds() != before;
+  if (is_by_surds && known != nullptr && std::isfinite(*known) && is_at_most(statement, scene, *known)) return outcome;
+  outcome.ratio = ratio_as_sharp_as_needed(statement, scene, known);
+  return outcome;
+}
+
 }  // namespace
 
 ExpressionPointer measured_formula(const Conclusion& conclusion) {
@@ -51,10 +75,7 @@ Attempt attempt(const Claim& claim, const Bindings& bindings, std::span<const do
   if (!is_proved(result.hypotheses)) return result;
   for (std::size_t at = 0; at < claim.conclusions.size(); ++at) {
     const Expression& statement = *claim.conclusions[at].formula;
-    ConclusionOutcome outcome;
-    outcome.verdict = decide_statement(statement, scene);
-    outcome.ratio = ratio_as_sharp_as_needed(statement, scene, known.empty() ? nullptr : &known[at]);
-    result.conclusions.push_back(outcome);
+    result.conclusions.push_back(outcome_of(statement, scene, known.empty() ? nullptr : &known[at]));
   }
   return result;
 }

@@ -24,7 +24,8 @@ struct Attempt {
 };
 
 /// Decides all hypotheses, and if they hold, all conclusions. Ratios are sharp, up to 2⁻²⁰, where that is possible; or,
-/// if `known` is not empty and has a number for each conclusion, where they may be above it. Throws InputError where a
+/// if `known` is not empty and has a number for each conclusion, where they may be above it: one that is certainly not
+/// may be left out. Throws InputError where a
 /// quantity is asked for what it cannot be asked (vertex 7 of a triangle).
 [[nodiscard]] Attempt attempt(const Claim& claim, const Bindings& bindings, std::span<const double> known = {});
 

@@ -178,8 +178,9 @@ Tally attack_block(const Claim& claim, const Shape& shape, std::uint64_t seed, s
   const HypothesisLimits limits(claim);
   Tally tally;
   tally.conclusions.resize(claim.conclusions.size());
+  const std::uint32_t its_stream = stream(claim, shape);
   for (std::uint64_t number = first; number < first + count; ++number) {
-    RandomChoices choices(seed, stream(claim, shape), number);
+    RandomChoices choices(seed, its_stream, number);
     record(tally, claim, draw_instance(claim, limits, shape, choices), number);
   }
   return tally;

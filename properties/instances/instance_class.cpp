@@ -23,11 +23,11 @@ std::optional<Instance> InstanceClass::draw_structured(const Shape&, const Bindi
 }
 
 const InstanceClass& instance_class(const std::string& name) {
-  std::vector<std::string> known;
   for (const InstanceClass* candidate : instance_classes()) {
     if (candidate->name() == name) return *candidate;
-    known.push_back(candidate->name());
   }
+  std::vector<std::string> known;
+  for (const InstanceClass* candidate : instance_classes()) known.push_back(candidate->name());
   throw InputError("no instance class is called " + name + suggestion(name, known));
 }
 

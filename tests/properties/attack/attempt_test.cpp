@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <limits>
+
 #include "support/error.hpp"
 #include "tests/properties/attack/small_claims.hpp"
 
@@ -38,6 +42,36 @@ TEST(Attempt, where_a_hypothesis_fails_nothing_is_said_of_the_conclusions) {
 TEST(Attempt, a_vertex_that_the_simplex_has_not_is_an_input_error) {
   const Claim claim = claim_about_simplices("a", "[[show]]\nclaim = \"altitude(s, 7) > 0\"\n");
   EXPECT_THROW((void)attempt(claim, triangle_bindings(0, 1)), InputError);
+}
+
+/// For the apex (1/2, h), R = (1/4 + h²)/(2h) and Υ = h/2 if h is small.
+TEST(Attempt, leaves_out_a_ratio_that_is_exactly_known_not_to_be_above_another) {
+  const Claim claim =
+      claim_about_simplices("a", "[[show]]\nclaim = \"circumradius(s)*thickness(s) <= longest_edge(s)\"\n");
+  const Bindings bindings = triangle_bindings(half, Rational::power_of_two(-80));
+  const auto outcome = [&](double known) { return attempt(claim, bindings, std::array{known}).conclusions.at(0); };
+  const ConclusionOutcome sharp = attempt(claim, bindings).conclusions.at(0);
+  constexpr double sixteenth = 0x1p-4;
+  ASSERT_TRUE(sharp.ratio);
+  EXPECT_LE(sharp.ratio->lower, sixteenth);
+  EXPECT_GT(sharp.ratio->upper, sixteenth);
+  EXPECT_EQ(outcome(std::nextafter(sixteenth, 1)).verdict, Verdict::proved);
+  EXPECT_FALSE(outcome(std::nextafter(sixteenth, 1)).ratio);
+  // It is above 1/16, by 2⁻¹⁶².
+  for (const double known : {sixteenth, -std::numeric_limits<double>::infinity()}) {
+    ASSERT_TRUE(outcome(known).ratio) << known;
+    EXPECT_EQ(outcome(known).ratio->lower, sharp.ratio->lower);
+    EXPECT_EQ(outcome(known).ratio->upper, sharp.ratio->upper);
+  }
+}
+
+/// Surds know the first of two comparisons only, and one that holds is enough to decide.
+TEST(Attempt, leaves_out_no_ratio_of_several_comparisons) {
+  const Claim claim = claim_about_simplices("a",
+                                            "[[show]]\nclaim = \"circumradius(s)*thickness(s) <= longest_edge(s) or "
+                                            "smallest_singular_value(s) <= longest_edge(s)/10\"\n");
+  const Bindings bindings = triangle_bindings(half, Rational::power_of_two(-80));
+  EXPECT_TRUE(attempt(claim, bindings, std::array{0.5}).conclusions.at(0).ratio);
 }
 
 TEST(AttemptedRatio, is_that_of_the_attempt_where_it_is_above_what_is_known) {
