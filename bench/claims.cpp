@@ -97,28 +97,32 @@ class Fraction {
   Rational value_;
 };
 
-EdgeGram<Fraction> gram_in_fractions(const SimplexObject& simplex) {
-  std::vector<std::vector<Fraction>> points;
+/// In fractions, or, for Q = Rational, in integers over a common denominator, as all of the elimination is then.
+template <class Q>
+EdgeGram<Q> gram_in(const SimplexObject& simplex) {
+  std::vector<std::vector<Q>> points;
   for (const auto& point : simplex.points()) points.emplace_back(point.begin(), point.end());
   return edge_gram_from_points(points);
 }
 
 /// What a program of rationals only would do, on squares: s_k(P)² ≥ kΥ²Δ².
+template <class Q>
 Verdict singular_value_in_rationals(const SimplexObject& simplex) {
-  const EdgeGram<Fraction> gram = gram_in_fractions(simplex);
-  const Fraction k(static_cast<int>(simplex.dimension()));
-  const Partial<Fraction> thickness = squared_thickness(gram);
+  const EdgeGram<Q> gram = gram_in<Q>(simplex);
+  const Q k(static_cast<int>(simplex.dimension()));
+  const Partial<Q> thickness = squared_thickness(gram);
   if (!thickness) return Verdict::undecided;
-  return is_smallest_singular_value_at_least(gram, Fraction(k * *thickness * squared_longest_edge(gram)));
+  return is_smallest_singular_value_at_least(gram, Q(k * *thickness * squared_longest_edge(gram)));
 }
 
 /// R² ≤ Δ²/(4Υ²).
+template <class Q>
 Verdict crude_radius_in_rationals(const SimplexObject& simplex) {
-  const EdgeGram<Fraction> gram = gram_in_fractions(simplex);
-  const Partial<Fraction> thickness = squared_thickness(gram);
-  const Partial<Fraction> radius = squared_circumradius(gram);
+  const EdgeGram<Q> gram = gram_in<Q>(simplex);
+  const Partial<Q> thickness = squared_thickness(gram);
+  const Partial<Q> radius = squared_circumradius(gram);
   if (!thickness || !radius) return Verdict::undecided;
-  return less_equal(Fraction(Fraction(4) * *radius * *thickness), squared_longest_edge(gram));
+  return less_equal(Q(Q(4) * *radius * *thickness), squared_longest_edge(gram));
 }
 
 template <class Decide>
@@ -175,9 +179,10 @@ void add(const std::string& name, const Shape& shape) {
   });
 }
 
-/// One conclusion on each of three ways.
-template <class Decide>
-void add_rational(const std::string& name, const std::string& conclusion, const Shape& shape, const Decide& decide) {
+/// One conclusion on each of three ways, that in rationals twice: in fractions and without.
+template <class Decide, class DecideInIntegers>
+void add_rational(const std::string& name, const std::string& conclusion, const Shape& shape, const Decide& decide,
+                  const DecideInIntegers& decide_in_integers) {
   const std::string prefix = prefix_of(name + ":" + conclusion, shape);
   benchmark::RegisterBenchmark((prefix + "ladder").c_str(), [=](benchmark::State& state) {
     const Subject& one = subject(name, shape, conclusion);
@@ -190,6 +195,9 @@ void add_rational(const std::string& name, const std::string& conclusion, const 
   benchmark::RegisterBenchmark((prefix + "rationals").c_str(), [=](benchmark::State& state) {
     in_rationals(state, subject(name, shape, conclusion).instances, decide);
   });
+  benchmark::RegisterBenchmark((prefix + "fraction_free").c_str(), [=](benchmark::State& state) {
+    in_rationals(state, subject(name, shape, conclusion).instances, decide_in_integers);
+  });
 }
 
 }  // namespace
@@ -199,9 +207,11 @@ int main(int argc, char** argv) {
   using namespace delcert;
   for (const Shape& shape : {Shape{2, 2}, Shape{3, 3}, Shape{6, 6}}) {
     add("thickness-and-singular-value", shape);
-    add_rational("thickness-and-singular-value", "smallest-singular-value", shape, singular_value_in_rationals);
+    add_rational("thickness-and-singular-value", "smallest-singular-value", shape,
+                 singular_value_in_rationals<Fraction>, singular_value_in_rationals<Rational>);
     add("crude-circumradius-bound", shape);
-    add_rational("crude-circumradius-bound", "circumradius", shape, crude_radius_in_rationals);
+    add_rational("crude-circumradius-bound", "circumradius", shape, crude_radius_in_rationals<Fraction>,
+                 crude_radius_in_rationals<Rational>);
   }
   for (const Claim& claim : builtin_claim_list()) {
     const bool is_simplex = claim.instance == "simplex";
