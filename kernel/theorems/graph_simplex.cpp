@@ -178,6 +178,20 @@ bool GraphSimplexCheck<m>::lies_inside(const LabelSimplex<m>& simplex, double di
   return is_inside;
 }
 
+/// Of those at the vertex that stands at this place, in its chart.
+template <int m>
+Interval GraphSimplexCheck<m>::longest_edge(std::size_t at, const LabelSimplex<m>& simplex) const {
+  const std::uint32_t i = simplex[at];
+  Interval result(0);
+  for (const std::uint32_t v : simplex) {
+    Interval squared(0);
+    for (std::size_t column = 0; column < m; ++column)
+      squared += square(coordinate(i, v, column) - coordinate(i, i, column));
+    result = maximum(result, square_root(squared));
+  }
+  return result;
+}
+
 /// sup ‖(J·N)⁻¹·J·E‖ ≤ ‖Y·J·E‖/(1 − ‖1 − Y·J·N‖).
 template <int m>
 double GraphSimplexCheck<m>::steepness(std::uint32_t i, const DerivativeHull& hull) const {
@@ -316,6 +330,8 @@ GraphSimplex<m> GraphSimplexCheck<m>::measure(const LabelSimplex<m>& simplex, do
     const auto found = contraction(at, simplex, *gradient, theta, result);
     if (found) {
       result.contraction = std::max(result.contraction, *found);
+      const Interval swing = Interval::exactly(*found) * longest_edge(at, simplex);
+      result.rooms[at] = (Interval::exactly(result.altitudes[at]) - swing).lower();
     } else {
       fail(GraphCause::contraction);
     }

@@ -56,6 +56,7 @@ struct GraphSimplex {
   double greatest_stretch = 0;  ///< and at most this times
   double normal = 0;            ///< the sine of the angle between σ and the tangent spaces of M over it
   std::array<double, static_cast<std::size_t>(m) + 1> altitudes{};  ///< at each vertex, in its own chart: lower bounds
+  std::array<double, static_cast<std::size_t>(m) + 1> rooms{};  ///< and less γ times the longest edge there, likewise
   std::array<double, static_cast<std::size_t>(m) + 1> below_lid{};  ///< and how far all are below its lid, likewise
 };
 
@@ -82,9 +83,10 @@ class GraphSimplexCheck {
   using Gradients = std::array<Vector<Interval, m>, static_cast<std::size_t>(m) + 1>;
   [[nodiscard]] std::optional<Gradients> gradients(std::uint32_t i, const LabelSimplex<m>& simplex) const;
 
- private:
   /// W_v = N_v·Y_v, N×q.
   void fibre(std::uint32_t v, Interval* w) const;
+
+ private:
   /// The same of W_v.
   [[nodiscard]] double lateral(std::uint32_t i, const Interval* w) const;
   [[nodiscard]] bool enclose_derivatives(const LabelSimplex<m>& simplex, double displacement);
@@ -98,6 +100,7 @@ class GraphSimplexCheck {
   [[nodiscard]] std::optional<double> contraction(std::size_t at, const LabelSimplex<m>& simplex,
                                                   const Gradients& gradients, const Interval& theta,
                                                   GraphSimplex<m>& result) const;
+  [[nodiscard]] Interval longest_edge(std::size_t at, const LabelSimplex<m>& simplex) const;
   /// Of ker J to the plane of the chart, for all J that may be on the simplex; infinite if unknown.
   [[nodiscard]] double steepness(std::uint32_t i, const DerivativeHull& hull) const;
   /// 5.fibre. Sets `below_lid`.

@@ -7,6 +7,7 @@
 #include "kernel/number/rounding_guard.hpp"
 #include "kernel/number/scalar.hpp"
 #include "kernel/parallel/parts.hpp"
+#include "kernel/theorems/simplex_pairs.hpp"
 #include "kernel/topology/components.hpp"
 #include "support/error.hpp"
 
@@ -17,6 +18,7 @@ namespace {
 constexpr std::size_t simplices_at_a_time = 256;
 constexpr long digits_of_bounds = 12;
 constexpr int most_rounds = 6;
+constexpr double small_room = 0x1p-6;  // of 5i, as a part of ℓ + ω
 
 /// A number of few digits above x, with room for readers whose enclosures are wider.
 Rational with_room_above(double x) {
@@ -167,13 +169,12 @@ std::vector<Label> unclear_components(const GraphVertices& vertices, const std::
   return result;
 }
 
-/// Rules 5i.embedded, its margin, and 5i.lid, label by label.
+/// Which labels are roomy, for level 5i: (embedded), its margin, and (lid), label by label.
 template <int m>
-class IsotopyMargins {
+class RoomyLabels {
  public:
-  IsotopyMargins(const GraphVertices& vertices, const std::vector<LabelSimplex<m>>& simplices,
-                 const std::vector<GraphSimplex<m>>& measures, const Rational& displacement,
-                 const Rational& contraction)
+  RoomyLabels(const GraphVertices& vertices, const std::vector<LabelSimplex<m>>& simplices,
+              const std::vector<GraphSimplex<m>>& measures, const Rational& displacement, const Rational& contraction)
       : vertices_(vertices),
         displacement_(scalar_from<Interval>(displacement)),
         reach_(reach_of(vertices, simplices, measures, displacement)),
@@ -194,13 +195,12 @@ class IsotopyMargins {
     }
   }
 
-  struct Found {
-    double margin;
-    bool is_under_lid;
-  };
-  [[nodiscard]] Found at(const GraphSimplexCheck<m>& check, std::uint32_t i) const {
+  /// ℓ + ω, in units, and a little more: places are rounded.
+  [[nodiscard]] double reach() const { return reach_; }
+
+  /// Of label i, in units, a lower bound: the margin of (embedded), or, unless (lid) holds too, minus infinity.
+  [[nodiscard]] double room(const GraphSimplexCheck<m>& check, std::uint32_t i) const {
     double side = 0;
-    const RoundingGuard guard;
     const Interval unit = Interval::exactly(vertices_.unit(i));
     Interval around(0);  // the greatest unit of labels near
     grid_.visit(place(i).data(), reach_ * (vertices_.unit(i) + greatest_unit_), [&](std::uint32_t v, double squared) {
@@ -210,10 +210,9 @@ class IsotopyMargins {
       around = maximum(around, Interval::exactly(vertices_.unit(v)));
       return false;
     });
-    if (!(altitudes_[i] < std::numeric_limits<double>::infinity())) return {-1, true};
     const Interval moved = displacement_ * (Interval(2) * unit + around);
-    return {((rest_ * Interval::exactly(altitudes_[i]) - Interval(2) * Interval::exactly(side)) / unit).lower(),
-            is_proved(less(moved, Interval::exactly(below_lid_[i])))};
+    if (!is_proved(less(moved, Interval::exactly(below_lid_[i])))) return -std::numeric_limits<double>::infinity();
+    return ((rest_ * Interval::exactly(altitudes_[i]) - Interval(2) * Interval::exactly(side)) / unit).lower();
   }
 
  private:
@@ -245,37 +244,52 @@ class IsotopyMargins {
   std::vector<double> below_lid_;  // how far the star is below the lid of its label
 };
 
+/// Of labels that are not roomy: rules 5i.star and 5i.apart. First with those that would make the margin small.
+template <int m>
+void measure_pairs(const GraphVertices& vertices, const std::vector<LabelSimplex<m>>& simplices,
+                   const std::vector<double>& rooms, double small, GraphTriangulation<m>& result,
+                   const Progress& progress) {
+  const double displacement = approximate_double(result.displacement);
+  for (const double least : {small, 0.0}) {
+    double margin = std::numeric_limits<double>::infinity();
+    std::vector<bool> is_tight;
+    for (const double room : rooms) {
+      is_tight.push_back(!(room > least));
+      if (room > least) margin = std::min(margin, room);
+    }
+    if (!(margin < std::numeric_limits<double>::infinity())) margin = displacement;
+    const SimplexPairs pairs =
+        check_simplex_pairs<m>(vertices, simplices, result.simplices, is_tight, displacement, margin, progress);
+    result.margin = pairs.margin;
+    result.tightest = pairs.tightest;
+    result.crowded = pairs.crowded;
+    if (result.crowded.empty()) return;
+  }
+}
+
 template <int m>
 void measure_isotopy(const GraphVertices& vertices, const std::vector<LabelSimplex<m>>& simplices,
                      GraphTriangulation<m>& result, const Progress& progress) {
-  const std::vector<GraphSimplex<m>>& measures = result.simplices;
-  std::optional<IsotopyMargins<m>> margins;
+  std::optional<RoomyLabels<m>> labels;
   {
     const RoundingGuard guard;
-    margins.emplace(vertices, simplices, measures, result.displacement, result.contraction);
+    labels.emplace(vertices, simplices, result.simplices, result.displacement, result.contraction);
   }
-  result.margin = std::numeric_limits<double>::infinity();
-  std::uint32_t next = 0;
+  std::vector<double> rooms;
   in_parts<simplices_at_a_time>(
       "isotopy", vertices.charts.size(), progress,
       [&](std::size_t first, std::size_t last) {
         const RoundingGuard guard;
         const GraphSimplexCheck<m> check(vertices);
-        std::vector<typename IsotopyMargins<m>::Found> part;
-        for (std::size_t i = first; i < last; ++i) part.push_back(margins->at(check, static_cast<std::uint32_t>(i)));
+        std::vector<double> part;
+        for (std::size_t i = first; i < last; ++i) part.push_back(labels->room(check, static_cast<std::uint32_t>(i)));
         return part;
       },
-      [&](const auto& part) {
-        for (const auto& [margin, is_under_lid] : part) {
-          result.above_lid += is_under_lid ? 0 : 1;
-          if (!is_under_lid || !(margin > 0)) result.crowded.emplace_back(next);
-          if (margin < result.margin) {
-            result.margin = margin;
-            result.tightest = Label(next);
-          }
-          ++next;
-        }
-      });
+      [&](const std::vector<double>& part) { rooms.insert(rooms.end(), part.begin(), part.end()); });
+  const auto least = std::min_element(rooms.begin(), rooms.end());
+  result.margin = *least;
+  result.tightest = Label(static_cast<std::uint32_t>(least - rooms.begin()));
+  if (!(result.margin > 0)) measure_pairs(vertices, simplices, rooms, labels->reach() * small_room, result, progress);
 }
 
 }  // namespace

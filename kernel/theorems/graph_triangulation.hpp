@@ -25,14 +25,13 @@ struct GraphTriangulation {
   Rational displacement{};
   Rational contraction{};  ///< γ < 1: how far the map is from the identity in charts; few binary digits, with a margin
   std::vector<Label> crowded;              ///< labels at which 5i fails
-  std::size_t above_lid = 0;               ///< labels that do not pass 5i.lid
   Label tightest{0};                       ///< where the margin of 5i is least
   double margin = 0;                       ///< of 5i, in units, a lower bound; 5i holds if it is above 0
   std::vector<GraphSimplex<m>> simplices;  ///< what was measured of each
   std::vector<std::uint32_t> component;    ///< of each label: the least label of its component
 
   [[nodiscard]] bool triangulates() const { return failures.empty() && unclear.empty(); }
-  [[nodiscard]] bool is_isotopic() const { return triangulates() && above_lid == 0 && margin > 0; }
+  [[nodiscard]] bool is_isotopic() const { return triangulates() && margin > 0; }
 };
 
 /// Where these points of the atlas are. Throws Undecided, with the label, if one cannot be enclosed. Precondition:

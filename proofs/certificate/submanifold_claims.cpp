@@ -157,12 +157,9 @@ void claim_graph(const GraphTriangulation<m>& triangulation, const Rational& uni
   if (!selects(selection, "5i")) return;
   if (triangulation.is_isotopic()) {
     claims.isotopy = IsotopyClaim{stated_below(triangulation.margin)};
-  } else if (triangulation.above_lid > 0) {
-    reasons.push_back(fmt::format("level 5i: {} stars are too near to the lids of the cylinders of their labels",
-                                  triangulation.above_lid));
   } else {
     reasons.push_back(
-        fmt::format("level 5i: stars are not wide enough for what points are moved: margin ≥ {} ε, at label {}",
+        fmt::format("level 5i: simplices may meet on their way to the manifold: margin ≥ {} ε, at label {}",
                     decimal_lower(Rational::exactly(triangulation.margin) / unit, digits_of_reasons),
                     triangulation.tightest.value));
   }

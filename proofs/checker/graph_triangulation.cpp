@@ -259,6 +259,7 @@ void GraphTriangulation::check_simplex(std::size_t s, Report& report) {
     }
     if (!inside) reject("5.fibre", " is not within displacement of the patch of label " + std::to_string(i));
     const double contraction = contraction_in(i, s, all[all.size() == 1 ? 0 : static_cast<std::size_t>(k)]);
+    contraction_.push_back(contraction);
     if (!(contraction <= c_.contraction.filter.lower())) {
       reject("5.contract", ": in the chart of label " + std::to_string(i) + " the contraction may be " +
                                about(Interval::between(contraction, contraction)));
@@ -323,52 +324,6 @@ std::string GraphTriangulation::check(Report& report) {
       report);
   return "the map along normals is a homeomorphism, moves points by <= " + rounded_up(c_.displacement.exact) +
          " and in charts by a contraction with <= " + rounded_up(c_.contraction.exact);
-}
-
-std::string GraphTriangulation::check_embedding(Report& report) {
-  double widest = 0;                              // longest edge and displacement, of label i unit(i) times that
-  std::vector<double> altitude(c_.n, unbounded);  // the least at the label, in its chart
-  for (std::size_t s = 0; s < c_.simplex_count(); ++s) {
-    const Interval longest = Interval::between(longest_[s], longest_[s]) / c_.least_unit(s);
-    widest = std::max(widest, (longest + c_.displacement.filter).upper());
-  }
-  std::vector<double> moved(c_.n), around(c_.n);  // of the labels near: what they are moved by, displacement there
-  for (Label i = 0; i < c_.n; ++i) {
-    charts_.points().visit(charts_.point(i), widest * (c_.unit(i).upper() + c_.greatest_unit()), [&](Label v) {
-      const double near = widest * (c_.unit(i).upper() + c_.unit(v).upper());
-      if (!c_.units.empty() && square_root(squared_norm(charts_.point(v) - charts_.point(i))).lower() > near) return;
-      moved[i] = std::max(moved[i], lateral(i, v) * most_climb_[v]);
-      around[i] = std::max(around[i], (c_.displacement.filter * c_.unit(v)).upper());
-    });
-  }
-  for (std::size_t s = 0; s < c_.simplex_count(); ++s) {
-    for (std::size_t k = 0; k <= c_.m_size(); ++k) {
-      const Label i = c_.simplex(s)[k];
-      const Matrix<Interval> slopes = gradients(i, s);
-      Interval steepness(0);
-      for (std::size_t a = 0; a < c_.m_size(); ++a) steepness = steepness + square(slopes(k, a));
-      altitude[i] = std::min(altitude[i], (Interval(1) / square_root(steepness)).lower());
-      for (int v = 0; v <= c_.m; ++v) {
-        const double own = (c_.displacement.filter * c_.unit(i)).upper();
-        if (is_below_lid(i, c_.simplex(s)[v], 2 * own + around[i])) continue;
-        report.reject("5i.lid", [&] {
-          return simplex_text(c_, s) + " is not 3 displacement below the lid of label " + std::to_string(i);
-        });
-      }
-    }
-  }
-  const Interval rest = Interval(1) - c_.contraction.filter;
-  for (Label i = 0; i < c_.n; ++i) {
-    const Interval room =
-        rest * Interval::between(altitude[i], altitude[i]) / Interval(c_.m + 1) - Interval::between(0, 2 * moved[i]);
-    if (room.lower() >= c_.at(i, c_.embedding_margin).filter.upper()) continue;
-    report.reject("5i.embedded", [&] {
-      return "at label " + std::to_string(i) + " the margin may be " +
-             about(Interval::between(room.lower(), room.lower()));
-    });
-  }
-  return "the complex is embedded, and isotopic to the manifold; margin >= " + rounded_down(c_.embedding_margin.exact) +
-         c_.of_lengths();
 }
 
 }  // namespace delcert::checker

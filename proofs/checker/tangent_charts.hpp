@@ -112,6 +112,17 @@ class GraphTriangulation {
   void check_simplex(std::size_t s, Report& report);
   double contraction_in(Label i, std::size_t s, const Estimate& estimate) const;
   bool is_clear_of(Label k, std::size_t s) const;
+  std::vector<bool> roomy_labels() const;
+  std::vector<bool> wide_stars() const;
+  double altitude_at(std::size_t k, std::size_t s) const;
+  struct Straight;  // a simplex in R^N
+  Straight straight(std::size_t s) const;
+  bool are_apart(const Straight& a, const Straight& b) const;
+  struct Extent {
+    double low, high, moved;
+  };
+  Extent extent(const Matrix<Interval>& normal, const Matrix<Interval>& base, const Straight& one) const;
+  bool are_apart_along(const Matrix<Interval>& normal, const Straight& a, const Straight& b) const;
   void check_stretch(std::size_t s, Report& report);
   void check_cotangents(Report& report) const;
   /// |N_i^T (p'_v - c_i)|_inf + margin < height, certainly.
@@ -129,6 +140,7 @@ class GraphTriangulation {
   FormulaValues<Interval> values_, middle_values_;
   std::vector<Interval> displacement_;            // of each simplex: what the claim is there
   std::vector<double> climb_, longest_;           // of each simplex: what |s| is at most; its longest edge in R^N
+  std::vector<double> contraction_;               // of each vertex of each simplex, in its chart
   std::vector<double> least_climb_, most_climb_;  // of the simplices of each label
 };
 

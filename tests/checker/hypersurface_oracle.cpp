@@ -399,27 +399,67 @@ class Oracle {
     return std::fabs(solid_angle(a, b, unit(c_.charts[simplex[2]].vertex)));
   }
 
+  /// Of pairs of simplices it knows what follows from the rules: how far they are apart, how high stars are.
   std::string of_level_5i(const Json& level) const {
     const Json& five = j_.at("levels").at("5");
     const double gamma = number(five.at("contraction")), omega = number(five.at("displacement"));
     const double margin = number(level.at("margin"));
+    std::vector<bool> is_roomy(c_.charts.size(), true);
+    std::vector<double> altitudes(c_.charts.size(), 10);
+    std::vector<const Simplex*> all;
     for (std::size_t i = 0; i < c_.charts.size(); ++i) {
       const Chart& chart = c_.charts[i];
-      double altitude = 10, side = 0;
+      double side = 0;
       for (const Simplex* simplex : stars_.star(i)) {
+        if ((*simplex)[0] == i) all.push_back(simplex);
         const std::vector<Moved>& points = moved(*simplex);
         for (const std::size_t v : *simplex) {
-          if (!(std::fabs(chart.above(c_.charts[v].vertex)) + 3 * omega < chart.height * (1 + slack))) return "lid";
+          if (!(std::fabs(chart.above(c_.charts[v].vertex)) + 3 * omega < chart.height * (1 + slack)))
+            is_roomy[i] = false;
           const Place w = c_.charts[v].fibre();
           for (const Moved& point : points)
             side = std::max(side, std::hypot(dot(chart.tangent[0], w), dot(chart.tangent[1], w)) * std::fabs(point.s));
         }
-        altitude = std::min(altitude, altitude_at(i, *simplex));
+        altitudes[i] = std::min(altitudes[i], altitude_at(i, *simplex));
       }
       // What is sampled is half of what is claimed, at most.
-      if (!((1 - gamma) * altitude / static_cast<double>(c_.m + 1) - side >= margin - slack)) return "margin";
+      if (!((1 - gamma) * altitudes[i] / static_cast<double>(c_.m + 1) - side >= margin - slack)) is_roomy[i] = false;
+    }
+    const auto has_room = [&](const Simplex* simplex) {
+      return std::all_of(simplex->begin(), simplex->end(), [&](std::size_t i) { return is_roomy[i]; });
+    };
+    all.erase(std::remove_if(all.begin(), all.end(), has_room), all.end());
+    for (const Simplex* one : all) {
+      for (const Simplex* other : all) {
+        if (one == other) break;
+        double most = -1;  // of the altitudes of common labels
+        for (const std::size_t i : *one) {
+          if (std::find(other->begin(), other->end(), i) != other->end()) most = std::max(most, altitudes[i]);
+        }
+        if (most >= 0 ? !(most >= margin - slack) : !(gap(*one, *other, margin) >= margin - slack)) return "margin";
+      }
     }
     return "";
+  }
+  /// Between points of two simplices, where they are and where they come to; less, if it certainly is this at least.
+  [[nodiscard]] double gap(const Simplex& one, const Simplex& other, double enough) const {
+    const std::vector<Moved>&here = moved(one), &there = moved(other);
+    if (here.empty() || there.empty()) return enough;
+    const auto size_of = [](const std::vector<Moved>& points) {
+      double result = 0;
+      for (const Moved& a : points) result = std::max(result, length(a.x - points[0].x) + length(a.by));
+      return result;
+    };
+    const double apart = length(here[0].x - there[0].x) - size_of(here) - size_of(there);
+    if (apart >= enough) return apart;
+    double result = 10;
+    for (const Moved& a : here) {
+      for (const Moved& b : there) {
+        const Place now = a.x - b.x;
+        result = std::min({result, length(now), length(now + a.by - b.by)});
+      }
+    }
+    return result;
   }
   /// In chart i.
   [[nodiscard]] double altitude_at(std::size_t i, const Simplex& simplex) const {

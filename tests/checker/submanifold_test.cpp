@@ -104,6 +104,23 @@ SubmanifoldModel near_circles(const std::string& metric, double gap) {
   return model;
 }
 
+/// Two circles that are near, with lids so low that none of their labels is roomy.
+SubmanifoldModel close_circles() {
+  SubmanifoldModel model = near_circles("extrinsic", 0.0065);
+  model.margin = 0.005;
+  return model;
+}
+
+TEST(Submanifold, simplices_that_are_apart_are_embedded_where_labels_are_not_roomy) {
+  expect_verified(certificate(close_circles(), {"1", "2", "5", "5i"}));
+  // Half an edge is not as much as this; pairs of simplices have more.
+  for (const Json& document : {circle_document(), sphere_document()}) {
+    Json more = document;
+    more["levels"]["5i"]["margin"] = "3/32";
+    expect_verified(more);
+  }
+}
+
 /// Twelve points on a circle; what may be within density of one of them reaches to the other side.
 SubmanifoldModel twelve_points() {
   SubmanifoldModel model = circle_model(12, 1);
@@ -497,6 +514,10 @@ std::vector<Forgery> submanifold_forgeries() {
   Forgery exchanged =
       forged("two circles that are exchanged at one label", "5.fibre", certificate(glued, {"1f", "2", "5"}), as_it_is);
   exchanged.others = {"5.contract"};
+  Forgery crowded = forged("a mesh with less room than stated", "5i.star", meshed, claim("5i", "margin", "1/4"));
+  crowded.others = {"5i.apart"};
+  // Their polygons are 0.00647 apart, and are moved by 0.00003 each.
+  const SubmanifoldModel close = close_circles();
   const auto with_one_radius = [](double unit) {
     return [=](Json& j) { j = with_radii(j, "100", [=](std::size_t i) { return i == 5 ? unit : 1; }); };
   };
@@ -602,11 +623,12 @@ std::vector<Forgery> submanifold_forgeries() {
                j["levels"]["2"]["homology"] = {"Z", "Z^2", "Z"};
              }),
       forged("a mesh less dense than stated", "4.density", meshed, claim("4", "density", "1/64")),
-      forged("a mesh with less room than stated", "5i.embedded", meshed, claim("5i", "margin", "1/16")),
+      crowded,
       forged("a mesh stretched more than stated", "6.bilipschitz", meshed,
              [](Json& j) { j["levels"]["6"]["bilipschitz"][0] = "1"; }),
-      forged("a displacement that leaves the patches", "5i.lid", round, claim("5", "displacement", "3/64")),
-      forged("a margin too large", "5i.embedded", round, claim("5i", "margin", "1/16")),
+      forged("a margin too large", "5i.star", round, claim("5i", "margin", "309/2000")),
+      forged("two circles nearer to each other than stated", "5i.apart", certificate(close, {"1", "2", "5", "5i"}),
+             [](Json& j) { j["levels"]["5i"]["margin"] = text_of(0.00644); }),
       forged("radii that differ by more than stated", "sub.radii", round,
              [](Json& j) { j = with_radii(j, "1/64", every_second); }),
       forged("radii exchanged between two circles", "sub.radii", certificate(doubled(circle_model(60, 1)), {"1", "2"}),

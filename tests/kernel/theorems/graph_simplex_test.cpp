@@ -134,6 +134,35 @@ TEST(GraphSimplex, has_the_contraction_that_differences_find) {
   EXPECT_GE(greatest_share, 0.05);
 }
 
+TEST(GraphSimplex, says_how_much_more_than_it_swings_its_altitudes_are) {
+  const Mesh<2> mesh = torus_mesh(20, 8);
+  const auto measures = measures_of<2>(mesh, 0.04);
+  for (std::size_t at = 0; at < measures.size(); at += 7) {
+    const GraphSimplex<2>& one = measures[at];
+    double least = 1;
+    for (std::size_t v = 0; v < 3; ++v) {
+      const EnclosedChart<Interval>& chart = mesh.charts[mesh.simplices[at][v]].enclosed();
+      double longest = 0;
+      for (const std::uint32_t w : mesh.simplices[at]) {
+        double squared = 0;
+        for (std::size_t column = 0; column < 2; ++column) {
+          double along = 0;
+          for (std::size_t axis = 0; axis < 3; ++axis) {
+            along += chart.at(axis, column).lower() *
+                     approximate_double(mesh.points[w][axis] - mesh.points[mesh.simplices[at][v]][axis]);
+          }
+          squared += along * along;
+        }
+        longest = std::max(longest, std::sqrt(squared));
+      }
+      EXPECT_LT(one.rooms[v], one.altitudes[v]);
+      // γ is that of the vertex, and the contraction the greatest.
+      least = std::min(least, one.rooms[v] - (one.altitudes[v] - one.contraction * longest));
+    }
+    EXPECT_NEAR(least, 0, 1e-10);
+  }
+}
+
 TEST(GraphSimplex, says_why_it_is_not_one) {
   const auto first_cause = [](const Mesh<2>& mesh, double displacement) {
     return measures_of<2>(mesh, displacement)[0].cause;

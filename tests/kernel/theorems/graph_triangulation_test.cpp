@@ -84,24 +84,33 @@ TEST(GraphTriangulation, names_the_simplices_that_fail) {
   EXPECT_FALSE(report.triangulates());
 }
 
-TEST(GraphTriangulation, is_not_isotopic_where_cylinders_are_low) {
+TEST(GraphTriangulation, is_isotopic_where_cylinders_are_low_by_pairs_of_simplices) {
+  // Some labels are not roomy; what follows from other simplices being too far away does not depend on lids.
   Mesh<2> mesh = torus_mesh(36, 14);
+  const double margin = report_of<2>(mesh).margin;
   for (TangentChart& chart : mesh.charts) chart.set_size(Rational(1), Rational(1) / Rational(45));
   const auto report = report_of<2>(mesh);
-  EXPECT_TRUE(report.triangulates());
-  EXPECT_GT(report.above_lid, 0U);
-  EXPECT_FALSE(report.is_isotopic());
+  EXPECT_TRUE(report.is_isotopic());
+  EXPECT_TRUE(report.crowded.empty());
+  EXPECT_LE(report.margin, margin);
+}
+
+TEST(GraphTriangulation, is_isotopic_by_pairs_where_stars_are_not_wide) {
+  // At some labels a third of the altitude is less than what points are moved.
+  const auto report = report_of<2>(torus_mesh(14, 30));
+  EXPECT_TRUE(report.is_isotopic()) << report.margin;
 }
 
 TEST(GraphTriangulation, is_not_isotopic_where_stars_are_narrow) {
   // Long and narrow cells: points move as on long edges, and stars are as wide as short ones.
-  const auto report = report_of<2>(torus_mesh(14, 30));
+  const auto report = report_of<2>(torus_mesh(14, 60));
   EXPECT_TRUE(report.triangulates());
   EXPECT_FALSE(report.is_isotopic()) << report.margin;
+  EXPECT_FALSE(report.crowded.empty());
 }
 
 TEST(GraphTriangulation, does_not_depend_on_threads) {
-  const Mesh<2> mesh = torus_mesh(20, 8);
+  const Mesh<2> mesh = torus_mesh(16, 8);
   const auto all = report_of<2>(mesh);
   const ThreadLimit limit(1);
   const auto one = report_of<2>(mesh);
