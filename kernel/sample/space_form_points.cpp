@@ -12,7 +12,7 @@ namespace delcert {
 
 namespace {
 
-constexpr std::size_t most_orbit_points = 4000000;
+constexpr std::size_t most_orbit_points = 16000000;
 constexpr double greatest_coordinate = 0x1p30;
 /// Lifts are kept a little farther than they are asked for.
 constexpr double spare = 1 + 0x1p-10;
