@@ -2,32 +2,13 @@
 
 #include <utility>
 
+#include "kernel/simplex/fraction_free.hpp"
+
 namespace delcert {
 
 namespace {
 
 using Integers = std::vector<std::vector<Integer>>;
-
-void include_in_multiple(Integer& multiple, const Rational& x) {
-  if (mpz_divisible_p(raw(multiple), mpq_denref(x.gmp())) == 0) {
-    mpz_lcm(raw(multiple), raw(multiple), mpq_denref(x.gmp()));
-  }
-}
-
-/// x times a multiple of its denominator.
-Integer whole_multiple(const Rational& x, const Integer& multiple) {
-  Integer result;
-  mpz_divexact(raw(result), raw(multiple), mpq_denref(x.gmp()));
-  mpz_mul(raw(result), raw(result), mpq_numref(x.gmp()));
-  return result;
-}
-
-/// (pivot·value − a·b)/divisor, which is an integer.
-void eliminate(Integer& value, const Integer& pivot, const Integer& a, const Integer& b, const Integer& divisor) {
-  mpz_mul(raw(value), raw(value), raw(pivot));
-  mpz_submul(raw(value), raw(a), raw(b));
-  if (mpz_cmp_ui(raw(divisor), 1) != 0) mpz_divexact(raw(value), raw(value), raw(divisor));
-}
 
 /// Most quotients here are 0 or 1, for which no greatest common divisor has to be found.
 Rational quotient_of(const Integer& numerator, const Integer& denominator) {
@@ -76,7 +57,7 @@ std::optional<DualBasis> DualBasis::of(const EdgeGram<Rational>& simplex) {
   DualBasis result;
   Integer denominator = 1;
   for (std::size_t i = 1; i < count; ++i) {
-    for (std::size_t j = 0; j < i; ++j) include_in_multiple(denominator, simplex.squared_edge(i, j));
+    for (std::size_t j = 0; j < i; ++j) include_denominator(denominator, simplex.squared_edge(i, j));
   }
   result.squared_edges_.assign(count, std::vector<Integer>(count));
   for (std::size_t i = 1; i < count; ++i) {
@@ -121,7 +102,7 @@ std::vector<std::vector<Rational>> DualBasis::with_row_of_first(const Integers& 
 std::vector<std::vector<Rational>> DualBasis::products(const std::vector<std::vector<Rational>>& points) const {
   Integer denominator = 1;
   for (const auto& point : points) {
-    for (const Rational& x : point) include_in_multiple(denominator, x);
+    for (const Rational& x : point) include_denominator(denominator, x);
   }
   const std::size_t axes = points.front().size();
   Integers edges(points.size(), std::vector<Integer>(axes));

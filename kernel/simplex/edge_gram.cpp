@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "kernel/simplex/fraction_free.hpp"
+
 namespace delcert {
 
 namespace {
@@ -20,9 +22,7 @@ Integer common_denominator(const Points& points) {
   Integer result(1);
   for (const auto& point : points) {
     for (const Rational& x : point) {
-      mpz_srcptr denominator = mpq_denref(x.gmp());
-      if (mpz_divisible_p(raw(result), denominator) != 0) continue;
-      mpz_lcm(raw(result), raw(result), denominator);
+      include_denominator(result, x);
       if (bits_of(raw(result)) > 2 * longest + spare_bits) return Integer(0);
     }
   }
@@ -33,12 +33,8 @@ Integer common_denominator(const Points& points) {
 std::vector<std::vector<Integer>> integral_edges(const Points& points, const Integer& denominator) {
   std::vector<std::vector<Integer>> result;
   for (const auto& point : points) {
-    std::vector<Integer> integral(point.size());
-    for (std::size_t axis = 0; axis < point.size(); ++axis) {
-      mpz_divexact(raw(integral[axis]), raw(denominator), mpq_denref(point[axis].gmp()));
-      mpz_mul(raw(integral[axis]), raw(integral[axis]), mpq_numref(point[axis].gmp()));
-    }
-    result.push_back(std::move(integral));
+    auto& integral = result.emplace_back();
+    for (const Rational& x : point) integral.push_back(whole_multiple(x, denominator));
   }
   for (std::size_t i = 1; i < result.size(); ++i) {
     for (std::size_t axis = 0; axis < result[i].size(); ++axis) result[i][axis] -= result[0][axis];

@@ -2,31 +2,9 @@
 
 #include <algorithm>
 
+#include "kernel/simplex/fraction_free.hpp"
+
 namespace delcert {
-
-namespace {
-
-void include_denominator(Integer& denominator, const Rational& x) {
-  if (mpz_divisible_p(raw(denominator), mpq_denref(x.gmp())) != 0) return;
-  mpz_lcm(raw(denominator), raw(denominator), mpq_denref(x.gmp()));
-}
-
-/// x times a multiple of its denominator.
-Integer multiplied(const Rational& x, const Integer& denominator) {
-  Integer result;
-  mpz_divexact(raw(result), raw(denominator), mpq_denref(x.gmp()));
-  mpz_mul(raw(result), raw(result), mpq_numref(x.gmp()));
-  return result;
-}
-
-/// (pivot·value − a·b)/divisor, which is an integer.
-void reduce(Integer& value, const Integer& pivot, const Integer& a, const Integer& b, const Integer& divisor) {
-  mpz_mul(raw(value), raw(value), raw(pivot));
-  mpz_submul(raw(value), raw(a), raw(b));
-  if (divisor != 1) mpz_divexact(raw(value), raw(value), raw(divisor));
-}
-
-}  // namespace
 
 const Integer& GramElimination<Rational>::at(std::size_t row, std::size_t column) const {
   if (row < column) std::swap(row, column);
@@ -46,7 +24,7 @@ GramElimination<Rational>::GramElimination(const SymmetricMatrix<Rational>& matr
   }
   for (std::size_t row = 0; row < order_; ++row) {
     for (std::size_t column = 0; column <= row; ++column) {
-      reduced_.push_back(multiplied(matrix(row, column), denominator_));
+      reduced_.push_back(whole_multiple(matrix(row, column), denominator_));
     }
   }
   while (!rest_.empty() && eliminate_best_pivot()) {
@@ -67,7 +45,7 @@ bool GramElimination<Rational>::eliminate_best_pivot() {
   pivots_.push_back(pivot);
   for (std::size_t a = 0; a < rest_.size(); ++a) {
     for (std::size_t b = 0; b <= a; ++b) {
-      reduce(at(rest_[a], rest_[b]), at(pivot, pivot), at(rest_[a], pivot), at(rest_[b], pivot), last_pivot_);
+      eliminate(at(rest_[a], rest_[b]), at(pivot, pivot), at(rest_[a], pivot), at(rest_[b], pivot), last_pivot_);
     }
   }
   last_pivot_ = at(pivot, pivot);
@@ -90,16 +68,16 @@ Rational GramElimination<Rational>::determinant() const {
 GramElimination<Rational>::Eliminated GramElimination<Rational>::eliminated(const std::vector<Rational>& b) const {
   Eliminated result{{}, 1, 0, is_proved(semidefinite_)};
   for (const Rational& entry : b) include_denominator(result.denominator, entry);
-  for (const Rational& entry : b) result.b.push_back(multiplied(entry, result.denominator));
+  for (const Rational& entry : b) result.b.push_back(whole_multiple(entry, result.denominator));
   Integer previous = 1;
   for (std::size_t position = 0; position < pivots_.size(); ++position) {
     const std::size_t pivot = pivots_[position];
     const auto reduce_entry = [&](std::size_t i) {
-      reduce(result.b[i], at(pivot, pivot), at(i, pivot), result.b[pivot], previous);
+      eliminate(result.b[i], at(pivot, pivot), at(i, pivot), result.b[pivot], previous);
     };
     for (std::size_t later = position + 1; later < pivots_.size(); ++later) reduce_entry(pivots_[later]);
     std::for_each(rest_.begin(), rest_.end(), reduce_entry);
-    reduce(result.energy, at(pivot, pivot), result.b[pivot], result.b[pivot], previous);
+    eliminate(result.energy, at(pivot, pivot), result.b[pivot], result.b[pivot], previous);
     previous = at(pivot, pivot);
   }
   for (const std::size_t i : rest_) result.is_consistent = result.is_consistent && result.b[i] == 0;

@@ -76,7 +76,7 @@ class PairSearch {
 
  private:
   static constexpr std::uint32_t none = 0xffffffffU;
-  using Place = std::array<double, 9>;
+  using Place = std::array<double, most_ambient_dimensions>;
 
   /// A simplex that has a tight label.
   struct Near {
