@@ -52,10 +52,15 @@ class AtlasFamily final : public ChartFamily<m, FormulaAtlas<m>> {
 
   void derive(const LevelSelection& selection, const Progress& progress) override {
     AtlasMeasures<m> measures = measure_atlas<m>(*this->atlas_, *this->run_, geometry(), selection, progress);
-    if (measures.triangulation && !measures.triangulation->failures.empty() && refinement_rounds_ > 0)
-      choose_homes(measures, selection, progress);
+    const bool is_to_refine =
+        measures.triangulation && !measures.triangulation->failures.empty() && refinement_rounds_ > 0;
+    const bool is_refined = is_to_refine && choose_homes(measures, selection, progress);
     report.claims =
         derive_claims<m>(*this->atlas_, report.parameters, *this->run_, measures, selection, report.reasons);
+    if (is_to_refine && !is_refined) {
+      report.reasons.push_back("refinement: in " + std::to_string(refinement_rounds_) +
+                               " rounds no home charts were found with which levels 1, 2 and 5 hold");
+    }
     report.stability = measures.stability;
     this->require_homology(gluing_->description().homology);
   }
@@ -67,18 +72,19 @@ class AtlasFamily final : public ChartFamily<m, FormulaAtlas<m>> {
   }
 
  private:
-  /// Other home charts, where that makes level 5 hold and is certified on levels 1 and 2.
-  void choose_homes(AtlasMeasures<m>& measures, const LevelSelection& selection, const Progress& progress) {
+  /// Other home charts, where that makes level 5 hold and is certified on levels 1 and 2. False if there are none.
+  [[nodiscard]] bool choose_homes(AtlasMeasures<m>& measures, const LevelSelection& selection,
+                                  const Progress& progress) {
     auto homes = homes_without_folds<m>(gluing_, *this->atlas_, this->run_->points, this->run_->complex.simplices(),
                                         refinement_rounds_, progress);
-    if (!homes) return;
+    if (!homes) return false;
     FormulaAtlas<m> atlas(gluing_, homes->net, this->atlas_->sampling_radius());
     const Rational distortion = fit_patches<m>(atlas, progress);
     const ModelGeometry seen = geometry_of<m>(atlas, distortion);
     ChartRun<m> run = stars_in_charts<m>(atlas, seen, std::move(homes->points), this->request_, progress);
-    if (!run.is_certified()) return;
+    if (!run.is_certified()) return false;
     AtlasMeasures<m> found = measure_atlas<m>(atlas, run, seen, selection, progress);
-    if (!found.triangulation->triangulates()) return;
+    if (!found.triangulation->triangulates()) return false;
     run.statistics = this->run_->statistics;
     run.repair_rounds = this->run_->repair_rounds;
     run.repaired_points = this->run_->repaired_points;
@@ -88,7 +94,9 @@ class AtlasFamily final : public ChartFamily<m, FormulaAtlas<m>> {
     report.gluing->distortion = distortion;
     report.patch_factor = this->atlas_->patch_factor();
     report.refinement_rounds = homes->rounds;
+    report.parameters.algorithm.separation = measure_separation<m>(*this->atlas_);
     report.take(*this->run_);
+    return true;
   }
 
   [[nodiscard]] ModelGeometry geometry() const override {

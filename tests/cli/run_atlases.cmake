@@ -17,6 +17,9 @@ delcert_cli_test(certify-atlas-too-coarse-for-level-5 STATUS 0 ERROR "^$"
   COMMAND ${delcert} certify --manifold sphere-2-stereographic --radius 1/8 --output coarse.json)
 delcert_cli_test(certify-atlas-between-charts STATUS 0 ERROR "^$" OUTPUT "not reached: level 5: 3 of 129 simplices between charts"
   COMMAND ${delcert} certify --manifold sphere-2-stereographic --radius 1/11 --seed 1 --levels 1,2,5 --output between.json)
+delcert_cli_test(certify-atlas-without-such-homes STATUS 0 ERROR "^$"
+  OUTPUT "not reached: level 5: 3 of 217 simplices .*not reached: refinement: in 5 rounds no home charts were found with which levels 1, 2 and 5 hold"
+  COMMAND ${delcert} certify --manifold projective-plane-by-charts --radius 1/10 --seed 1 --levels 1,2,5 --refine 5 --output no-homes.json)
 delcert_cli_test(certify-atlas-with-other-homes STATUS 0 ERROR "^$" OUTPUT "2 rounds of refinement.*  5   triangulation"
   COMMAND ${delcert} certify --manifold sphere-2-stereographic --radius 1/11 --seed 1 --levels 1,2,5 --refine 30 --output homes.json FIXTURE_SETUP run-homes)
 delcert_cli_test(check-atlas-with-other-homes STATUS 0 ERROR "^$" OUTPUT "level 5    verified   132 simplices between charts" FIXTURES run-homes
