@@ -121,6 +121,25 @@ TEST(Submanifold, simplices_that_are_apart_are_embedded_where_labels_are_not_roo
   }
 }
 
+/// Along the vectors that are tried all edges are as far apart as this, but not by what they are moved, too.
+constexpr double apart_unmoved = 0.00638;
+
+TEST(Submanifold, simplices_are_not_apart_if_that_is_less_than_they_are_moved_by) {
+  Json document = certificate(close_circles(), {"1", "2", "5", "5i"});
+  document["levels"]["5i"]["margin"] = text_of(apart_unmoved);
+  const CheckerRun run = run_checker(sealed(document));
+  EXPECT_EQ(run.status, 1);
+  EXPECT_NE(run.output.find("5i.apart"), std::string::npos) << run.output;
+}
+
+TEST(Submanifold, a_star_is_not_wide_if_its_edges_swing_too_far) {
+  Json document = circle_document();
+  document["levels"]["5i"]["margin"] = "309/2000";
+  const CheckerRun run = run_checker(sealed(document));
+  EXPECT_EQ(run.status, 1);
+  EXPECT_NE(run.output.find("5i.star"), std::string::npos) << run.output;
+}
+
 /// Twelve points on a circle; what may be within density of one of them reaches to the other side.
 SubmanifoldModel twelve_points() {
   SubmanifoldModel model = circle_model(12, 1);
@@ -516,7 +535,6 @@ std::vector<Forgery> submanifold_forgeries() {
   exchanged.others = {"5.contract"};
   Forgery crowded = forged("a mesh with less room than stated", "5i.star", meshed, claim("5i", "margin", "1/4"));
   crowded.others = {"5i.apart"};
-  // Their polygons are 0.00647 apart, and are moved by 0.00003 each.
   const SubmanifoldModel close = close_circles();
   const auto with_one_radius = [](double unit) {
     return [=](Json& j) { j = with_radii(j, "100", [=](std::size_t i) { return i == 5 ? unit : 1; }); };
@@ -628,7 +646,7 @@ std::vector<Forgery> submanifold_forgeries() {
              [](Json& j) { j["levels"]["6"]["bilipschitz"][0] = "1"; }),
       forged("a margin too large", "5i.star", round, claim("5i", "margin", "309/2000")),
       forged("two circles nearer to each other than stated", "5i.apart", certificate(close, {"1", "2", "5", "5i"}),
-             [](Json& j) { j["levels"]["5i"]["margin"] = text_of(0.00644); }),
+             [](Json& j) { j["levels"]["5i"]["margin"] = text_of(apart_unmoved); }),
       forged("radii that differ by more than stated", "sub.radii", round,
              [](Json& j) { j = with_radii(j, "1/64", every_second); }),
       forged("radii exchanged between two circles", "sub.radii", certificate(doubled(circle_model(60, 1)), {"1", "2"}),

@@ -12,10 +12,12 @@ mutations/NAME.txt has a comment that says what breaks, and lines `key: value`:
   test       the test source that has to fail
   only       the tests of that source that run, as a filter of GoogleTest; all if left out
   with       further sources that are compiled with the mutation, or that the test needs, with blanks between
+  program    if the test runs a program: that one, which is linked with the mutation; the test is the one that is built
 
 The sources stay as they are: the changed file is put into a folder of its own that the compiler looks through first,
 the test source and the sources of the mutation are compiled with the flags of their targets, and the linker takes them
-in place of what is in the libraries of BUILD. The same program is also made without the mutation, and has to pass.
+in place of what is in the libraries of BUILD. The same program is also made without the mutation, and has to pass. Tests of
+delcert-check run the program that DELCERT_CHECK names, so that a mutation of the checker needs no test of its own.
 """
 import argparse
 import concurrent.futures
@@ -35,7 +37,10 @@ FOLDER = Path(__file__).resolve().parent
 PROJECT = FOLDER.parent.parent
 PAGE = PROJECT / "docs/mutations.md"
 BEGIN, END = "<!-- mutations: generated -->\n", "<!-- mutations: end -->\n"
-KEYS = {"file", "from", "to", "test", "only", "with"}
+KEYS = {"file", "from", "to", "test", "only", "with", "program"}
+OPTIONAL = {"only", "with", "program"}
+# Programs that tests run, and what names another one in their environment.
+PROGRAMS = {"proofs/checker/delcert-check": "DELCERT_CHECK"}
 SECONDS_OF_A_TEST = 900
 
 
@@ -49,11 +54,12 @@ class Mutation:
         lines = path.read_text().splitlines()
         self.what = " ".join(line[2:] for line in lines if line.startswith("# "))
         fields = dict(line.split(": ", 1) for line in lines if ": " in line and not line.startswith("# "))
-        if not self.what or set(fields) - KEYS or KEYS - {"only", "with"} - set(fields):
+        if not self.what or set(fields) - KEYS or KEYS - OPTIONAL - set(fields):
             stop(f"{path.name}: a comment and the keys {', '.join(sorted(KEYS))} were expected")
         self.file, self.old, self.new, self.test = (fields[key] for key in ("file", "from", "to", "test"))
         self.only = fields.get("only", "*")
         self.sources = fields.get("with", "").split()
+        self.runs = fields.get("program")
 
     def text(self):
         """The file with the mutation in it."""
@@ -67,6 +73,8 @@ class Mutation:
     def compiled(self):
         """What is compiled, the mutated source first if it is one."""
         own = [self.file] if self.file.endswith(".cpp") else []
+        if self.runs:
+            return [*own, *self.sources]
         return own + [source for source in [self.test, *self.sources] if source not in own]
 
     def row(self):
@@ -88,6 +96,10 @@ def check(mutations):
         for source in mutation.compiled():
             if not (PROJECT / source).is_file():
                 stop(f"{mutation.name}: there is no {source}")
+        if mutation.runs not in {None, *PROGRAMS}:
+            stop(f"{mutation.name}: no test runs {mutation.runs}")
+        if mutation.runs and not mutation.compiled():
+            stop(f"{mutation.name}: of a header, `with` names the sources that are compiled")
         if not re.search(r"\b(TEST|RC_GTEST)", (PROJECT / mutation.test).read_text()):
             stop(f"{mutation.name}: {mutation.test} has no tests")
 
@@ -119,14 +131,14 @@ class Build:
         path = overlay / source if (overlay / source).exists() else PROJECT / source
         return [*words[:at], f"-I{overlay}", *words[at:], "-w", "-o", str(into), "-c", str(path)]
 
-    def link_command(self, test, objects, into):
-        target = self.target_of[str(test)]
+    def link_command(self, target, objects, into, own):
+        """`own`: the objects of the target, too, except for what `objects` define."""
         if target not in self.links:
             commands = subprocess.run(["ninja", "-C", str(self.folder), "-t", "commands", "-s", target],
                                       capture_output=True, text=True).stdout.splitlines()
             line = next(line for line in reversed(commands) if f" -o {target} " in line)
             self.links[target] = shlex.split(line.split(" && ")[1] if line.startswith(": &&") else line)
-        words = [word for word in self.links[target] if not word.endswith(".o")]
+        words = [word for word in self.links[target] if own or not word.endswith(".o")]
         at = words.index("-o")
         return [*words[:at], "-Wl,-z,muldefs", *map(str, objects), "-o", str(into), *words[at + 2 :]]
 
@@ -167,7 +179,7 @@ class Programs:
         return self.once((source, overlay), make)
 
     def program(self, mutation, overlay):
-        """`overlay`: the folder with the mutation, or an empty one."""
+        """The test's, or the one that it runs. `overlay`: the folder with the mutation, or an empty one."""
         nothing = self.work / "nothing"
         is_header = not mutation.file.endswith(".cpp")
         objects = [self.compiled(source, overlay if is_header or source == mutation.file else nothing)
@@ -175,15 +187,25 @@ class Programs:
 
         def make(folder):
             folder.mkdir()
-            run_command(self.build.link_command(mutation.test, objects, folder / "test"), self.build.folder)
-            return folder / "test"
+            target = mutation.runs or self.build.target_of[mutation.test]
+            command = self.build.link_command(target, objects, folder / "program", own=mutation.runs is not None)
+            run_command(command, self.build.folder)
+            return folder / "program"
 
-        return self.once(tuple(objects), make)
+        return self.once((mutation.runs, *objects), make)
+
+    def outcome(self, mutation, overlay):
+        """Of the test with that program."""
+        program = self.program(mutation, overlay)
+        if not mutation.runs:
+            return outcome_of(program, mutation.only)
+        return outcome_of(self.build.folder / self.build.target_of[mutation.test], mutation.only,
+                          {PROGRAMS[mutation.runs]: str(program)})
 
 
-def outcome_of(program, only):
-    """passed, failed, or what else happened; and the tests that failed."""
-    environment = dict(os.environ, RC_PARAMS=os.environ.get("RC_PARAMS", "seed=1 max_success=100"))
+def outcome_of(program, only, more={}):
+    """passed, failed, or what else happened; and the tests that failed. `more`: what is added to the environment."""
+    environment = dict(os.environ, **more, RC_PARAMS=os.environ.get("RC_PARAMS", "seed=1 max_success=100"))
     try:
         result = subprocess.run([program, f"--gtest_filter={only}"], env=environment, cwd=program.parent,
                                 capture_output=True, text=True, errors="replace", timeout=SECONDS_OF_A_TEST)
@@ -203,14 +225,15 @@ def apply(programs, mutation):
     (overlay / mutation.file).parent.mkdir(parents=True)
     (overlay / mutation.file).write_text(mutation.text())
     try:
-        outcome, failed = outcome_of(programs.program(mutation, overlay), mutation.only)
+        outcome, failed = programs.outcome(mutation, overlay)
     except RuntimeError as error:
         return False, f"NOT CAUGHT: {mutation.name} does not build: {error}"
     if outcome != "failed":
         return False, f"NOT CAUGHT: {mutation.name}: {mutation.test} {outcome}"
     try:
-        program = programs.program(mutation, programs.work / "nothing")
-        without, others = programs.once((program, mutation.only), lambda _: outcome_of(program, mutation.only))
+        nothing = programs.work / "nothing"
+        key = (programs.program(mutation, nothing), mutation.test, mutation.only)
+        without, others = programs.once(key, lambda _: programs.outcome(mutation, nothing))
     except RuntimeError as error:
         return False, f"NOT CAUGHT: {mutation.name}: {mutation.test} does not build without the mutation: {error}"
     if without != "passed":

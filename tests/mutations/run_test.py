@@ -58,6 +58,8 @@ with tempfile.TemporaryDirectory() as folder:
         ("no such test", "number_test", "none_test", "there is no"),
         ("a test source without tests", "tests/proofs/replay/number_test.cpp", "proofs/replay/main.cpp", "has no tests"),
         ("nothing changes", "to: #pragma  once", "to: #pragma once", "changes nothing"),
+        ("a program that no test runs", "test:", "program: delcert\ntest:", "no test runs delcert"),
+        ("a program and nothing compiled", "test:", "program: proofs/checker/delcert-check\ntest:", "names the sources"),
         ("an unknown key", "test:", "tests:", "were expected"),
         ("no comment", "# The number is another one.\n", "", "were expected"),
     ]:
@@ -77,6 +79,9 @@ with tempfile.TemporaryDirectory() as folder:
         def __init__(self, with_mutation, without):
             self.work = Path(tempfile.mkdtemp(dir=folder))
             self.outputs = (without, with_mutation)
+
+        def outcome(self, mutation, overlay):
+            return run.outcome_of(self.program(mutation, overlay), mutation.only)
 
         def program(self, mutation, overlay):
             output = self.outputs[(overlay / mutation.file).exists()]

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -33,6 +34,12 @@ double seconds_of_children() {
          1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
 }
 
+/// The checker of this build, or the one that the environment names, for tests of tests.
+std::string checker() {
+  const char* other = std::getenv("DELCERT_CHECK");
+  return other != nullptr ? other : DELCERT_CHECK;
+}
+
 CheckerRun run(const std::string& command) {
   CheckerRun result;
   const double before = seconds_of_children();
@@ -56,7 +63,7 @@ std::string temporary_file(const std::string& bytes) {
   return file.path;
 }
 
-CheckerRun run_checker_with(const std::string& arguments) { return run(std::string(DELCERT_CHECK) + " " + arguments); }
+CheckerRun run_checker_with(const std::string& arguments) { return run(checker() + " " + arguments); }
 CheckerRun run_crippled_checker_with(const std::string& arguments) {
   return run(std::string(DELCERT_CHECK_CRIPPLED) + " " + arguments);
 }
@@ -64,8 +71,8 @@ CheckerRun run_crippled_checker_with(const std::string& arguments) {
 CheckerRun run_checker(const std::string& bytes, const std::string& without_rule) {
   const std::string file = temporary_file(bytes);
   CheckerRun result =
-      run((without_rule.empty() ? DELCERT_CHECK : DELCERT_CHECK_CRIPPLED " --without-rule " + without_rule) +
-          " --json " + file);
+      run((without_rule.empty() ? checker() : DELCERT_CHECK_CRIPPLED " --without-rule " + without_rule) + " --json " +
+          file);
   const auto json = nlohmann::json::parse(result.output, nullptr, false);
   if (json.is_discarded()) return result;
   const auto add = [&](const nlohmann::json& finding) {
