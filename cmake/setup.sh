@@ -235,3 +235,32 @@ ctest_counts() {
   done
   if ((total > 0)); then echo $((total - not_passed)) $not_passed; else echo 0 1; fi
 }
+
+# ctest_failures REPORT: of each test that failed what it printed about that, at most 40 lines, or its last ones. CI shows
+# the end of what ./test prints, and there a test with much output is far away.
+ctest_failures() {
+  awk '
+    function show(at) {
+      if (at > shown && lines < 40 && at <= number) { print "  " text[at]; shown = at; lines++ }
+    }
+    /<testcase / {
+      failing = /status="fail"/
+      name = $0; sub(/.* name="/, "", name); sub(/".*/, "", name)
+    }
+    failing && /<system-out>/ { inside = 1; number = 0; sub(/.*<system-out>/, "") }
+    inside {
+      ends = sub(/<\/system-out>.*/, "")
+      gsub(/&lt;/, "<"); gsub(/&gt;/, ">"); gsub(/&quot;/, "\""); gsub(/&apos;/, "\047"); gsub(/&amp;/, "\\&")
+      text[++number] = substr($0, 1, 300)
+      if (ends) {
+        inside = failing = lines = shown = found = 0
+        print "FAILED: " name
+        for (at = 1; at <= number; at++)
+          if (text[at] ~ /: Failure|FAILED|[Ee]rror|Traceback|Assert|terminate|expected/) {
+            found = 1
+            for (more = at; more < at + 8; more++) show(more)
+          }
+        for (at = number - 15; !found && at <= number; at++) if (at > 0) show(at)
+      }
+    }' "$1" 2>/dev/null || true
+}

@@ -217,6 +217,31 @@ on_machine "ctest_counts $report"
 expect "no test at all is a failure" '[[ $output == "0 1" ]]'
 on_machine "ctest_counts $work/nowhere"
 expect "no report is a failure" '[[ $output == "0 1" ]]'
+cat >"$report" <<'XML'
+<testsuite name="(empty)" tests="3" failures="2" disabled="0" skipped="0">
+	<testcase name="right" classname="right" time="1" status="run">
+		<system-out>no error here</system-out>
+	</testcase>
+	<testcase name="wrong" classname="wrong" time="1" status="fail">
+		<failure message=""/>
+		<system-out>[       OK ] Suite.before (0 ms)
+file.cpp:7: Failure
+Expected: (1) &lt; (0)
+</system-out>
+	</testcase>
+	<testcase name="killed" classname="killed" time="1" status="fail">
+		<system-out>[ RUN      ] Suite.last
+</system-out>
+	</testcase>
+</testsuite>
+XML
+ln -s "$(type -P awk)" "$commands/awk"
+on_machine "ctest_failures $report"
+expect "failures are told at the end" \
+  '[[ $output == "FAILED: wrong"*"file.cpp:7: Failure"*"Expected: (1) < (0)"*"FAILED: killed"*"Suite.last"* ]]'
+expect "and nothing else" '[[ $output != *"Suite.before"* && $output != *"here"* ]]'
+on_machine "ctest_failures $work/nowhere"
+expect "no report, no failure to be told" '[[ -z $output ]]'
 
 duplicates=$(grep -v '^#' "$project/cmake/debian-packages.txt" | sed 's/^[a-z?]* *\([^ ]*\).*/\1/' | sort | uniq -d)
 expect "no package stands twice in the list" '[[ -z $duplicates ]]'
