@@ -144,14 +144,14 @@ TEST(Work, of_large_numbers_and_fields_is_bounded) {
 
 TEST(Work, ends_at_the_limits_of_time_and_memory) {
   const std::string file = temporary_file(sealed(cubic_torus().document()));
-  const CheckerRun late = run_checker_with(file + " --time-limit 0.2");
+  const CheckerRun late = run_checker_with(file + " --time-limit 0.01");
   EXPECT_EQ(late.status, 2) << late.output;
   EXPECT_EQ(late.output.find("verified"), std::string::npos) << late.output;
   EXPECT_NE(late.output.find("undecided: levels limit"), std::string::npos) << late.output;
   EXPECT_LT(late.seconds, 2);
-  const CheckerRun json = run_checker_with(file + " --json --time-limit 0.2");
+  const CheckerRun json = run_checker_with(file + " --json --time-limit 0.01");
   EXPECT_EQ(nlohmann::json::parse(json.output)["exit"], 2);
-  EXPECT_EQ(run_checker_with(file + " --quiet --time-limit 0.2").output, "");
+  EXPECT_EQ(run_checker_with(file + " --quiet --time-limit 0.01").output, "");
   const CheckerRun large = run_checker_with(file + " --memory-limit 24");
   EXPECT_EQ(large.status, 2) << large.output;
   EXPECT_NE(large.output.find("the limit of memory was reached"), std::string::npos) << large.output;
