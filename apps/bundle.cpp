@@ -1,6 +1,8 @@
 #include "proofs/publication/bundle.hpp"
 
 #include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -11,6 +13,7 @@
 #include "apps/other_programs.hpp"
 #include "support/atomic_file.hpp"
 #include "support/error.hpp"
+#include "support/utc_time.hpp"
 
 namespace delcert {
 
@@ -30,6 +33,19 @@ std::string bytes_of_file(const std::string& file) {
   return bytes;
 }
 
+/// Today, in UTC; with SOURCE_DATE_EPOCH in the environment the day of that second (reproducible-builds.org).
+std::string default_date() {
+  auto time = std::chrono::system_clock::now();
+  if (const char* epoch = std::getenv("SOURCE_DATE_EPOCH")) {
+    char* end = nullptr;
+    const long long seconds = std::strtoll(epoch, &end, 10);
+    if (end == epoch || *end != 0 || seconds < 0 || seconds > 253402300799)
+      throw InputError(std::string("SOURCE_DATE_EPOCH: \"") + epoch + "\" is no number of seconds since 1970");
+    time = std::chrono::system_clock::time_point(std::chrono::seconds(seconds));
+  }
+  return utc_text(time).substr(0, 10);
+}
+
 ExitStatus write_bundle(const BundleOptions& options) {
   if (std::filesystem::exists(std::filesystem::symlink_status(options.output)))
     throw InputError(options.output + ": the file exists and is not replaced");
@@ -38,7 +54,9 @@ ExitStatus write_bundle(const BundleOptions& options) {
     certificates.push_back(
         {std::filesystem::path(file).filename().string(), bytes_of_file(file), read_certificate(file)});
   const std::vector<ArchiveFile> checker = options.has_checker ? checker_source() : std::vector<ArchiveFile>();
-  const std::vector<ArchiveFile> files = bundle_files(certificates, options.facts, checker);
+  BundleFacts facts = options.facts;
+  if (facts.date.empty()) facts.date = default_date();
+  const std::vector<ArchiveFile> files = bundle_files(certificates, facts, checker);
   write_file_atomically(options.output, zip_archive(files));
   std::cout << options.output << ": " << files.size() << " files, " << certificates.size()
             << (certificates.size() == 1 ? " certificate" : " certificates") << ", not verified"
@@ -58,13 +76,17 @@ void add_bundle(CLI::App& program, Action& chosen) {
       ->required()
       ->allow_extra_args(false);
   command->add_option("--license", options->facts.license, "An SPDX identifier, for example CC-BY-4.0 (default: none)");
+  command
+      ->add_option("--date", options->facts.date,
+                   "The day of publication (default: today, or that of $SOURCE_DATE_EPOCH)")
+      ->type_name("YYYY-MM-DD");
   command->add_flag(
       "--checker,!--no-checker", options->has_checker,
       "Put the source of delcert-check into the archive, so that it can be built from there (the default)");
   command->footer(
       "Certificates, their manifolds, exports, checksums, references, and descriptions for Zenodo, CodeMeta and "
       "RO-Crate.\n"
-      "The same files give the same bytes. Nothing is verified: run delcert check first.\n\n"
+      "The same files and the same day give the same bytes. Nothing is verified: run delcert check first.\n\n"
       "Examples:\n"
       "  delcert bundle torus.json.zst bolza.json.zst --title \"Supplement\" --author \"Doe, Jane\" --output "
       "supplement.zip");

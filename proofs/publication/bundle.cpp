@@ -14,6 +14,7 @@
 #include "proofs/drawing/export_format.hpp"
 #include "proofs/publication/citation.hpp"
 #include "support/error.hpp"
+#include "support/utc_time.hpp"
 
 namespace delcert {
 
@@ -56,6 +57,11 @@ void require_facts(const std::vector<BundledCertificate>& certificates, const Bu
   if (facts.title.empty()) throw InputError("a bundle needs a title");
   if (facts.authors.empty()) throw InputError("a bundle needs an author");
   if (certificates.empty()) throw InputError("a bundle needs a certificate");
+  try {
+    (void)parse_utc(facts.date + "T00:00:00Z");
+  } catch (const InputError&) {
+    throw InputError("a bundle needs a day of publication such as 2026-05-31, and not \"" + facts.date + "\"");
+  }
   std::set<std::string> stems;
   for (const BundledCertificate& each : certificates) {
     if (!is_plain_name(each.file)) {
@@ -133,6 +139,7 @@ std::string citation_text(const BundleFacts& facts) {
                 ? "  - name: " + yaml_string(family) + "\n"
                 : "  - family-names: " + yaml_string(family) + "\n    given-names: " + yaml_string(given) + "\n";
   }
+  text += "date-released: " + yaml_string(facts.date) + "\n";
   if (!facts.license.empty()) text += "license: " + yaml_string(facts.license) + "\n";
   return text;
 }
@@ -148,12 +155,15 @@ BundleJson zenodo_json(const std::vector<BundledCertificate>& certificates, cons
   BundleJson json{{"title", facts.title},
                   {"upload_type", "dataset"},
                   {"description", description_of(certificates)},
+                  {"publication_date", facts.date},
                   {"creators", BundleJson::array()},
                   {"keywords", {"Delaunay triangulation", "manifold", "certified computation"}}};
   for (const std::string& author : facts.authors) json["creators"].push_back({{"name", author}});
   if (!facts.license.empty()) json["license"] = facts.license;
   return json;
 }
+
+std::string license_address(const BundleFacts& facts) { return "https://spdx.org/licenses/" + facts.license; }
 
 BundleJson person_json(const std::string& author) {
   const auto [family, given] = parts_of_author(author);
@@ -166,9 +176,10 @@ BundleJson codemeta_json(const std::vector<BundledCertificate>& certificates, co
                   {"@type", "Dataset"},
                   {"name", facts.title},
                   {"description", description_of(certificates)},
+                  {"datePublished", facts.date},
                   {"author", BundleJson::array()}};
   for (const std::string& author : facts.authors) json["author"].push_back(person_json(author));
-  if (!facts.license.empty()) json["license"] = "https://spdx.org/licenses/" + facts.license;
+  if (!facts.license.empty()) json["license"] = license_address(facts);
   json["softwareRequirements"] = std::string("delcert ") + version;
   return json;
 }
@@ -183,6 +194,7 @@ std::string media_type(const std::string& name) {
   return "text/plain";
 }
 
+/// By https://w3id.org/ro/crate/1.1: the root has a name, a description, a date and a license.
 BundleJson crate_json(const std::vector<ArchiveFile>& files, const std::vector<BundledCertificate>& certificates,
                       const BundleFacts& facts) {
   BundleJson parts = BundleJson::array();
@@ -199,6 +211,8 @@ BundleJson crate_json(const std::vector<ArchiveFile>& files, const std::vector<B
                   {"@type", "Dataset"},
                   {"name", facts.title},
                   {"description", description_of(certificates)},
+                  {"datePublished", facts.date},
+                  {"license", "No license is stated."},
                   {"author", BundleJson::array()},
                   {"hasPart", parts}};
   for (std::size_t at = 0; at < facts.authors.size(); ++at) {
@@ -208,7 +222,13 @@ BundleJson crate_json(const std::vector<ArchiveFile>& files, const std::vector<B
     person["@id"] = id;
     entities.push_back(person);
   }
-  if (!facts.license.empty()) root["license"] = "https://spdx.org/licenses/" + facts.license;
+  if (!facts.license.empty()) {
+    root["license"] = {{"@id", license_address(facts)}};
+    entities.push_back({{"@id", license_address(facts)},
+                        {"@type", "CreativeWork"},
+                        {"name", facts.license},
+                        {"description", "The license of this identifier in the list of SPDX."}});
+  }
   BundleJson graph = BundleJson::array({{{"@id", "ro-crate-metadata.json"},
                                          {"@type", "CreativeWork"},
                                          {"conformsTo", {{"@id", "https://w3id.org/ro/crate/1.1"}}},

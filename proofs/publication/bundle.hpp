@@ -20,6 +20,7 @@ struct BundleFacts {
   std::string title;
   std::vector<std::string> authors;  ///< "Family, Given"
   std::string license;               ///< of SPDX; empty where none is stated
+  std::string date;                  ///< of publication: "2026-05-31"
 };
 
 /// The files of supplementary material, in order: the certificates in `certificates/`, for each its manifold block in
@@ -28,7 +29,7 @@ struct BundleFacts {
 /// codemeta.json, the source of the checker, ro-crate-metadata.json, and SHA256SUMS of all others. `checker` is that
 /// source, with names below `checker/`; where it is empty the README leaves open where delcert-check comes from. Equal
 /// input gives equal files. Throws InputError, naming the file, for a certificate whose seal is wrong or that comes
-/// twice, and for facts that are missing.
+/// twice, and for facts that are missing or no day.
 [[nodiscard]] std::vector<ArchiveFile> bundle_files(const std::vector<BundledCertificate>& certificates,
                                                     const BundleFacts& facts,
                                                     const std::vector<ArchiveFile>& checker = {});

@@ -86,23 +86,37 @@ delcert_cli_test(figure-curve STATUS 0 ERROR "^$" OUTPUT "not verified.; [0-9]+ 
   "\"$1\" certify --manifold circle --radius 1/30 --output figure-circle.json > /dev/null && \"$1\" figure figure-circle.json --output figure-circle.svg"
   sh ${delcert})
 
+find_package(Python3 3.11 REQUIRED COMPONENTS Interpreter)
+
 # Bundles: the same bytes again, commands of the README that succeed, and one that fails where a byte is changed.
-set(supplement --no-checker --title "A & b" --author "Doe, Jane" --license CC-BY-4.0)
+set(supplement --no-checker --title "A & b" --author "Doe, Jane" --author "The group" --license CC-BY-4.0 --date 2026-05-31)
+set(no_day ${supplement})
+list(REMOVE_ITEM no_day --date 2026-05-31)
 set(bundle_works ${CMAKE_CURRENT_LIST_DIR}/bundle_works.sh)
 delcert_cli_test(bundle STATUS 0 ERROR "^$" FIXTURES run-square run-torus-3 FIXTURE_SETUP bundle
   OUTPUT "^supplement.zip: 14 files, 2 certificates, not verified\n$"
   COMMAND sh -c "rm -f supplement.zip && exec \"$@\"" sh ${delcert} bundle run-square.json.zst run-torus-3.json.zst ${supplement} --output supplement.zip)
 delcert_cli_test(bundle-again STATUS 0 OUTPUT "^$" ERROR "^$" FIXTURES run-square run-torus-3 bundle
   COMMAND sh -c "rm -f again.zip && \"$@\" > /dev/null && cmp supplement.zip again.zip" sh ${delcert} bundle run-square.json.zst run-torus-3.json.zst ${supplement} --output again.zip)
+# The day also as seconds since 1970; on the next day the bytes are others.
+set(on_day sh -c "rm -f day.zip && SOURCE_DATE_EPOCH=$0 \"$@\" > /dev/null && cmp day.zip supplement.zip")
+set(bundled ${delcert} bundle run-square.json.zst run-torus-3.json.zst ${no_day} --output day.zip)
+delcert_cli_test(bundle-on-the-day STATUS 0 OUTPUT "^$" ERROR "^$" FIXTURES run-square run-torus-3 bundle COMMAND ${on_day} 1780185600 ${bundled})
+delcert_cli_test(bundle-on-the-next STATUS 1 OUTPUT "differ" ERROR "^$" FIXTURES run-square run-torus-3 bundle COMMAND ${on_day} 1780272000 ${bundled})
+set_tests_properties(cli.bundle-on-the-day cli.bundle-on-the-next PROPERTIES RESOURCE_LOCK day-of-bundle)
+delcert_cli_test(bundle-on-no-day STATUS 3 OUTPUT "^$" ERROR "a bundle needs a day of publication such as 2026-05-31, and not .31.5.2026" FIXTURES run-square
+  COMMAND ${delcert} bundle run-square.json.zst --title x --author y --date 31.5.2026 --output never.zip)
 delcert_cli_test(bundle-works STATUS 0 OUTPUT "^3 commands succeed\n$" ERROR "^$" FIXTURES bundle
   COMMAND ${bundle_works} supplement.zip $<TARGET_FILE_DIR:delcert-check>)
+delcert_cli_test(bundle-schemas STATUS 0 OUTPUT "^4 descriptions follow their schemas; [0-9]+ changes are noticed\n$" ERROR "^$" FIXTURES bundle
+  COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_LIST_DIR}/bundle_schemas.py supplement.zip)
 foreach(changed certificates/run-square.json.zst exports/run-torus-3.vtu)
   string(MAKE_C_IDENTIFIER ${changed} name)
   delcert_cli_test(bundle-changed-${name} STATUS 1 OUTPUT "fails: sha256sum -c" ERROR "^$" FIXTURES bundle
     COMMAND ${bundle_works} supplement.zip $<TARGET_FILE_DIR:delcert-check> ${changed})
 endforeach()
 delcert_cli_test(bundle-has-the-checker STATUS 0 OUTPUT "^source.zip: [0-9]+ files, 1 certificate, not verified, and the source of the checker\n.*checker/proofs/checker/main.cpp: OK" ERROR "^$"
-  FIXTURES run-square COMMAND sh -c "rm -rf source.zip source-of-checker && mkdir source-of-checker && \"$1\" bundle run-square.json.zst --title x --author y --output source.zip \
+  FIXTURES run-square COMMAND sh -c "rm -rf source.zip source-of-checker && mkdir source-of-checker && \"$1\" bundle run-square.json.zst --title x --author y --date 2026-05-31 --output source.zip \
     && cd source-of-checker && cmake -E tar xf ../source.zip && sha256sum -c SHA256SUMS" sh ${delcert})
 delcert_cli_test(bundle-onto-a-file STATUS 3 OUTPUT "^$" ERROR "supplement.zip: the file exists and is not replaced" FIXTURES run-square bundle
   COMMAND ${delcert} bundle run-square.json.zst ${supplement} --output supplement.zip)

@@ -20,7 +20,7 @@ BundledCertificate torus(const std::string& file) {
 }
 
 const BundleFacts& some_facts() {
-  static const BundleFacts facts{"Tori & <others>", {"Doe, Jane", "The group"}, "CC-BY-4.0"};
+  static const BundleFacts facts{"Tori & <others>", {"Doe, Jane", "The group"}, "CC-BY-4.0", "2026-05-31"};
   return facts;
 }
 
@@ -99,6 +99,7 @@ TEST(Bundle, states_no_license_that_was_not_given) {
   const auto files = bundle_files({torus("a.json")}, facts);
   EXPECT_FALSE(nlohmann::json::parse(text_named(files, ".zenodo.json")).contains("license"));
   EXPECT_FALSE(has(text_named(files, "CITATION.cff"), "license"));
+  EXPECT_TRUE(has(text_named(files, "ro-crate-metadata.json"), "\"license\": \"No license is stated.\""));
 }
 
 TEST(Bundle, is_the_same_for_the_same_certificates) {
@@ -114,8 +115,10 @@ TEST(Bundle, refuses_what_it_cannot_hold) {
   changed.certificate.sealed_bytes = std::string(64, '0');
   EXPECT_TRUE(has(refusal({changed}, some_facts()), "a.json: the seal is wrong"));
   EXPECT_TRUE(has(refusal({}, some_facts()), "needs a certificate"));
-  EXPECT_TRUE(has(refusal({torus("a.json")}, {"", {"x"}, ""}), "needs a title"));
-  EXPECT_TRUE(has(refusal({torus("a.json")}, {"x", {}, ""}), "needs an author"));
+  EXPECT_TRUE(has(refusal({torus("a.json")}, {"", {"x"}, "", "2026-05-31"}), "needs a title"));
+  EXPECT_TRUE(has(refusal({torus("a.json")}, {"x", {}, "", "2026-05-31"}), "needs an author"));
+  for (const char* day : {"", "2026", "2026-5-31", "2026-06-31", "31.5.2026"})
+    EXPECT_TRUE(has(refusal({torus("a.json")}, {"x", {"x"}, "", day}), "needs a day of publication")) << day;
 }
 
 }  // namespace DELCERT_THIS_FILE
