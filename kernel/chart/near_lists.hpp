@@ -16,12 +16,11 @@ struct NearLift {
   double chord = 0;
 };
 
-/// For each label, once somebody has asked for it, a list of the lifts near its point. Lists that several threads make
-/// at the same time are the same; the first is kept. When there are too many entries, no more lists are kept.
+/// For each label, once somebody has asked for it, a list of the lifts near its point. Of lists that several threads
+/// make at the same time any will do; the first is kept. When there are too many entries, no more lists are kept.
+template <class List = std::vector<NearLift>>
 class NearLists {
  public:
-  using List = std::vector<NearLift>;
-
   /// `most_entries`: about how many entries are kept in all.
   NearLists(std::size_t labels, std::size_t most_entries) : lists_(labels), most_entries_(most_entries) {}
   ~NearLists() {

@@ -18,15 +18,6 @@ constexpr double absolute_slack = 0x1p-44;
 /// No more cells than this for each point, whatever the shape of the box.
 constexpr double cells_per_point = 4;
 
-/// In a Cartesian frame the same number without the products by 0 and 1.
-template <int m>
-double squared_norm(bool is_cartesian, const Matrix<double, m>& gram, const Vector<double, m>& offset) {
-  if (is_cartesian) return pairing(offset, offset);
-  double squared = 0;
-  for (std::size_t row = 0; row < m; ++row) squared += offset[row] * pairing(gram[row], offset);
-  return squared;
-}
-
 }  // namespace
 
 template <int m>
@@ -118,16 +109,34 @@ std::size_t PointGrid<m>::flat_index(const std::array<std::int64_t, static_cast<
 }
 
 template <int m>
+double PointGrid<m>::size_with(const Vector<double, m>& centre) const {
+  double size = largest_coordinate_;
+  for (const double coordinate : centre) size = std::max(size, std::abs(coordinate));
+  return size;
+}
+
+template <int m>
+double PointGrid<m>::widened(double distance, double size) {
+  return distance * (1 + relative_slack) + absolute_slack * size;
+}
+
+template <int m>
+double PointGrid<m>::most_squared(const Vector<double, m>& centre, double distance) const {
+  // Rounding in xᵀGx, with every |x_a| below its half-width, relative to the square of the distance.
+  const double reach = widened(distance, size_with(centre));
+  return reach * reach * (1 + 0x1p-48 * gram_rounding_);
+}
+
+template <int m>
 template <class Visit>
 void PointGrid<m>::visit_near(const Vector<double, m>& centre, double distance, const Visit& visit) const {
   using Index = std::array<std::int64_t, static_cast<std::size_t>(m)>;
   Index first;
   Index last;
-  double size = largest_coordinate_;
-  for (std::size_t axis = 0; axis < m; ++axis) size = std::max(size, std::abs(centre[axis]));
-  const double widened = distance * (1 + relative_slack) + absolute_slack * size;
+  const double size = size_with(centre);
+  const double reach = widened(distance, size);
   for (std::size_t axis = 0; axis < m; ++axis) {
-    const double half = widened * half_width_per_length_[axis] + absolute_slack * size;
+    const double half = reach * half_width_per_length_[axis] + absolute_slack * size;
     first[axis] = static_cast<std::int64_t>(std::floor((centre[axis] - half - origin_[axis]) * cells_per_unit_[axis]));
     last[axis] = static_cast<std::int64_t>(std::floor((centre[axis] + half - origin_[axis]) * cells_per_unit_[axis]));
     if (!periodic_) {
@@ -136,8 +145,7 @@ void PointGrid<m>::visit_near(const Vector<double, m>& centre, double distance, 
       last[axis] = std::clamp<std::int64_t>(last[axis], 0, cells_[axis] - 1);
     }
   }
-  // Rounding in xᵀGx, with every |x_a| below its half-width, relative to the square of the distance.
-  const double most = widened * widened * (1 + 0x1p-48 * gram_rounding_);
+  const double most = most_squared(centre, distance);
   // The cell at hand, by its number in the unit cell and by how many periods it is away.
   Index first_wrapped = first;
   Shift<m> first_period{};
@@ -149,7 +157,6 @@ void PointGrid<m>::visit_near(const Vector<double, m>& centre, double distance, 
       first_period[axis] = static_cast<std::int32_t>(turns);
     }
   }
-  const bool is_cartesian = metric_.is_cartesian();
   Index cell = first;
   Index wrapped = first_wrapped;
   Shift<m> period = first_period;
@@ -159,8 +166,7 @@ void PointGrid<m>::visit_near(const Vector<double, m>& centre, double distance, 
       for (std::size_t axis = 0; axis < m; ++axis) {
         offset[axis] = entry.reduced[axis] + static_cast<double>(period[axis]) - centre[axis];
       }
-      const double squared = squared_norm<m>(is_cartesian, gram_, offset);
-      if (squared <= most && visit(entry, period)) return;
+      if (squared_norm(offset) <= most && visit(entry, period)) return;
     }
     std::size_t axis = m;
     while (axis > 0 && ++cell[axis - 1] > last[axis - 1]) {

@@ -70,6 +70,16 @@ class PointGrid {
   /// Appends to `out` a superset of the lifts within `distance` of `centre`. The order depends on the points only.
   void near(const Vector<double, m>& centre, double distance, std::vector<Lift<m>>& out) const;
 
+  /// The same, to ask again about what was found for a greater distance: a lift belongs to the answer if its
+  /// `squared_distance` is at most `most_squared`.
+  [[nodiscard]] double squared_distance(const Vector<double, m>& centre, std::uint32_t index,
+                                        const Vector<double, m>& shift) const {
+    Vector<double, m> offset;
+    for (std::size_t axis = 0; axis < m; ++axis) offset[axis] = points_[index][axis] + shift[axis] - centre[axis];
+    return squared_norm(offset);
+  }
+  [[nodiscard]] double most_squared(const Vector<double, m>& centre, double distance) const;
+
   /// Whether some lift is closer to `centre` than `distance`, without error bounds.
   [[nodiscard]] bool approximately_occupied(const Vector<double, m>& centre, double distance) const;
 
@@ -92,6 +102,17 @@ class PointGrid {
   template <class Visit>
   void visit_near(const Vector<double, m>& centre, double distance, const Visit& visit) const;
   void fit_box(double box_radius, std::size_t expected);
+  /// The greatest coordinate of all points and this one, or 1.
+  [[nodiscard]] double size_with(const Vector<double, m>& centre) const;
+  /// So far the grid looks where a distance is asked for.
+  [[nodiscard]] static double widened(double distance, double size);
+  /// In a Cartesian frame the same number without the products by 0 and 1.
+  [[nodiscard]] double squared_norm(const Vector<double, m>& offset) const {
+    if (metric_.is_cartesian()) return pairing(offset, offset);
+    double squared = 0;
+    for (std::size_t row = 0; row < m; ++row) squared += offset[row] * pairing(gram_[row], offset);
+    return squared;
+  }
 
   FrameMetric<m> metric_;
   Matrix<double, m> gram_{};

@@ -10,6 +10,11 @@ namespace {
 
 /// Cells of this many sampling radii: most queries ask for 2.5 to 4.5.
 constexpr double cell_factor = 2;
+/// Lists are kept of what is within so many, give or take what stages widen their questions by: colours have to tell
+/// apart what all that follows looks at. Separations are of less, patches of more.
+constexpr double most_listed_radii = 4.5 * (1 + 0x1p-20);
+/// How many entries lists have in all, about: 256 MiB.
+constexpr std::size_t most_entries = std::size_t{1} << 25;
 
 template <class S, int m>
 Vector<S, m> translated(const Vector<S, m>& x, const Shift<m>& shift) {
@@ -38,7 +43,9 @@ FlatAtlas<m>::FlatAtlas(FlatSpace<m> space, PointSet<m> net, SamplingRadii radii
       radii_(std::move(radii)),
       radius_variation_(std::move(radius_variation)),
       grid_(space_.metric, space_.box_radius(),
-            cell_factor * approximate_double(sampling_radius()) * middle_unit(radii_.units()), net_.size()) {
+            cell_factor * approximate_double(sampling_radius()) * middle_unit(radii_.units()), net_.size()),
+      near_(std::make_unique<NearLists<NearShifts>>(net_.size(), most_entries)),
+      most_listed_(most_listed_radii * approximate_double(sampling_radius())) {
   for (const auto& point : net_.approximate_all()) grid_.insert(point);
   interior_.reserve(net_.size());
   for (std::uint32_t index = 0; index < net_.size(); ++index) {
@@ -54,10 +61,51 @@ std::vector<Sighting<m>> FlatAtlas<m>::neighbours(Label i) const {
 }
 
 template <int m>
-void FlatAtlas<m>::sightings(Label i, double distance, std::vector<Sighting<m>>& out) const {
+void FlatAtlas<m>::find_near(Label i, double distance, std::vector<Sighting<m>>& out) const {
   out.clear();
   grid_.near(net_.approximate(i), distance, out);
   std::sort(out.begin(), out.end());
+}
+
+template <int m>
+typename FlatAtlas<m>::NearShifts FlatAtlas<m>::listed(const std::vector<Sighting<m>>& seen, double distance) {
+  using Small = std::int8_t;
+  NearShifts result{distance, {}};
+  result.entries.reserve(seen.size());
+  for (const Sighting<m>& sighting : seen) {
+    auto& entry = result.entries.emplace_back();
+    entry.index = sighting.index;
+    for (std::size_t axis = 0; axis < m; ++axis) {
+      entry.shift[axis] = static_cast<Small>(sighting.shift[axis]);
+      if (entry.shift[axis] != sighting.shift[axis]) return {};
+    }
+  }
+  return result;
+}
+
+template <int m>
+void FlatAtlas<m>::sightings(Label i, double distance, std::vector<Sighting<m>>& out) const {
+  if (!(distance >= most_listed_ / 2 && distance <= most_listed_)) return find_near(i, distance, out);
+  // The first to ask is the one who asks for most.
+  bool is_found = false;
+  const NearShifts* list = near_->of(i.value, [&] {
+    find_near(i, distance, out);
+    is_found = true;
+    return listed(out, distance);
+  });
+  if (is_found) return;
+  if (list == nullptr || !(distance <= list->distance)) return find_near(i, distance, out);
+  out.clear();
+  const Vector<double, m>& centre = net_.approximate(i);
+  const double most = grid_.most_squared(centre, distance);
+  for (const auto& entry : list->entries) {
+    Vector<double, m> shift;
+    for (std::size_t axis = 0; axis < m; ++axis) shift[axis] = entry.shift[axis];
+    if (!(grid_.squared_distance(centre, entry.index, shift) <= most)) continue;
+    Sighting<m>& sighting = out.emplace_back();
+    sighting.index = entry.index;
+    for (std::size_t axis = 0; axis < m; ++axis) sighting.shift[axis] = entry.shift[axis];
+  }
 }
 
 template <int m>

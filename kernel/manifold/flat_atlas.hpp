@@ -1,8 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "kernel/chart/atlas.hpp"
+#include "kernel/chart/near_lists.hpp"
 #include "kernel/chart/sampling_radii.hpp"
 
 namespace delcert {
@@ -55,11 +57,27 @@ class FlatAtlas final : public Atlas<m> {
   [[nodiscard]] bool has_exact_transitions() const override { return true; }
 
  private:
+  /// What is within a distance of a point, sorted: 8 bytes for each.
+  struct NearShifts {
+    struct Entry {
+      std::uint32_t index = 0;
+      std::array<std::int8_t, static_cast<std::size_t>(m)> shift{};
+    };
+    double distance = 0;
+    std::vector<Entry> entries;
+    [[nodiscard]] std::size_t size() const { return entries.size(); }
+  };
+  void find_near(Label i, double distance, std::vector<Sighting<m>>& out) const;
+  /// For no distance where the shifts are too long to be listed.
+  [[nodiscard]] static NearShifts listed(const std::vector<Sighting<m>>& seen, double distance);
+
   FlatSpace<m> space_;
   PointSet<m> net_;
   SamplingRadii radii_;
   Rational radius_variation_;
   PointGrid<m> grid_;
+  std::unique_ptr<NearLists<NearShifts>> near_;
+  double most_listed_;  // lists are kept of what is within this distance
   std::vector<bool> interior_;
 };
 

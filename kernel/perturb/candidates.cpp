@@ -321,8 +321,12 @@ void CandidateTest<m>::look(Label i) {
   // Where transitions are not isometries, the chart may show a point as near that is too far away to be tested against:
   // another sheet of a submanifold, for example.
   if (reach_around_) atlas_.sightings(i, lengths_.reach_of_sightings, seen_near_);
-  const auto is_near = [this](const Sighting<m>& sighting) {
-    return !reach_around_ || std::binary_search(seen_near_.begin(), seen_near_.end(), sighting);
+  // Both are sorted: of what is near, the first that does not come before a sighting.
+  auto near = seen_near_.cbegin();
+  const auto is_near = [&](const Sighting<m>& sighting) {
+    if (!reach_around_) return true;
+    while (near != seen_near_.cend() && *near < sighting) ++near;
+    return near != seen_near_.cend() && *near == sighting;
   };
   view_.clear(i);
   around_.clear();

@@ -92,7 +92,7 @@ SpaceFormAtlas<m>::SpaceFormAtlas(SpaceForm form, std::vector<Vector<Rational, m
       net_(std::vector<Vector<Rational, m>>(centres_.size())),
       number_(next_number()),
       listed_distance_(std::min(greatest_distance(), listed_radii * approximate_double(sampling_radius_))),
-      near_(std::make_unique<NearLists>(centres_.size(), most_listed)) {
+      near_(std::make_unique<NearLists<>>(centres_.size(), most_listed)) {
   fill_grid();
 }
 
@@ -217,14 +217,14 @@ void SpaceFormAtlas<m>::find_near(const ModelPoint<Interval, m>& x, double dista
 }
 
 template <int m>
-const NearLists::List* SpaceFormAtlas<m>::listed_about(Label i) const {
+const std::vector<NearLift>* SpaceFormAtlas<m>::listed_about(Label i) const {
   return near_->of(i.value, [&] {
     const RoundingGuard guard;
     thread_local std::vector<std::pair<Lift<m>, double>> found;
     found.clear();
     grid_.near(frames_[i.value].point(), listed_distance_, found);
     std::sort(found.begin(), found.end());
-    NearLists::List result;
+    std::vector<NearLift> result;
     result.reserve(found.size());
     for (const auto& [lift, chord] : found) result.push_back({lift.index, lift.element, chord});
     return result;
@@ -233,7 +233,7 @@ const NearLists::List* SpaceFormAtlas<m>::listed_about(Label i) const {
 
 template <int m>
 void SpaceFormAtlas<m>::sightings(Label i, double distance, std::vector<Sighting<m>>& out) const {
-  const NearLists::List* list = distance <= listed_distance_ ? listed_about(i) : nullptr;
+  const std::vector<NearLift>* list = distance <= listed_distance_ ? listed_about(i) : nullptr;
   if (list == nullptr) {
     find_near(frames_[i.value].point(), distance, out);
     return;

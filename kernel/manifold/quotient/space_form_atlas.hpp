@@ -83,7 +83,7 @@ class SpaceFormAtlas final : public Atlas<m> {
   /// The point with these home coordinates, in the linear model.
   [[nodiscard]] const Moved& moved(std::uint32_t label, const Vector<Interval, m>& home) const;
   /// The lifts within `listed_distance_` of p̂_i, sorted; none if there are too many.
-  [[nodiscard]] const NearLists::List* listed_about(Label i) const;
+  [[nodiscard]] const std::vector<NearLift>* listed_about(Label i) const;
   void fill_grid();
   [[nodiscard]] double greatest_distance() const;
   void find_near(const ModelPoint<Interval, m>& x, double distance, std::vector<Sighting<m>>& out) const;
@@ -110,7 +110,7 @@ class SpaceFormAtlas final : public Atlas<m> {
   };
   std::uint64_t number_;  // of this atlas
   double listed_distance_ = 0;
-  std::unique_ptr<NearLists> near_;  // the lifts within that distance
+  std::unique_ptr<NearLists<>> near_;  // the lifts within that distance
   std::vector<std::size_t> first_lift_frame_;
   std::vector<LiftFrame> lift_frames_;
 };

@@ -7,10 +7,12 @@
 namespace delcert::test {
 namespace DELCERT_THIS_FILE {
 
-NearLists::List list_of(std::uint32_t label) { return {{label, 0, 1.0}, {label + 1, 2, 3.0}}; }
+using List = std::vector<NearLift>;
+
+List list_of(std::uint32_t label) { return {{label, 0, 1.0}, {label + 1, 2, 3.0}}; }
 
 TEST(NearLists, makes_a_list_once) {
-  NearLists lists(10, 1000);
+  NearLists<> lists(10, 1000);
   int made = 0;
   const auto make = [&made] {
     ++made;
@@ -25,7 +27,7 @@ TEST(NearLists, makes_a_list_once) {
 }
 
 TEST(NearLists, keeps_no_more_than_it_may) {
-  NearLists lists(10, 3);
+  NearLists<> lists(10, 3);
   const auto make = [] { return list_of(0); };
   EXPECT_NE(lists.of(0, make), nullptr);
   EXPECT_NE(lists.of(1, make), nullptr);
@@ -35,8 +37,8 @@ TEST(NearLists, keeps_no_more_than_it_may) {
 
 TEST(NearLists, are_the_same_for_all_threads) {
   constexpr std::uint32_t labels = 200;
-  NearLists lists(labels, 100000);
-  std::vector<std::vector<const NearLists::List*>> seen(4, std::vector<const NearLists::List*>(labels));
+  NearLists<> lists(labels, 100000);
+  std::vector<std::vector<const List*>> seen(4, std::vector<const List*>(labels));
   std::vector<std::thread> threads;
   for (auto& mine : seen) {
     threads.emplace_back([&] {

@@ -22,7 +22,20 @@ void check_query(const FlatSpace<m>& space, const ExactPoints<m>& points, const 
   grid.near(approximate<m>(centre), approximate_double(distance), near);
   std::sort(near.begin(), near.end());
   EXPECT_EQ(std::adjacent_find(near.begin(), near.end()), near.end());
+  // The same by what may be kept of a longer list.
+  Lifts<m> farther;
+  grid.near(approximate<m>(centre), 2 * approximate_double(distance), farther);
+  Lifts<m> kept;
+  const double most = grid.most_squared(approximate<m>(centre), approximate_double(distance));
+  for (const auto& lift : farther) {
+    Vector<double, m> shift;
+    for (std::size_t axis = 0; axis < m; ++axis) shift[axis] = lift.shift[axis];
+    if (grid.squared_distance(approximate<m>(centre), lift.index, shift) <= most) kept.push_back(lift);
+  }
+  std::sort(kept.begin(), kept.end());
+  EXPECT_EQ(kept, near);
   const auto inner = lifts_within<m>(space, points, centre, distance);
+  EXPECT_TRUE(std::includes(kept.begin(), kept.end(), inner.begin(), inner.end()));
   EXPECT_TRUE(std::includes(near.begin(), near.end(), inner.begin(), inner.end()));
   Rational size(1);
   for (const Rational& coordinate : centre) size = maximum(size, absolute(coordinate));

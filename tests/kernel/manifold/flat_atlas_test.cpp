@@ -1,5 +1,7 @@
 #include "kernel/manifold/flat_atlas.hpp"
 
+#include <numeric>
+
 #include "kernel/number/rounding_guard.hpp"
 #include "tests/kernel/manifold/exhaustive.hpp"
 
@@ -35,6 +37,33 @@ TEST(FlatAtlas, sees_what_lies_in_its_patches) {
   check_sightings<2>(square_torus_in_a_long_basis(), random_points<2>(40, 3), ratio(1, 25));
   check_sightings<3>(skewed_torus(), random_points<3>(40, 4), ratio(1, 20));
   check_sightings<3>(ball_of<3>(Rational(1)), random_points<3>(60, 5, 12, Rational(-1), Rational(2)), ratio(1, 10));
+}
+
+/// Whatever has been asked for before, answers are those of an atlas that is asked for the first time.
+template <int m>
+void check_order_of_questions(const FlatSpace<m>& space, const ExactPoints<m>& points, const Rational& radius) {
+  const std::vector<Rational> factors{Rational(1), ratio(5, 2), ratio(9, 2), Rational(3), Rational(9)};
+  std::vector<std::size_t> order(factors.size());
+  std::iota(order.begin(), order.end(), 0U);
+  do {
+    const FlatAtlas<m> atlas(space, PointSet<m>(points), radius);
+    for (const std::size_t at : order) {
+      Lifts<m> seen;
+      atlas.sightings(Label(1), approximate_double(factors[at] * radius), seen);
+      EXPECT_EQ(seen, lifts_within<m>(space, points, points[1], factors[at] * radius));
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+}
+
+TEST(FlatAtlas, keeps_lists_that_change_no_answer) {
+  check_order_of_questions<2>(hexagonal_torus(), random_points<2>(40, 2), ratio(1, 25));
+  check_order_of_questions<3>(skewed_torus(), random_points<3>(40, 4, 12, Rational(-2), Rational(4)), ratio(1, 20));
+  check_order_of_questions<2>(ball_of<2>(Rational(1)), random_points<2>(60, 5, 12, Rational(-1), Rational(2)),
+                              ratio(1, 10));
+  // Shifts that lists have no room for.
+  auto far = random_points<2>(40, 6);
+  for (std::size_t index = 0; index < far.size(); index += 2) far[index][0] += Rational(1000);
+  check_order_of_questions<2>(cubic_torus<2>(), far, ratio(1, 25));
 }
 
 TEST(FlatAtlas, sees_a_label_through_several_lifts_where_patches_overlap_themselves) {
