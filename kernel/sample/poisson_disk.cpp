@@ -39,7 +39,8 @@ class Sampler {
         outer_radius_(space.is_torus() ? 0 : approximate_double(*space.ball_radius) + 2 * radius_),
         seed_(seed),
         grid_(space.metric, space.is_torus() ? std::nullopt : std::optional(outer_radius_),
-              sizing == nullptr ? radius_ : std::sqrt(radius_ * sizing->least()), expected_points()) {}
+              sizing == nullptr ? radius_ : std::sqrt(radius_ * sizing->least()), expected_points()),
+        proposal_(space_, radius_) {}
 
   void throw_darts(const Progress& progress) {
     const auto darts = static_cast<std::size_t>(std::ceil(darts_per_cell * cells()));
@@ -58,7 +59,7 @@ class Sampler {
   /// Returns whether a gap was found.
   bool fill_gaps(std::uint32_t round) {
     const auto plain = space_.metric.template on<PlainDouble>();
-    const auto simplices = propose_delaunay<m>(space_, grid_.points(), radius_);
+    const auto simplices = proposal_.simplices(grid_.points());
     struct Found {
       bool gap = false;
       std::vector<Candidate> free;
@@ -194,10 +195,11 @@ class Sampler {
   double outer_radius_;
   std::uint64_t seed_;
   PointGrid<m> grid_;
+  GrowingProposal<m> proposal_;
 };
 
 template <int m>
-std::vector<Vector<Rational, m>> complete_net(Sampler<m> sampler, const Progress& progress) {
+std::vector<Vector<Rational, m>> complete_net(Sampler<m>&& sampler, const Progress& progress) {
   sampler.throw_darts(progress);
   for (std::uint32_t round = 0; round < most_rounds; ++round) {
     progress("fill gaps", round, most_rounds);

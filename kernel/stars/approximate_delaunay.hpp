@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "kernel/simplex/vector.hpp"
@@ -10,6 +12,12 @@ namespace delcert {
 template <int m>
 using IndexSimplex = std::array<std::uint32_t, static_cast<std::size_t>(m) + 1>;
 
+/// Whether `wanted` is not 0 for some vertex.
+template <int m>
+[[nodiscard]] bool has_vertex_in(const IndexSimplex<m>& simplex, const std::vector<unsigned char>& wanted) {
+  return std::any_of(simplex.begin(), simplex.end(), [&](std::uint32_t vertex) { return wanted[vertex] != 0; });
+}
+
 /// The m-simplices of a Delaunay triangulation of these points of ℝᵐ (Cartesian coordinates), by CGAL with exact
 /// predicates on the doubles as given; without error bounds as far as the points that the doubles stand for are
 /// concerned, so only ever a proposal. Vertices in each simplex are sorted, the simplices too. Of points that
@@ -18,13 +26,40 @@ using IndexSimplex = std::array<std::uint32_t, static_cast<std::size_t>(m) + 1>;
 template <int m>
 [[nodiscard]] std::vector<IndexSimplex<m>> approximate_delaunay(const std::vector<Vector<double, m>>& points);
 
-template <>
-std::vector<IndexSimplex<1>> approximate_delaunay<1>(const std::vector<Vector<double, 1>>& points);
-template <>
-std::vector<IndexSimplex<2>> approximate_delaunay<2>(const std::vector<Vector<double, 2>>& points);
-template <>
-std::vector<IndexSimplex<3>> approximate_delaunay<3>(const std::vector<Vector<double, 3>>& points);
-template <>
-std::vector<IndexSimplex<4>> approximate_delaunay<4>(const std::vector<Vector<double, 4>>& points);
+/// The same of points that become more: a round of new ones costs little more than these do.
+template <int m>
+class GrowingDelaunay {
+ public:
+  GrowingDelaunay();
+  ~GrowingDelaunay();
+  GrowingDelaunay(const GrowingDelaunay&) = delete;
+  GrowingDelaunay& operator=(const GrowingDelaunay&) = delete;
+
+  /// Their indices follow those of the points before.
+  void add(const std::vector<Vector<double, m>>& points);
+  /// The simplices that have a vertex for which `wanted` is not 0, in no particular order of them or of their vertices.
+  [[nodiscard]] std::vector<IndexSimplex<m>> simplices_at(const std::vector<unsigned char>& wanted) const;
+
+ private:
+  struct Triangulation;
+  std::unique_ptr<Triangulation> triangulation_;
+};
+
+#define DELCERT_DECLARE(m)                                                                            \
+  template <>                                                                                         \
+  std::vector<IndexSimplex<m>> approximate_delaunay<m>(const std::vector<Vector<double, m>>& points); \
+  template <>                                                                                         \
+  GrowingDelaunay<m>::GrowingDelaunay();                                                              \
+  template <>                                                                                         \
+  GrowingDelaunay<m>::~GrowingDelaunay();                                                             \
+  template <>                                                                                         \
+  void GrowingDelaunay<m>::add(const std::vector<Vector<double, m>>& points);                         \
+  template <>                                                                                         \
+  std::vector<IndexSimplex<m>> GrowingDelaunay<m>::simplices_at(const std::vector<unsigned char>& wanted) const;
+DELCERT_DECLARE(1)
+DELCERT_DECLARE(2)
+DELCERT_DECLARE(3)
+DELCERT_DECLARE(4)
+#undef DELCERT_DECLARE
 
 }  // namespace delcert

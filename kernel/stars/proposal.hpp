@@ -26,4 +26,32 @@ template <int m>
                                                              const std::vector<Vector<double, m>>& points,
                                                              double usual_circumradius);
 
+/// The same for points that become more, so that not all of the work is done anew.
+template <int m>
+class GrowingProposal {
+ public:
+  /// A reference is kept.
+  GrowingProposal(const FlatSpace<m>& space, double usual_circumradius)
+      : space_(space), usual_circumradius_(usual_circumradius) {}
+
+  /// What `propose_delaunay` returns and throws. Precondition: the points begin with those of the last call.
+  [[nodiscard]] std::vector<LiftedSimplex<m>> simplices(const std::vector<Vector<double, m>>& points);
+
+ private:
+  /// From now on there are the lifts of all of these in the unit cell widened by `margin`, a length that does not
+  /// become less; of a ball just the points.
+  void add_copies(const std::vector<Vector<double, m>>& points, double margin);
+  /// The simplices with a vertex in the unit cell, and the largest of their circumradii.
+  [[nodiscard]] std::pair<std::vector<LiftedSimplex<m>>, double> simplices_at_unit_cell() const;
+
+  const FlatSpace<m>& space_;
+  double usual_circumradius_;
+  std::size_t known_ = 0;  // of how many points there are copies
+  double margin_ = 0;
+  std::vector<Lift<m>> lifts_;
+  std::vector<Vector<double, m>> frame_;
+  std::vector<unsigned char> is_in_unit_cell_;  // 1 also for all points of a ball
+  GrowingDelaunay<m> triangulation_;
+};
+
 }  // namespace delcert

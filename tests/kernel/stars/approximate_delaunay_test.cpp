@@ -118,5 +118,47 @@ TEST(ApproximateDelaunay, uses_coinciding_points_once_and_finds_nothing_in_a_hyp
   check_doubled_and_flat<4>();
 }
 
+/// Of points that come in three portions, all simplices and those at some of the points.
+template <int m>
+void check_growth(const ExactPoints<m>& exact) {
+  const auto points = approximate_all<m>(exact);
+  GrowingDelaunay<m> growing;
+  std::vector<Vector<double, m>> known;
+  for (const std::size_t end : {points.size() / 2, points.size() / 2 + 1, points.size()}) {
+    const std::vector<Vector<double, m>> portion(points.begin() + static_cast<std::ptrdiff_t>(known.size()),
+                                                 points.begin() + static_cast<std::ptrdiff_t>(end));
+    growing.add(portion);
+    known.insert(known.end(), portion.begin(), portion.end());
+    const auto whole = approximate_delaunay<m>(known);
+    for (const std::size_t step : {1U, 10U}) {
+      std::vector<unsigned char> wanted(known.size(), 0);
+      for (std::size_t at = 0; at < wanted.size(); at += step) wanted[at] = 1;
+      auto simplices = growing.simplices_at(wanted);
+      for (auto& simplex : simplices) std::sort(simplex.begin(), simplex.end());
+      std::sort(simplices.begin(), simplices.end());
+      auto expected = whole;
+      std::erase_if(expected, [&](const IndexSimplex<m>& simplex) {
+        return std::none_of(simplex.begin(), simplex.end(), [&](auto vertex) { return vertex % step == 0; });
+      });
+      EXPECT_EQ(simplices, expected);
+      if (step == 10 && m > 1) {
+        EXPECT_LT(simplices.size(), whole.size());
+      }
+    }
+  }
+}
+
+TEST(GrowingDelaunay, has_the_simplices_of_all_points_so_far) {
+  check_growth<1>(random_points<1>(30, 1, 30));
+  check_growth<2>(random_points<2>(200, 2, 30));
+  check_growth<3>(random_points<3>(200, 3, 30));
+  check_growth<4>(random_points<4>(20, 4, 30));
+}
+
+TEST(GrowingDelaunay, breaks_ties_as_if_all_points_had_been_there) {
+  check_growth<2>(cube_grid<2>(6));
+  check_growth<3>(cube_grid<3>(5));
+}
+
 }  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test

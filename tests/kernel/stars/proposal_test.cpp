@@ -170,5 +170,34 @@ TEST(Canonical, sorts_and_moves_the_first_vertex_home) {
   EXPECT_EQ(canonical<1>(edge), (LiftedSimplex<1>{{{4, {0}}, {4, {1}}}}));
 }
 
+/// Few points first, between which there is more room: copies are then added farther out, too.
+template <int m>
+void check_growth(const FlatSpace<m>& space, const ExactPoints<m>& exact, double radius) {
+  const auto points = approximate_all<m>(exact);
+  GrowingProposal<m> growing(space, radius);
+  for (const std::size_t part : {4U, 2U, 2U, 1U}) {
+    const std::vector<Vector<double, m>> known(points.begin(),
+                                               points.begin() + static_cast<std::ptrdiff_t>(points.size() / part));
+    EXPECT_EQ(growing.simplices(known), propose_delaunay<m>(space, known, radius));
+  }
+}
+
+TEST(GrowingProposal, has_the_simplices_of_all_points_so_far) {
+  check_growth<1>(cubic_torus<1>(), random_points<1>(40, 1, 30, Rational(-2), Rational(4)), 0.05);
+  check_growth<2>(hexagonal_torus(), random_points<2>(200, 2, 30), 0.05);
+  check_growth<2>(square_torus_in_a_long_basis(), random_points<2>(200, 3, 30), 0.05);
+  check_growth<3>(skewed_torus(), random_points<3>(240, 4, 30, Rational(-2), Rational(4)), 0.1);
+  check_growth<3>(ball_of<3>(Rational(1)), random_points<3>(80, 5, 20, Rational(-1), Rational(2)), 0.1);
+  check_growth<4>(ball_of<4>(Rational(1)), random_points<4>(40, 6, 20, Rational(-1), Rational(2)), 0.1);
+}
+
+TEST(GrowingProposal, refuses_too_few_points_until_there_are_more) {
+  const auto points = approximate_all<2>(random_points<2>(60, 7, 30));
+  const auto space = cubic_torus<2>();
+  GrowingProposal<2> growing(space, 0.1);
+  EXPECT_THROW((void)growing.simplices({}), Rejection);
+  EXPECT_EQ(growing.simplices(points), propose_delaunay<2>(space, points, 0.1));
+}
+
 }  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test
