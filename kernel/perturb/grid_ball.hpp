@@ -48,6 +48,9 @@ class GridBall {
   [[nodiscard]] static Integer chosen(const Axis& axis);
   /// Of the chosen steps.
   [[nodiscard]] static Filter length(const Axis& axis);
+  /// By doubles; false says nothing.
+  [[nodiscard]] bool is_clearly_outside() const;
+  void enclose();
   [[nodiscard]] bool is_in_ball() const;
 
   const FrameMetric<m>& metric_;

@@ -5,6 +5,7 @@
 
 #include "kernel/number/exact_text.hpp"
 #include "kernel/parallel/parts.hpp"
+#include "kernel/parallel/spares.hpp"
 #include "kernel/simplex/dimensions.hpp"
 #include "support/error.hpp"
 
@@ -173,10 +174,13 @@ PerturbationStatistics place_in_parallel(const Atlas<m>& atlas, const Perturbati
                                          PlacedPoints<m>& state, const std::vector<Label>& labels,
                                          std::string_view stage, const Progress& progress) {
   PerturbationStatistics result;
+  Spares<Placement<m>> placements;
   const auto place_some = [&](std::size_t first, std::size_t last) {
-    Placement<m> placement(atlas, parameters, state);
-    for (std::size_t at = first; at < last; ++at) placement.place(labels[at]);
-    return placement.statistics();
+    return placements.with([&] { return std::make_unique<Placement<m>>(atlas, parameters, state); },
+                           [&](Placement<m>& placement) {
+                             for (std::size_t at = first; at < last; ++at) placement.place(labels[at]);
+                             return placement.take_statistics();
+                           });
   };
   in_parts<labels_in_a_part>(stage, labels.size(), progress, place_some,
                              [&](const PerturbationStatistics& found) { result += found; });

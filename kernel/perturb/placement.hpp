@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "kernel/perturb/delaunay_candidates.hpp"
@@ -58,6 +59,8 @@ class Placement {
 
   /// Of what this placement did.
   [[nodiscard]] const PerturbationStatistics& statistics() const { return statistics_; }
+  /// The same, which begin anew.
+  [[nodiscard]] PerturbationStatistics take_statistics() { return std::exchange(statistics_, {}); }
 
  private:
   /// The first perturbation that is good.

@@ -134,8 +134,7 @@ class RoundedWalk {
     const RoundedAnswer answer = visitor_->enter_rounded(face, vertices(count + 1));
     if (answer == RoundedAnswer::unsure) return leave_open(count, next);
     if (answer == RoundedAnswer::stop) return;
-    narrow(masks_[count - 1], next, masks_[count]);
-    extend<count + 1>(face);
+    if (narrow(masks_[count - 1], next, masks_[count]) != 0) extend<count + 1>(face);
   }
 
   /// What of this comes after a vertex.

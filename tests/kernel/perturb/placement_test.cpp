@@ -83,7 +83,9 @@ TEST(Placement, writes_nothing_but_its_label_and_counts_what_it_did) {
     placement.place(Label(index));
     EXPECT_EQ(placement.statistics().placements, 1U);
     EXPECT_EQ(placement.statistics().tries, state.attempts[index]);
-    all += placement.statistics();
+    all += placement.take_statistics();
+    EXPECT_EQ(placement.statistics().placements, 0U);
+    EXPECT_EQ(placement.statistics().visited, 0U);
     for (std::uint32_t other = 0; other < atlas.size(); ++other) {
       EXPECT_EQ(state.placed[other] == 1, other <= index);
       if (other == index) continue;
