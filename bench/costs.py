@@ -92,6 +92,7 @@ ATLASES = [Run(manifold, radius, 1, 2, cheap=True)
            for manifold, radius in [("cone-torus", "1/36"), ("klein-bottle-rectangles", "1/30"), ("projective-plane-by-charts", "1/10"),
                                     ("projective-plane-by-charts", "1/16"), ("sphere-2-stereographic", "1/8"),
                                     ("sphere-2-stereographic", "1/16"), ("torus-2-bent", "1/40"), ("torus-2-by-charts", "1/30")]]
+ATLASES.insert(6, Run("sphere-3-stereographic", "1/10", 1, 2))
 ALL = {run.name: run for run in TORI + FORMS + SIZES + sum(THREADS, []) + MEMBERS + ZERO_SETS + ATLASES}
 BENCHES = {"ratios": ["ratios", "3"],
            "claims": ["claims", "--benchmark_filter=^(thickness-and-singular-value|crude-circumradius-bound).*k=3,m=3",

@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "kernel/manifold/gluing/interval_matrix.hpp"
+#include "kernel/manifold/gluing/second_derivatives.hpp"
 #include "kernel/number/scalar.hpp"
+#include "kernel/theorems/blend_volume.hpp"
 
 namespace delcert {
 
@@ -14,33 +16,18 @@ Interval central(const Interval& x) {
   return Interval::exactly(std::clamp(x.lower() / 2 + x.upper() / 2, x.lower(), x.upper()));
 }
 
-/// Of all points of the box, by parts of it; false where they are not certainly defined.
+/// The least γ of few digits with (1 − γ)ᵐ ≤ volume. Precondition: 0 < volume ≤ 1.
 template <int m>
-bool second_derivatives(FormulaEvaluation<Interval>& map, const Cell& box,
-                        std::array<Interval, static_cast<std::size_t>(m* m* m)>& out) {
-  constexpr std::size_t parts_of_side = 4;
-  constexpr std::size_t parts = m == 2 ? parts_of_side * parts_of_side : parts_of_side * parts_of_side * parts_of_side;
-  std::array<Interval, static_cast<std::size_t>(m)> ignored;
-  std::array<Interval, static_cast<std::size_t>(m * m)> first;
-  std::array<Interval, static_cast<std::size_t>(m * m * m)> second;
-  for (std::size_t part = 0; part < parts; ++part) {
-    Cell cell;
-    std::size_t rest = part;
-    for (std::size_t axis = 0; axis < m; ++axis) {
-      const Interval from = Interval::exactly(box[axis].lower());
-      const Interval step = (Interval::exactly(box[axis].upper()) - from) / Interval(static_cast<int>(parts_of_side));
-      const auto at = static_cast<int>(rest % parts_of_side);
-      rest /= parts_of_side;
-      cell[axis] = Interval::between((from + Interval(at) * step).lower(), (from + Interval(at + 1) * step).upper());
-    }
-    if (!map.second(cell.data(), ignored.data(), first.data(), second.data())) return false;
-    for (std::size_t k = 0; k < out.size(); ++k) {
-      out[k] = part == 0 ? second[k]
-                         : Interval::between(std::min(out[k].lower(), second[k].lower()),
-                                             std::max(out[k].upper(), second[k].upper()));
-    }
-  }
-  return true;
+double contraction_of_volume(double volume) {
+  constexpr int parts = 64;
+  const auto is_below = [&](int left) {
+    double power = 1;  // exact
+    for (int k = 0; k < m; ++k) power *= static_cast<double>(left) / parts;
+    return power <= volume;
+  };
+  int left = parts;
+  while (!is_below(left)) --left;
+  return static_cast<double>(parts - left) / parts;
 }
 
 }  // namespace
@@ -68,6 +55,7 @@ struct BlendedSimplexCheck<m>::Step {
   double back;      // of |M|
   double residual;  // η
   double slope;     // of T
+  bool is_smooth;   // the transition has one piece
 };
 
 template <int m>
@@ -186,7 +174,7 @@ std::optional<typename BlendedSimplexCheck<m>::Derivatives> BlendedSimplexCheck<
   // The derivative about the middle, and the second ones everywhere.
   std::array<Interval, n * n * n> second;
   const auto derivative = derivative_of(pieces.front());
-  if (!derivative || !second_derivatives<m>(map.formulas(pieces.front()), box, second)) return std::nullopt;
+  if (!derivative || !second_derivatives<m>(map.formulas(pieces.front()), box, 4, second)) return std::nullopt;
   result.middle = *derivative;
   std::array<IntervalMatrix<n>, n> raw;
   for (std::size_t axis = 0; axis < n; ++axis)
@@ -295,9 +283,26 @@ std::optional<typename BlendedSimplexCheck<m>::Step> BlendedSimplexCheck<m>::ste
     if ((places_.home(simplex[v]) <= from) != with_first) gradient = sum(gradient, weights[v - 1]);
   }
   result.slope = length_above(gradient);
+  result.is_smooth = found->bend.has_value();
   const double largest = std::max({result.kappa, result.factor, result.residual, result.slope, result.back});
   if (!(largest < 0x1p100)) return std::nullopt;
   return result;
+}
+
+/// γ of a lower bound for the determinant of the derivative, of a blend of two homes; 1 if there is none.
+template <int m>
+double BlendedSimplexCheck<m>::contraction_by_volume(const LabelSimplex<m>& simplex, std::size_t from, std::size_t to,
+                                                     std::size_t transition, const Cell& box) {
+  constexpr double enough = 0.25;
+  TwoHomes<m> blend;
+  for (std::size_t v = 0; v <= m; ++v) {
+    blend.here[v] = *places_.place(from, simplex[v]);
+    blend.there[v] = *places_.place(to, simplex[v]);
+    blend.is_first[v] = places_.home(simplex[v]) == from;
+  }
+  PiecewiseValues<Interval>& map = maps_[transition];
+  const double volume = blend_volume_below<m>(blend, map.formulas(map.pieces_at(box.data()).front()), enough);
+  return volume < enough ? 1 : contraction_of_volume<m>(std::min(volume, 1.0));
 }
 
 template <int m>
@@ -324,7 +329,7 @@ BlendedSimplex BlendedSimplexCheck<m>::measure(const LabelSimplex<m>& simplex) {
     const auto transition = transition_on(box, homes[l - 1], homes[l]);
     if (!transition) return fail(BlendCause::transition);
     const auto found = step(simplex, homes[l - 1], homes[l], *transition, box, result.displacement);
-    if (!found || !(found->kappa < 1)) return fail(BlendCause::fold);
+    if (!found) return fail(BlendCause::fold);
     const Interval before = Interval::exactly(result.displacement);
     const Interval residual = Interval::exactly(found->residual);
     const Interval factor = Interval::exactly(found->factor);
@@ -334,7 +339,14 @@ BlendedSimplex BlendedSimplexCheck<m>::measure(const LabelSimplex<m>& simplex) {
          factor * Interval::exactly(found->back) * Interval::exactly(result.contraction) +
          Interval::exactly(found->slope) * (residual + Interval(2) * Interval::exactly(found->change) * before))
             .upper();
-    if (!(result.contraction < 1)) return fail(BlendCause::fold);
+    const bool is_injective = found->kappa < 1 && result.contraction < 1;
+    if (homes.size() == 2 && found->is_smooth && !(is_injective && result.contraction <= most_contraction)) {
+      const double by_volume = contraction_by_volume(simplex, homes[0], homes[1], *transition, box);
+      if (by_volume < 1) result.contraction = by_volume;
+      if (!(by_volume < 1) && !is_injective) return fail(BlendCause::fold);
+    } else if (!is_injective) {
+      return fail(BlendCause::fold);
+    }
   }
   const Cell box = box_about(simplex, homes.back(), result.displacement);
   if (!is_open_box(box, homes.back())) return fail(BlendCause::box);

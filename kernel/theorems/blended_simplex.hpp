@@ -19,11 +19,14 @@ enum class BlendCause : unsigned char {
 };
 [[nodiscard]] std::string_view description_of(BlendCause cause);
 
+/// Blends with more are not kept where there is a choice: readers' bounds are a little larger.
+inline constexpr double most_contraction = 0.9375;
+
 /// What level 5 of an atlas by formulas (docs/levels/atlases.md) knows of a simplex. Bounds are upper ones.
 struct BlendedSimplex {
   bool is_seam = false;     ///< its vertices have several home charts
   double displacement = 0;  ///< λ_q
-  double contraction = 0;   ///< g_q
+  double contraction = 0;   ///< g_q, or γ with (1 − γ)ᵐ ≤ det F
   std::optional<BlendCause> cause;
 };
 
@@ -52,6 +55,8 @@ class BlendedSimplexCheck {
                                                        std::size_t transition, const Cell& box, double displacement);
   [[nodiscard]] std::optional<Step> step(const LabelSimplex<m>& simplex, std::size_t from, std::size_t to,
                                          std::size_t transition, const Cell& box, double displacement);
+  [[nodiscard]] double contraction_by_volume(const LabelSimplex<m>& simplex, std::size_t from, std::size_t to,
+                                             std::size_t transition, const Cell& box);
 
   const FormulaAtlas<m>& atlas_;
   const GluedPlaces<m>& places_;

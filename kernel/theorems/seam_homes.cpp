@@ -12,9 +12,6 @@ namespace delcert {
 
 namespace {
 
-/// Blends with more are not kept: readers' bounds are a little larger.
-constexpr double most_contraction = 0.9375;
-
 /// Labels that are to have one home.
 class HomeGroups {
  public:

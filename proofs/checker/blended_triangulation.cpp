@@ -1,6 +1,9 @@
 #include <algorithm>
+#include <optional>
 #include <set>
 
+#include "proofs/checker/blend_volume.hpp"
+#include "proofs/checker/cofactors.hpp"
 #include "proofs/checker/glued_charts.hpp"
 
 namespace delcert::checker {
@@ -13,27 +16,6 @@ Interval central(const Interval& x) { return interval_of(std::clamp(NearPoints::
 Matrix<Interval> matrix_of(const SquareMatrix<Interval>& a) {
   Matrix<Interval> result(a.order(), a.order());
   for (std::size_t k = 0; k < result.size(); ++k) result[k] = a(k / a.order(), k % a.order());
-  return result;
-}
-
-/// By cofactors, as solution() looks for no pivots; m = 2, 3. Infinite if the determinant may be 0.
-Matrix<Interval> inverse_by_cofactors(const Matrix<Interval>& a) {
-  const std::size_t m = a.rows();
-  SquareMatrix<Interval> square_of_a(m);
-  for (std::size_t k = 0; k < a.size(); ++k) square_of_a(k / m, k % m) = a[k];
-  const Interval unit = Interval(1) / square_of_a.leading_minor(m);
-  Matrix<Interval> result(m, m);
-  for (std::size_t i = 0; i < m; ++i) {
-    for (std::size_t k = 0; k < m; ++k) {
-      SquareMatrix<Interval> rest(m - 1);
-      for (std::size_t at = 0; at < (m - 1) * (m - 1); ++at) {
-        const std::size_t row = at / (m - 1), column = at % (m - 1);
-        rest(row, column) = square_of_a(row + (row >= k ? 1 : 0), column + (column >= i ? 1 : 0));
-      }
-      const Interval minor = rest.leading_minor(m - 1) * unit;
-      result(i, k) = (i + k) % 2 == 0 ? minor : -minor;
-    }
-  }
   return result;
 }
 
@@ -64,6 +46,12 @@ class BlendChecker {
   /// What is known of a blend; all numbers are upper bounds.
   struct Step {
     double kappa = 0, factor = 0, change = 0, back = 0, residual = 0, slope = 0;
+  };
+  /// What is known of all blends of a simplex.
+  struct Blend {
+    double displacement = 0, contraction = 0, fold = 0;
+    bool known = true;                     // the numbers are not too large to be of use
+    std::vector<PassageValues*> passages;  // of the last blend
   };
 
   Label representative(const Label* labels, std::size_t home) const {
@@ -125,43 +113,72 @@ class BlendChecker {
         });
       }
     }
-    const auto no_passage = [&] {
-      report_.reject("5.blend", [&] { return which() + ": no transition is certainly defined on all of it"; });
-    };
-    double displacement = 0, contraction = 0, fold = 0;
-    bool known = true;
-    for (std::size_t l = 1; l < homes.size(); ++l) {
-      const Cell box = box_about(labels, homes[l - 1], displacement);
-      std::vector<PassageValues*> passages;
-      if (is_in_chart(box, homes[l - 1])) passages = passages_on(box, homes[l - 1], homes[l]);
-      if (passages.empty()) return no_passage();
-      const Step step = step_of(labels, homes[l - 1], homes[l], passages, box, displacement);
-      fold = std::max(fold, step.kappa);
-      known = known && std::max({step.kappa, step.factor, step.change, step.back, step.residual, step.slope}) < 0x1p100;
-      // Rounding upwards, and no number is negative.
-      contraction = step.kappa + step.factor * step.back * contraction +
-                    step.slope * (step.residual + 2 * step.change * displacement);
-      displacement = step.residual + step.factor * displacement;
+    // By parts of boxes, and where they are too large, by parts of half the size.
+    Blend blend;
+    for (std::size_t halvings = m_ == 2 ? 4 : 2, finer = 0; finer < 2; ++halvings, ++finer) {
+      const std::optional<Blend> found = blend_of(labels, homes, halvings);
+      if (!found) {
+        return report_.reject("5.blend", [&] { return which() + ": no transition is certainly defined on all of it"; });
+      }
+      blend = *found;
+      if (blend.known && less_equal(interval_of(blend.displacement), c_.displacement.filter) == Verdict::proved) {
+        const bool is_contraction =
+            blend.fold < 1 && less_equal(interval_of(blend.contraction), c_.contraction.filter) == Verdict::proved;
+        if (is_contraction || keeps_volumes(labels, homes, blend)) return;
+        break;
+      }
     }
-    const Cell box = box_about(labels, homes.back(), displacement);
-    for (std::size_t l = 0; l + 1 < homes.size(); ++l) {
-      if (!is_in_chart(box, homes.back()) || passages_on(box, homes.back(), homes[l]).empty()) return no_passage();
-    }
-    const bool small = known && fold < 1 &&
-                       less_equal(interval_of(contraction), c_.contraction.filter) == Verdict::proved &&
-                       less_equal(interval_of(displacement), c_.displacement.filter) == Verdict::proved;
-    if (small) return;
     report_.reject("5.blend", [&] {
-      return which() + ": contraction <= " + about(interval_of(contraction)) +
-             ", displacement <= " + about(interval_of(displacement)) + " are all that is known";
+      return which() + ": contraction <= " + about(interval_of(blend.contraction)) +
+             ", displacement <= " + about(interval_of(blend.displacement)) + " are all that is known";
     });
   }
 
-  /// Of the second derivatives in a box, by 16 parts of each side, in dimension 3 by 4: for each axis the matrix of
+  /// None if no transition is certainly defined on all of it.
+  std::optional<Blend> blend_of(const Label* labels, const std::vector<std::size_t>& homes,
+                                std::size_t halvings) const {
+    Blend result;
+    for (std::size_t l = 1; l < homes.size(); ++l) {
+      const Cell box = box_about(labels, homes[l - 1], result.displacement);
+      result.passages.clear();
+      if (is_in_chart(box, homes[l - 1])) result.passages = passages_on(box, homes[l - 1], homes[l]);
+      if (result.passages.empty()) return std::nullopt;
+      const Step step = step_of(labels, homes[l - 1], homes[l], result.passages, box, result.displacement, halvings);
+      result.fold = std::max(result.fold, step.kappa);
+      result.known = result.known &&
+                     std::max({step.kappa, step.factor, step.change, step.back, step.residual, step.slope}) < 0x1p100;
+      // Rounding upwards, and no number is negative.
+      result.contraction = step.kappa + step.factor * step.back * result.contraction +
+                           step.slope * (step.residual + 2 * step.change * result.displacement);
+      result.displacement = step.residual + step.factor * result.displacement;
+    }
+    const Cell box = box_about(labels, homes.back(), result.displacement);
+    for (std::size_t l = 0; l + 1 < homes.size(); ++l) {
+      if (!is_in_chart(box, homes.back()) || passages_on(box, homes.back(), homes[l]).empty()) return std::nullopt;
+    }
+    return result;
+  }
+
+  /// Whether it is a blend of two homes that makes volumes smaller by (1 - contraction)^m at most.
+  bool keeps_volumes(const Label* labels, const std::vector<std::size_t>& homes, const Blend& blend) const {
+    if (homes.size() != 2 || blend.passages.size() != 1) return false;
+    const std::size_t from = homes[0], to = homes[1];
+    SimplexOfTwoHomes simplex;
+    for (std::size_t v = 0; v <= m_; ++v) {
+      simplex.here.push_back(place(from, labels[v]));
+      simplex.there.push_back(place(to, labels[v]));
+      simplex.first.push_back(charts_.home(labels[v]) == from);
+    }
+    Interval least(1);
+    for (std::size_t k = 0; k < m_; ++k) least = least * (Interval(1) - c_.contraction.filter);
+    return is_blend_volume_at_least(simplex, *blend.passages[0], least);
+  }
+
+  /// Of the second derivatives in a box, by parts, with each side halved so often: for each axis the matrix of
   /// d(df_row/dx_k)/dx_axis.
-  std::vector<Matrix<Interval>> seconds_in(PassageValues& passage, const Cell& box) const {
+  std::vector<Matrix<Interval>> seconds_in(PassageValues& passage, const Cell& box, std::size_t halvings) const {
     std::vector<Cell> cells{box};
-    for (std::size_t halving = 0; halving < (m_ == 2 ? 4 : 2) * m_; ++halving) {
+    for (std::size_t halving = 0; halving < halvings * m_; ++halving) {
       std::vector<Cell> smaller;
       for (const Cell& cell : cells) {
         for (const Cell& half : halves(cell, halving % m_)) smaller.push_back(half);
@@ -209,13 +226,13 @@ class BlendChecker {
   }
 
   Slopes slopes_of(const Label* labels, std::size_t from, std::size_t to, PassageValues& passage, const Cell& box,
-                   double displacement) const {
+                   double displacement, std::size_t halvings) const {
     const Label i = representative(labels, from), j = representative(labels, to);
     const Matrix<Interval> A = matrix(i), back_to_i = inverse(i), B = matrix(j);
     const Cell centre = middle_of(box);
     Slopes result;
     result.mean = B * passage.jacobian(centre) * back_to_i;
-    std::vector<Matrix<Interval>> along_axes = seconds_in(passage, box);
+    std::vector<Matrix<Interval>> along_axes = seconds_in(passage, box, halvings);
     for (Matrix<Interval>& along : along_axes) along = B * along * back_to_i;
     // D^2 of the passage between the charts of i and j: a matrix for each direction, its middle, and the sizes.
     result.bend.assign(m_, Matrix<Interval>(m_, m_));
@@ -247,11 +264,11 @@ class BlendChecker {
   }
 
   Step step_of(const Label* labels, std::size_t from, std::size_t to, const std::vector<PassageValues*>& passages,
-               const Cell& box, double displacement) const {
+               const Cell& box, double displacement, std::size_t halvings) const {
     const Label i = representative(labels, from), j = representative(labels, to);
     const Matrix<Interval> A = matrix(i), B = matrix(j);
     const Slopes slopes = passages.size() > 1 ? slopes_of_pieces(i, j, passages, box)
-                                              : slopes_of(labels, from, to, *passages[0], box, displacement);
+                                              : slopes_of(labels, from, to, *passages[0], box, displacement, halvings);
     Matrix<Interval> edges_i(m_, m_), edges_j(m_, m_);
     for (std::size_t v = 1; v <= m_; ++v) {
       const Cell in_i = A * (place(from, labels[v]) - place(from, labels[0])),

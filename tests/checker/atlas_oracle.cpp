@@ -324,6 +324,9 @@ class Oracle {
       }
     }
     constexpr int steps = 6;
+    // Of the blend and of the straight simplex.
+    std::array<std::array<std::array<Flat, 2>, steps + 1>, steps + 1> places{};
+    bool is_contraction = true;
     std::optional<std::array<Flat, 2>> before;
     for (int a = 0; a <= steps; ++a) {
       for (int b = 0; b <= steps - a; ++b) {
@@ -343,9 +346,23 @@ class Oracle {
         const Flat off = last->to * minus(across, second);
         const std::array<Flat, 2> now = {Flat{share * off[0], share * off[1]}, last->to * second};
         if (size(now[0]) > lambda * (1 + slack) + slack) return "displacement";
+        places[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)] = {
+            Flat{now[0][0] + now[1][0], now[0][1] + now[1][1]}, now[1]};
         if (before && size(minus(now[0], (*before)[0])) > gamma * size(minus(now[1], (*before)[1])) + slack)
-          return "contraction";
+          is_contraction = false;
         before = now;
+      }
+    }
+    // What is no contraction has to keep areas.
+    constexpr double bent = 0.02;  // of the small triangles
+    for (std::size_t a = 0; a < steps && !is_contraction; ++a) {
+      for (std::size_t b = 0; b + a < steps; ++b) {
+        const auto area = [&](std::size_t which) {
+          const Flat& corner = places[a][b][which];
+          const Flat u = minus(places[a + 1][b][which], corner), w = minus(places[a][b + 1][which], corner);
+          return u[0] * w[1] - u[1] * w[0];
+        };
+        if (area(0) / area(1) < (1 - gamma) * (1 - gamma) - bent) return "contraction";
       }
     }
     return "";

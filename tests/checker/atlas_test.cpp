@@ -108,6 +108,17 @@ TEST(Atlas, stars_are_complete_and_their_labels_are_seen) {
   EXPECT_TRUE(rules.contains("1.vertices") || rules.contains("atlas.distortion")) << testing::PrintToString(rules);
 }
 
+TEST(Atlas, blends_that_are_no_contractions_may_keep_volumes) {
+  Json document = sphere_document();
+  Json& stated = document["levels"]["5"]["contraction"];
+  ASSERT_GT(parse_exact(stated.get<std::string>()), ratio(1, 2));
+  // No longer a contraction with that, but parts of simplices keep nine sixteenths of their areas.
+  stated = "1/4";
+  EXPECT_EQ(run_checker(sealed(document)).status, 0);
+  stated = "1/128";
+  EXPECT_EQ(run_checker(sealed(document)).rules, std::set<std::string>{"5.blend"});
+}
+
 TEST(Atlas, the_document_has_its_form) {
   const auto malformed = [](const std::string& rule, const std::function<void(Json&)>& change) {
     Json document = sphere_document();
@@ -180,7 +191,7 @@ std::vector<Forgery> atlas_forgeries() {
           forged("blends that fold less than they do", "5.blend", sphere_document(),
                  [](Json& j) {
                    Json& stated = j["levels"]["5"]["contraction"];
-                   stated = exact_text(parse_exact(stated.get<std::string>()) * ratio(1, 4));
+                   stated = exact_text(parse_exact(stated.get<std::string>()) * ratio(1, 64));
                  }),
           forged("folds that blends do not show", "5.blend", cone_document(),
                  [](Json& j) {

@@ -14,15 +14,19 @@ delcert_cli_test(certify-atlas-json STATUS 0 ERROR "^$"
   COMMAND ${delcert} certify --manifold sphere-2-stereographic --radius 1/8 --json --output glued.json FIXTURE_SETUP run-glued)
 delcert_cli_test(certify-atlas-too-coarse-for-level-5 STATUS 0 ERROR "^$"
   OUTPUT "not reached: level 5: [0-9]+ of [0-9]+ simplices between charts are not certainly mapped as they should be; simplex [0-9 ]+: what transitions do to it may fold it"
-  COMMAND ${delcert} certify --manifold sphere-2-stereographic --radius 1/8 --output coarse.json)
-delcert_cli_test(certify-atlas-between-charts STATUS 0 ERROR "^$" OUTPUT "not reached: level 5: 3 of 129 simplices between charts"
-  COMMAND ${delcert} certify --manifold sphere-2-stereographic --radius 1/11 --seed 1 --levels 1,2,5 --output between.json)
+  COMMAND ${delcert} certify --manifold projective-plane-by-charts --radius 1/8 --seed 1 --output coarse.json)
+delcert_cli_test(certify-atlas-by-volumes STATUS 0 ERROR "^$" OUTPUT "  5   triangulation"
+  COMMAND ${delcert} certify --manifold sphere-2-stereographic --radius 1/8 --seed 1 --levels 1,2,5 --output volumes.json FIXTURE_SETUP run-volumes)
+delcert_cli_test(check-atlas-by-volumes STATUS 0 ERROR "^$" OUTPUT "level 5    verified   95 simplices between charts" FIXTURES run-volumes
+  COMMAND ${delcert} check volumes.json)
+delcert_cli_test(certify-atlas-between-charts STATUS 0 ERROR "^$" OUTPUT "not reached: level 5: 2 of 298 simplices between charts"
+  COMMAND ${delcert} certify --manifold projective-plane-by-charts --radius 1/14 --seed 1 --levels 1,2,5 --output between.json)
 delcert_cli_test(certify-atlas-without-such-homes STATUS 0 ERROR "^$"
   OUTPUT "not reached: level 5: 3 of 217 simplices .*not reached: refinement: in 5 rounds no home charts were found with which levels 1, 2 and 5 hold"
   COMMAND ${delcert} certify --manifold projective-plane-by-charts --radius 1/10 --seed 1 --levels 1,2,5 --refine 5 --output no-homes.json)
-delcert_cli_test(certify-atlas-with-other-homes STATUS 0 ERROR "^$" OUTPUT "2 rounds of refinement.*  5   triangulation"
-  COMMAND ${delcert} certify --manifold sphere-2-stereographic --radius 1/11 --seed 1 --levels 1,2,5 --refine 30 --output homes.json FIXTURE_SETUP run-homes)
-delcert_cli_test(check-atlas-with-other-homes STATUS 0 ERROR "^$" OUTPUT "level 5    verified   132 simplices between charts" FIXTURES run-homes
+delcert_cli_test(certify-atlas-with-other-homes STATUS 0 ERROR "^$" OUTPUT "1 rounds of refinement.*  5   triangulation"
+  COMMAND ${delcert} certify --manifold projective-plane-by-charts --radius 1/14 --seed 1 --levels 1,2,5 --refine 30 --output homes.json FIXTURE_SETUP run-homes)
+delcert_cli_test(check-atlas-with-other-homes STATUS 0 ERROR "^$" OUTPUT "level 5    verified   303 simplices between charts" FIXTURES run-homes
   COMMAND ${delcert} check homes.json)
 delcert_cli_test(info-of-atlas STATUS 0 OUTPUT "sphere-2-stereographic .atlas, dimension 2., [0-9]* points" ERROR "^$"
   FIXTURES run-glued COMMAND ${delcert} info glued.json)
@@ -38,6 +42,12 @@ delcert_cli_test(certify-atlas-in-theory STATUS 1 OUTPUT "^$" ERROR "use --mode 
   COMMAND ${delcert} certify --manifold torus-2-by-charts --radius 1/30 --mode theory --output never.json)
 delcert_cli_test(certify-atlas-lattice STATUS 3 OUTPUT "^$" ERROR "are not for atlases"
   COMMAND ${delcert} certify --manifold torus-2-by-charts --lattice 24 --output never.json)
+
+# Thin tetrahedra between charts.
+delcert_cli_test(certify-sphere-3-by-charts STATUS 0 ERROR "^$" OUTPUT "homology Z, 0, 0, Z; closed\n  5   triangulation"
+  COMMAND ${delcert} certify --manifold sphere-3-stereographic --radius 1/10 --seed 1 --levels 1,2,5 --output glued-3.json FIXTURE_SETUP run-glued-3)
+delcert_cli_test(check-sphere-3-by-charts STATUS 0 ERROR "^$" OUTPUT "level 5    verified   7904 simplices between charts" FIXTURES run-glued-3
+  COMMAND ${delcert} check glued-3.json)
 
 # The square torus by charts is the built-in one.
 delcert_cli_test(torus-by-charts-is-the-torus STATUS 0 OUTPUT "triangles, the same: True" ERROR "^$"
