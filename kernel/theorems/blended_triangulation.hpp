@@ -22,7 +22,9 @@ struct BlendedTriangulation {
   std::vector<Label> unclear;             ///< 5.clear: the least labels of components without a label that is clear
   std::vector<std::size_t> unseen;        ///< 5.components: charts of the file that show no label
   Rational displacement{};  ///< λ: no point is farther from where one of its home charts has it; few binary digits
-  Rational contraction{};   ///< γ < 1: how far blends are from the identity; few binary digits
+  /// γ < 1: blends differ from the identity by a map with this Lipschitz constant, or keep (1 − γ)ᵐ of all volumes; few
+  /// binary digits.
+  Rational contraction{};
 
   [[nodiscard]] bool triangulates() const { return failures.empty() && unclear.empty() && unseen.empty(); }
 };

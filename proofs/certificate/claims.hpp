@@ -65,13 +65,13 @@ struct TriangulationClaim {
     Rational radius;     ///< all vertices of a star are nearer than this to its label
   };
   struct Graph {
-    Rational contraction;   ///< in charts the map to M differs from the identity by a map with this Lipschitz constant
-                            ///< at most
+    Rational contraction;   ///< γ: in charts the map to M differs from the identity by a map with this Lipschitz
+                            ///< constant at most; on an atlas, or the map keeps (1 − γ)ᵐ of all volumes
     Rational displacement;  ///< no point is moved farther
   };
   std::string route;
   std::optional<RiemannianSimplices> riemannian = {};  ///< by this second route as well
-  std::optional<Graph> graph = {};                     ///< of submanifolds
+  std::optional<Graph> graph = {};                     ///< of submanifolds and atlases
 };
 
 /// Level 5i: the complex is embedded, and isotopic to M.
