@@ -9,6 +9,7 @@ set_target_properties(delcert_support PROPERTIES EXPORT_NAME support)
 set_target_properties(delcert_kernel PROPERTIES EXPORT_NAME kernel)
 set_target_properties(delcert_certificates PROPERTIES EXPORT_NAME certificates)
 set_target_properties(delcert_spectra PROPERTIES EXPORT_NAME spectra)
+set_target_properties(delcert_ranks PROPERTIES EXPORT_NAME ranks)
 set_target_properties(delcert_publication PROPERTIES EXPORT_NAME publication)
 set_target_properties(delcert_proofs PROPERTIES EXPORT_NAME proofs)
 set_target_properties(delcert_properties PROPERTIES EXPORT_NAME properties)
@@ -17,6 +18,8 @@ install(TARGETS delcert_rigour delcert_support delcert_kernel delcert_certificat
 install(TARGETS delcert RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT delcert)
 # What ./run builds only when it is called for: a folder where it has not been built is installed without it.
 install(TARGETS delcert_spectra delcert_publication delcert_proofs delcert_properties EXPORT delcert-claims
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development OPTIONAL)
+install(TARGETS delcert_ranks EXPORT delcert-ranks
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development OPTIONAL)
 install(TARGETS delcert-publish delcert-claims delcert-replay RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT delcert OPTIONAL)
 
@@ -56,6 +59,8 @@ install(DIRECTORY ${PROJECT_BINARY_DIR}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}
 
 install(EXPORT delcert NAMESPACE delcert:: FILE delcertTargets.cmake DESTINATION ${DELCERT_PACKAGE_DIR} COMPONENT development)
 install(EXPORT delcert-claims NAMESPACE delcert:: FILE delcertClaimsTargets.cmake DESTINATION ${DELCERT_PACKAGE_DIR}
+  COMPONENT development)
+install(EXPORT delcert-ranks NAMESPACE delcert:: FILE delcertRanksTargets.cmake DESTINATION ${DELCERT_PACKAGE_DIR}
   COMPONENT development)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/delcertConfig.cmake.in
   ${PROJECT_BINARY_DIR}/generated/delcertConfig.cmake INSTALL_DESTINATION ${DELCERT_PACKAGE_DIR})

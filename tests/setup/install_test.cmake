@@ -35,7 +35,7 @@ if(EXISTS ${WORK}/without-delcert-replay/bin/delcert-replay)
 endif()
 
 # ./run builds what publishes and what is about claims only when it is called for.
-foreach(name delcert-publish delcert-claims libdelcert_publication.a libdelcert_proofs.a)
+foreach(name delcert-publish delcert-claims libdelcert_publication.a libdelcert_proofs.a libdelcert_ranks.a)
   install_without(${name} status)
   if(NOT status EQUAL 0)
     message(SEND_ERROR "without ${name} nothing is installed (${status}):\n${output}")
