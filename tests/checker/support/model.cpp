@@ -8,15 +8,15 @@
 #include <random>
 #include <set>
 
+#include "tests/checker/support/short_row.hpp"
+
 namespace delcert::checker_tests {
 namespace {
-
-using Row = std::vector<double>;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// The solution of a x = b by elimination with pivots.
-Row solve(std::vector<Row> a, Row b) {
+ShortRow solve(std::vector<ShortRow> a, ShortRow b) {
   const std::size_t k = b.size();
   for (std::size_t p = 0; p < k; ++p) {
     std::size_t best = p;
@@ -34,7 +34,7 @@ Row solve(std::vector<Row> a, Row b) {
   return b;
 }
 
-double product(const Model& model, const Row& x, const Row& y) {
+double product(const Model& model, const ShortRow& x, const ShortRow& y) {
   double sum = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     for (std::size_t j = 0; j < x.size(); ++j) {
@@ -44,35 +44,36 @@ double product(const Model& model, const Row& x, const Row& y) {
   return sum;
 }
 
-Row coordinates(const std::vector<Fraction>& point) {
-  Row row;
+ShortRow coordinates(const std::vector<Fraction>& point) {
+  ShortRow row;
   for (const Fraction& x : point) row.push_back(x.value());
   return row;
 }
 
 /// The vectors from label i to the lifts of j with coordinates within one of the nearest in every direction.
-std::vector<Row> offsets(const Model& model, int i, int j) {
-  const Row a = coordinates(model.points[index(i)]), b = coordinates(model.points[index(j)]);
-  std::vector<Row> all{Row{}};
+std::vector<ShortRow> offsets(const Model& model, int i, int j) {
+  const ShortRow a = coordinates(model.points[index(i)]), b = coordinates(model.points[index(j)]);
+  std::vector<ShortRow> all{ShortRow{}};
   for (std::size_t k = 0; k < a.size(); ++k) {
-    std::vector<Row> longer;
+    std::vector<ShortRow> longer;
     const double nearest = b[k] - a[k] - (model.torus ? std::round(b[k] - a[k]) : 0);
-    for (const Row& row : all) {
+    for (const ShortRow& row : all) {
       for (int shift = model.torus ? -1 : 0; shift <= (model.torus ? 1 : 0); ++shift) {
         longer.push_back(row);
         longer.back().push_back(nearest + shift);
       }
     }
-    all = longer;
+    all = std::move(longer);
   }
   return all;
 }
 
-Row shortest(const Model& model, int i, int j) {
-  const std::vector<Row> all = offsets(model, i, j);
-  return *std::min_element(all.begin(), all.end(),
-                           [&](const Row& x, const Row& y) { return product(model, x, x) < product(model, y, y); });
+ShortRow shortest_of(const Model& model, const std::vector<ShortRow>& all) {
+  return *std::min_element(all.begin(), all.end(), [&](const ShortRow& x, const ShortRow& y) {
+    return product(model, x, x) < product(model, y, y);
+  });
 }
+ShortRow shortest(const Model& model, int i, int j) { return shortest_of(model, offsets(model, i, j)); }
 
 /// Moves every coordinate by a random multiple of 2^-30 of absolute value <= size.
 void perturb(Model& model, double size, std::uint64_t seed) {
@@ -151,7 +152,7 @@ std::vector<std::vector<int>> nearest_shifts(const Model& model, const Labels& s
   Model reduced;
   reduced.torus = model.torus;
   reduced.gram = model.basis.empty() ? model.gram : model.reduced_gram;
-  std::vector<Row> place;
+  std::vector<ShortRow> place;
   for (const int j : simplex) {
     place.push_back(times(model.basis, coordinates(model.points[index(j)])));
     auto& point = reduced.points.emplace_back();
@@ -159,7 +160,7 @@ std::vector<std::vector<int>> nearest_shifts(const Model& model, const Labels& s
   }
   std::vector<std::vector<int>> result;
   for (std::size_t k = 1; k < simplex.size(); ++k) {
-    const Row offset = shortest(reduced, 0, static_cast<int>(k));
+    const ShortRow offset = shortest(reduced, 0, static_cast<int>(k));
     std::vector<int> shift;
     for (std::size_t axis = 0; axis < offset.size(); ++axis)
       shift.push_back(static_cast<int>(std::lround(offset[axis] - place[k][axis] + place[0][axis])));
@@ -303,21 +304,23 @@ Model in_basis(const Model& model, const std::vector<std::vector<int>>& basis,
 Margins measure(const Model& model, int labels) {
   Margins margins{1e300, 1e300, 0};
   const int n = static_cast<int>(model.points.size());
+  const double square_of_reach = std::pow(5 * model.epsilon.value(), 2);
   for (int i = 0; i < std::min(n, labels); ++i) {
-    std::vector<std::pair<int, Row>> near;
-    std::map<int, Row> nearest;
+    std::vector<std::pair<int, ShortRow>> near;
+    std::map<int, ShortRow> nearest;
     for (int j = 0; j < n && !model.stars[index(i)].empty(); ++j) {
-      for (const Row& x : offsets(model, i, j)) {
-        if (product(model, x, x) < std::pow(5 * model.epsilon.value(), 2)) near.emplace_back(j, x);
+      const std::vector<ShortRow> all = offsets(model, i, j);
+      for (const ShortRow& x : all) {
+        if (product(model, x, x) < square_of_reach) near.emplace_back(j, x);
       }
-      nearest[j] = shortest(model, i, j);
+      nearest[j] = shortest_of(model, all);
     }
     for (const Labels& simplex : model.stars[index(i)]) {
-      std::vector<Row> edges;
+      std::vector<ShortRow> edges;
       for (const int j : simplex) edges.push_back(nearest[j]);
       const std::size_t k = edges.size();
-      std::vector<Row> gram(k, Row(k));
-      Row half(k);
+      std::vector<ShortRow> gram(k, ShortRow(k));
+      ShortRow half(k);
       double longest = 0;
       for (std::size_t a = 0; a < k; ++a) {
         for (std::size_t b = 0; b < k; ++b) gram[a][b] = product(model, edges[a], edges[b]);
@@ -325,17 +328,17 @@ Margins measure(const Model& model, int labels) {
         for (std::size_t b = 0; b <= a; ++b)
           longest = std::max(longest, b == a ? gram[a][a] : gram[a][a] + gram[b][b] - 2 * gram[a][b]);
       }
-      const Row weights = solve(gram, half);
-      Row centre(k, 0);
+      const ShortRow weights = solve(gram, half);
+      ShortRow centre(k, 0);
       for (std::size_t a = 0; a < k; ++a) {
         for (std::size_t b = 0; b < k; ++b) centre[b] += weights[a] * edges[a][b];
       }
       const double radius = std::sqrt(product(model, centre, centre));
-      Row all(k, 1);
-      const Row dual = solve(gram, all);
+      ShortRow all(k, 1);
+      const ShortRow dual = solve(gram, all);
       double inverse = std::accumulate(dual.begin(), dual.end(), 0.0);
       for (std::size_t a = 0; a < k; ++a) {
-        Row unit(k, 0);
+        ShortRow unit(k, 0);
         unit[a] = 1;
         inverse = std::max(inverse, solve(gram, unit)[a]);
       }
@@ -345,7 +348,7 @@ Margins measure(const Model& model, int labels) {
         if (j == i && product(model, x, x) == 0) continue;
         const auto place = std::find(simplex.begin(), simplex.end(), j);
         if (place != simplex.end() && x == edges[static_cast<std::size_t>(place - simplex.begin())]) continue;
-        Row offset = x;
+        ShortRow offset = x;
         for (std::size_t b = 0; b < k; ++b) offset[b] -= centre[b];
         margins.protection = std::min(margins.protection, std::sqrt(product(model, offset, offset)) - radius);
       }

@@ -21,7 +21,17 @@ Row difference(Row a, const Row& b) {
   for (std::size_t k = 0; k < a.size(); ++k) a[k] -= b[k];
   return a;
 }
-double distance(const Row& a, const Row& b) { return std::sqrt(dot(difference(a, b), difference(a, b))); }
+double distance(const Row& a, const Row& b) {
+  double sum = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
+  return std::sqrt(sum);
+}
+/// The coordinate of a - b along a direction.
+double component(const Row& direction, const Row& a, const Row& b) {
+  double sum = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) sum += direction[k] * (a[k] - b[k]);
+  return sum;
+}
 
 std::string text(double x) {
   char buffer[64];
@@ -225,7 +235,7 @@ StarMargins measure(const SubmanifoldModel& model, const std::vector<ModelChart>
   const auto place = [&](std::size_t i, std::size_t j) {
     Row result;
     for (std::size_t k = 0; k < model.m; ++k)
-      result.push_back(dot(charts[i].frame[k], difference(model.points[j], model.points[i])));
+      result.push_back(component(charts[i].frame[k], model.points[j], model.points[i]));
     return result;
   };
   std::vector<std::vector<std::size_t>> stars(model.points.size());
@@ -235,10 +245,11 @@ StarMargins measure(const SubmanifoldModel& model, const std::vector<ModelChart>
   for (std::size_t i = 0; i < model.points.size(); ++i) {
     std::vector<std::size_t> near;
     for (std::size_t j = 0; j < model.points.size(); ++j) {
+      if (!(distance(model.points[i], model.points[j]) < model.patch_radius)) continue;
       double height = 0;
       for (std::size_t k = model.m; k < charts[i].frame.size(); ++k)
-        height = std::max(height, std::fabs(dot(charts[i].frame[k], difference(model.points[j], model.points[i]))));
-      if (distance(model.points[i], model.points[j]) < model.patch_radius && height < model.height) near.push_back(j);
+        height = std::max(height, std::fabs(component(charts[i].frame[k], model.points[j], model.points[i])));
+      if (height < model.height) near.push_back(j);
     }
     for (const std::size_t s : stars[i]) {
       Rows places, others;
