@@ -145,8 +145,9 @@ class BlendChecker {
       if (result.passages.empty()) return std::nullopt;
       const Step step = step_of(labels, homes[l - 1], homes[l], result.passages, box, result.displacement, halvings);
       result.fold = std::max(result.fold, step.kappa);
-      result.known = result.known &&
-                     std::max({step.kappa, step.factor, step.change, step.back, step.residual, step.slope}) < 0x1p100;
+      // One by one, so that what is no number is not known.
+      for (const double number : {step.kappa, step.factor, step.change, step.back, step.residual, step.slope})
+        result.known = result.known && number < 0x1p100;
       // Rounding upwards, and no number is negative.
       result.contraction = step.kappa + step.factor * step.back * result.contraction +
                            step.slope * (step.residual + 2 * step.change * result.displacement);
