@@ -28,6 +28,8 @@ set(DELCERT_TWIN_EXEMPTIONS
   "proofs/certification/submanifold_family" "made by family_of, run in tests/proofs/certification/certification_test.cpp"
   "proofs/certification/mesh_family" "made by family_of_mesh, run by the programs in tests/cli/complex.cmake"
   "proofs/certificate/chunks" "compared byte for byte with another implementation in tests/checks/chunks_test.py"
+  "kernel/stars/cgal_delaunay" "dimensions 2 and 3 of approximate_delaunay, tested there"
+  "kernel/stars/growing_delaunay" "what the dimensions of approximate_delaunay have in common, tested there"
   "kernel/perturb/parameters" "plain data, derived and tested in proofs/certificate/run_parameters")
 
 # Sets `result` to the list of complaints about the tree under `root`, given the exemptions (stem, reason, …).

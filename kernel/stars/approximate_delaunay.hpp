@@ -45,21 +45,17 @@ class GrowingDelaunay {
   std::unique_ptr<Triangulation> triangulation_;
 };
 
-#define DELCERT_DECLARE(m)                                                                            \
-  template <>                                                                                         \
-  std::vector<IndexSimplex<m>> approximate_delaunay<m>(const std::vector<Vector<double, m>>& points); \
-  template <>                                                                                         \
-  GrowingDelaunay<m>::GrowingDelaunay();                                                              \
-  template <>                                                                                         \
-  GrowingDelaunay<m>::~GrowingDelaunay();                                                             \
-  template <>                                                                                         \
-  void GrowingDelaunay<m>::add(const std::vector<Vector<double, m>>& points);                         \
-  template <>                                                                                         \
-  std::vector<IndexSimplex<m>> GrowingDelaunay<m>::simplices_at(const std::vector<unsigned char>& wanted) const;
-DELCERT_DECLARE(1)
-DELCERT_DECLARE(2)
-DELCERT_DECLARE(3)
-DELCERT_DECLARE(4)
-#undef DELCERT_DECLARE
+template <>
+std::vector<IndexSimplex<1>> approximate_delaunay<1>(const std::vector<Vector<double, 1>>& points);
+template <>
+std::vector<IndexSimplex<2>> approximate_delaunay<2>(const std::vector<Vector<double, 2>>& points);
+template <>
+std::vector<IndexSimplex<3>> approximate_delaunay<3>(const std::vector<Vector<double, 3>>& points);
+template <>
+std::vector<IndexSimplex<4>> approximate_delaunay<4>(const std::vector<Vector<double, 4>>& points);
+extern template class GrowingDelaunay<1>;
+extern template class GrowingDelaunay<2>;
+extern template class GrowingDelaunay<3>;
+extern template class GrowingDelaunay<4>;
 
 }  // namespace delcert

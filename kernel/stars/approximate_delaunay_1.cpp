@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "kernel/stars/approximate_delaunay.hpp"
+#include "kernel/stars/growing_delaunay.hpp"
 
 namespace delcert {
 
@@ -22,29 +22,8 @@ std::vector<IndexSimplex<1>> approximate_delaunay<1>(const std::vector<Vector<do
   return result;
 }
 
-// Not worth a triangulation that grows.
-
 template <>
-struct GrowingDelaunay<1>::Triangulation {
-  std::vector<Vector<double, 1>> points;
-};
-
-template <>
-GrowingDelaunay<1>::GrowingDelaunay() : triangulation_(std::make_unique<Triangulation>()) {}
-
-template <>
-GrowingDelaunay<1>::~GrowingDelaunay() = default;
-
-template <>
-void GrowingDelaunay<1>::add(const std::vector<Vector<double, 1>>& points) {
-  triangulation_->points.insert(triangulation_->points.end(), points.begin(), points.end());
-}
-
-template <>
-std::vector<IndexSimplex<1>> GrowingDelaunay<1>::simplices_at(const std::vector<unsigned char>& wanted) const {
-  auto result = approximate_delaunay<1>(triangulation_->points);
-  std::erase_if(result, [&](const IndexSimplex<1>& simplex) { return !has_vertex_in<1>(simplex, wanted); });
-  return result;
-}
+struct GrowingDelaunay<1>::Triangulation : RemadeDelaunay<1> {};
+template class GrowingDelaunay<1>;
 
 }  // namespace delcert

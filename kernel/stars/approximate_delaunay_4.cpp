@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "kernel/stars/approximate_delaunay.hpp"
+#include "kernel/stars/growing_delaunay.hpp"
 
 namespace delcert {
 
@@ -38,29 +38,8 @@ std::vector<IndexSimplex<4>> approximate_delaunay<4>(const std::vector<Vector<do
   return result;
 }
 
-// Not worth a triangulation that grows.
-
 template <>
-struct GrowingDelaunay<4>::Triangulation {
-  std::vector<Vector<double, 4>> points;
-};
-
-template <>
-GrowingDelaunay<4>::GrowingDelaunay() : triangulation_(std::make_unique<Triangulation>()) {}
-
-template <>
-GrowingDelaunay<4>::~GrowingDelaunay() = default;
-
-template <>
-void GrowingDelaunay<4>::add(const std::vector<Vector<double, 4>>& points) {
-  triangulation_->points.insert(triangulation_->points.end(), points.begin(), points.end());
-}
-
-template <>
-std::vector<IndexSimplex<4>> GrowingDelaunay<4>::simplices_at(const std::vector<unsigned char>& wanted) const {
-  auto result = approximate_delaunay<4>(triangulation_->points);
-  std::erase_if(result, [&](const IndexSimplex<4>& simplex) { return !has_vertex_in<4>(simplex, wanted); });
-  return result;
-}
+struct GrowingDelaunay<4>::Triangulation : RemadeDelaunay<4> {};
+template class GrowingDelaunay<4>;
 
 }  // namespace delcert
