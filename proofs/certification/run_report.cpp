@@ -292,8 +292,10 @@ std::string level_line(const Claims& claims, const std::string& level, const Rat
   }
   if (level == "1f") return "full stars: every star is embedded in its chart, and full";
   if (level == "5" && claims.triangulation->graph) {
-    return fmt::format("triangulation: by straight simplices that are moved by ≤ {} ε, contraction ≤ {}",
+    // Between charts of an atlas blends need not be contractions: docs/levels/atlases.md.
+    return fmt::format("triangulation: by straight simplices that are moved by ≤ {} ε, {} ≤ {}",
                        within(claims.triangulation->graph->displacement),
+                       claims.triangulation->route == "blended-charts" ? "volumes kept to (1 − γ)^m, γ" : "contraction",
                        decimal_upper(claims.triangulation->graph->contraction));
   }
   if (level == "5i")

@@ -38,7 +38,7 @@ class BlendChecker {
     check_clear_labels(seams);
     check_components();
     return std::to_string(seams.size()) +
-           " simplices between charts, contraction <= " + rounded_up(c_.contraction.exact) +
+           " simplices between charts, gamma <= " + rounded_up(c_.contraction.exact) +
            ", displacement <= " + rounded_up(c_.displacement.exact);
   }
 
@@ -129,7 +129,7 @@ class BlendChecker {
       }
     }
     report_.reject("5.blend", [&] {
-      return which() + ": contraction <= " + about(interval_of(blend.contraction)) +
+      return which() + ": gamma <= " + about(interval_of(blend.contraction)) +
              ", displacement <= " + about(interval_of(blend.displacement)) + " are all that is known";
     });
   }

@@ -104,6 +104,10 @@ TEST(RunReport, of_a_submanifold_says_how_steep_charts_are_and_how_far_points_mo
                        "  5   triangulation: by straight simplices that are moved by ≤ 1.250e-01 ε, contraction ≤ "
                        "1.250e-01\n"))
       << text;
+  RunReport of_atlas = report;
+  of_atlas.claims.triangulation->route = "blended-charts";
+  EXPECT_TRUE(mentions(report_text(of_atlas), "1.250e-01 ε, volumes kept to (1 − γ)^m, γ ≤ 1.250e-01\n"));
+  EXPECT_FALSE(mentions(report_text(of_atlas), "contraction"));
   EXPECT_TRUE(mentions(text, "  5i  isotopy: the complex is embedded, margin ≥ 1.000e-01 ε\n")) << text;
   const Json json = Json::parse(report_json(report));
   EXPECT_EQ(json["manifold"]["ambient_dimension"], 3);
