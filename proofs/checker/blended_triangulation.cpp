@@ -37,8 +37,7 @@ class BlendChecker {
     }
     check_clear_labels(seams);
     check_components();
-    return std::to_string(seams.size()) +
-           " simplices between charts, gamma <= " + rounded_up(c_.contraction.exact) +
+    return std::to_string(seams.size()) + " simplices between charts, gamma <= " + rounded_up(c_.contraction.exact) +
            ", displacement <= " + rounded_up(c_.displacement.exact);
   }
 
