@@ -1,6 +1,7 @@
 #include "kernel/manifold/submanifold/fibre_zero.hpp"
 
 #include "kernel/number/elementary.hpp"
+#include "kernel/number/scalar.hpp"
 
 namespace delcert {
 
