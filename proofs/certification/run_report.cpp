@@ -86,7 +86,8 @@ std::string perturbation_text(const RunReport& report) {
   }
   out += fmt::format("{} repair rounds, {} points placed anew\n", report.repair_rounds, report.repaired_points);
   if (report.refinement_rounds > 0)
-    out += fmt::format("             {} rounds of refinement\n", report.refinement_rounds);
+    out += fmt::format("             {} round{} of refinement\n", report.refinement_rounds,
+                       report.refinement_rounds == 1 ? "" : "s");
   return out;
 }
 

@@ -93,7 +93,7 @@ Json bindings_json(const Bindings& bindings, const Signature& signature) {
 }
 
 Bindings bindings_from(const Json& json, const Vocabulary& vocabulary, const Signature& signature) {
-  if (!json.is_object()) throw InputError("bindings want an object of names");
+  if (!json.is_object()) throw InputError("bindings: an object of names was expected");
   Bindings result;
   for (const auto& [name, value] : json.items()) {
     const auto known = signature.find(name);

@@ -24,7 +24,7 @@ delcert_cli_test(certify-atlas-between-charts STATUS 0 ERROR "^$" OUTPUT "not re
 delcert_cli_test(certify-atlas-without-such-homes STATUS 0 ERROR "^$"
   OUTPUT "not reached: level 5: 3 of 217 simplices .*not reached: refinement: in 5 rounds no home charts were found with which levels 1, 2 and 5 hold"
   COMMAND ${delcert} certify --manifold projective-plane-by-charts --radius 1/10 --seed 1 --levels 1,2,5 --refine 5 --output no-homes.json)
-delcert_cli_test(certify-atlas-with-other-homes STATUS 0 ERROR "^$" OUTPUT "1 rounds of refinement.*  5   triangulation"
+delcert_cli_test(certify-atlas-with-other-homes STATUS 0 ERROR "^$" OUTPUT "1 round of refinement.*  5   triangulation"
   COMMAND ${delcert} certify --manifold projective-plane-by-charts --radius 1/14 --seed 1 --levels 1,2,5 --refine 30 --output homes.json FIXTURE_SETUP run-homes)
 delcert_cli_test(check-atlas-with-other-homes STATUS 0 ERROR "^$" OUTPUT "level 5    verified   303 simplices between charts" FIXTURES run-homes
   COMMAND ${delcert} check homes.json)
