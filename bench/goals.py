@@ -85,6 +85,20 @@ def beside_plain_doubles(net):
     return once
 
 
+def curved_beside_plain_doubles(*run):
+    """What bench/curved_stages.cpp does, from the net to level 5, with intervals and with doubles in their place."""
+    def once(build):
+        certified, plain = (json.loads(costs.timed([build / "bench" / program, *run])[0])
+                            for program in ("curved_certified", "curved_plain"))
+        for report, kernel in ((certified, "certified"), (plain, "plain doubles")):
+            if report["kernel"] != kernel or not report["levels 1, 2, 4"]:
+                raise SystemExit(f"{' '.join(run)}, {kernel}: {json.dumps(report)}")
+        if certified["points"] != plain["points"]:
+            raise SystemExit(f"{' '.join(run)}: {certified['points']} points, with doubles {plain['points']}")
+        return sum(certified["seconds"].values()) / sum(plain["seconds"].values())
+    return once
+
+
 def check_beside_certify(*run):
     def once(build):
         with tempfile.TemporaryDirectory() as folder:
@@ -162,6 +176,8 @@ LINES = [
     Line("cgal", "𝕋³, ε = 1/24, all levels : CGAL's periodic triangulation", 10, torus_beside_cgal),
     Line("plain 2", "𝕋², ε = 1/100: certified : plain doubles", 1.7, beside_plain_doubles("torus-2:1_100")),
     Line("plain 3", "𝕋³, ε = 1/24: certified : plain doubles", 1.7, beside_plain_doubles("torus-3:1_24")),
+    *(Line(f"plain {manifold}", f"{title}, ε = {radius}: certified : plain doubles", 1.7, curved_beside_plain_doubles(manifold, radius))
+      for title, manifold, radius in (("𝕊²", "sphere-2", "1/84"), ("𝕊³", "sphere-3", "1/10"), ("bolza-surface", "bolza-surface", "1/10"))),
     *(Line(f"check {manifold}", f"{manifold}, ε = {radius}: check : certify", 0.25, check_beside_certify(manifold, radius, 1))
       for manifold, radius in CHECKED),
     Line("check a point 2", "check, 𝕊², ε = 1/84", 15, check_a_point("sphere-2", "1/84", 1), " µs a point"),

@@ -17,3 +17,20 @@ function(delcert_unite target number)
       UNITY_BUILD_UNIQUE_ID DELCERT_THIS_FILE)
   endif()
 endfunction()
+
+# delcert_unite_by_folder(TARGETS SOURCES): the sources of a folder as one; not the arithmetic, which is compiled as it is read,
+# nor the files for one dimension each, which take the longest, nor what needs flags of its own, nor what GCC 12 warns of
+# wrongly in company.
+function(delcert_unite_by_folder targets sources)
+  if(NOT DELCERT_UNITED_SOURCES)
+    return()
+  endif()
+  set_target_properties(${targets} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  foreach(source IN LISTS sources)
+    get_filename_component(folder ${source} DIRECTORY)
+    get_filename_component(folder ${folder} NAME)
+    if(NOT folder MATCHES "^(number|parallel)$" AND NOT source MATCHES "(_[1-4]|/metric_field_file)[.]cpp$")
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder})
+    endif()
+  endforeach()
+endfunction()

@@ -57,4 +57,27 @@ grep -q "periodic triangulation.* | 1e+03 |" "$work/copy/docs/performance.md" ||
 grep -qF '| **0.001** |' "$work/copy/docs/performance.md" || fail "an aim that is met is not bold"
 grep -q "attack on.* | 0.5 |" "$work/copy/docs/performance.md" || fail "a speed-up that is missed is not told"
 
+# Certified : plain doubles of a curved run is the ratio of what two programs say of the same points.
+mkdir -p "$work/build/bench"
+# says PROGRAM KERNEL POINTS SECONDS: it takes one second more than that.
+says() {
+  printf '#!/bin/sh\necho '"'"'{"kernel": "%s", "points": %s, "levels 1, 2, 4": true, "seconds": {"net": 1, "perturb": %s}}'"'"'\n' \
+    "$2" "$3" "$4" >"$work/build/bench/$1"
+  chmod +x "$work/build/bench/$1"
+}
+ratio() {
+  PYTHONPATH=$project/bench python3 -c '
+import pathlib, sys
+import goals
+print(goals.curved_beside_plain_doubles("sphere-2", "1/84")(pathlib.Path(sys.argv[1])))' "$work/build" 2>"$work/log"
+}
+says curved_certified certified 100 2
+says curved_plain "plain doubles" 100 1
+[[ $(ratio) == 1.5 ]] || fail "3 seconds to 2 are $(ratio)"
+says curved_plain "plain doubles" 101 1
+ratio >/dev/null && fail "other points pass"
+grep -q "100 points, with doubles 101" "$work/log" || fail "other points: it says $(cat "$work/log")"
+says curved_plain certified 100 1
+ratio >/dev/null && fail "intervals pass for doubles"
+
 finish

@@ -61,12 +61,7 @@ std::vector<Sighting<m>> AffineAtlas<m>::neighbours(Label i) const {
 template <int m>
 Vector<Filter, m> AffineAtlas<m>::carry(Label i, const Sighting<m>& seen, const Vector<Filter, m>& home) const {
   if (seen.index == i.value && seen.is_unmoved()) return home;
-  if constexpr (filter_is_rigorous) {
-    return upper_applied(enclosed(i).matrix, offset(i, seen, upper_applied(enclosed_[seen.index].inverse, home)));
-  } else {
-    const auto inverse = matrix_on<Filter>(charts_[seen.index].inverse());
-    return upper_applied(matrix_on<Filter>(chart(i).matrix()), offset(i, seen, upper_applied(inverse, home)));
-  }
+  return upper_applied(enclosed(i).matrix, offset(i, seen, upper_applied(enclosed_[seen.index].inverse, home)));
 }
 
 template <int m>

@@ -19,9 +19,9 @@ class Enclosures {
  public:
   explicit Enclosures(const Covectors& covectors) {
     for (const FieldVector& covector : covectors) {
-      std::vector<Interval> row;
+      Row row;
       for (const FieldElement& entry : covector) row.push_back(in_doubles(entry.enclosure()));
-      rows_.push_back(std::move(row));
+      rows_.push_back(scaled(std::move(row)));
     }
   }
 
@@ -34,8 +34,8 @@ class Enclosures {
     for (const auto& row : rows_) {
       Interval value = row[0] * ray[0];
       for (std::size_t k = 1; k < row.size(); ++k) value += row[k] * ray[k];
-      forward = forward && !(value.lower() > 0);
-      backward = backward && !(value.upper() < 0);
+      forward = forward && !is_proved(less(Interval(0), value));
+      backward = backward && !is_proved(less(value, Interval(0)));
       if (!forward && !backward) return true;
     }
     return false;
@@ -43,6 +43,15 @@ class Enclosures {
 
  private:
   using Row = std::vector<Interval>;
+
+  /// With entries of at most about 1: a covector and its multiples have the same side.
+  static Row scaled(Row row) {
+    const RoundingGuard guard;
+    Interval largest(0);
+    for (const Interval& entry : row) largest = maximum(largest, absolute(entry));
+    for (Interval& entry : row) entry = entry / largest;
+    return row;
+  }
 
   static Interval determinant_2(const Row& a, const Row& b, std::size_t i, std::size_t j) {
     return a[i] * b[j] - a[j] * b[i];
