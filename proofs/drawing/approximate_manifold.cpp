@@ -5,9 +5,12 @@
 #include <stdexcept>
 
 #include "kernel/formula/formula_error.hpp"
+#include "proofs/drawing/ball_manifold.hpp"
 #include "proofs/drawing/chart_manifold.hpp"
-#include "proofs/drawing/linear_manifold.hpp"
+#include "proofs/drawing/metric_field_manifold.hpp"
+#include "proofs/drawing/space_form_manifold.hpp"
 #include "proofs/drawing/tangent_manifold.hpp"
+#include "proofs/drawing/torus_manifold.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
@@ -18,8 +21,11 @@ std::unique_ptr<ApproximateManifold> manifold_of_family(const CertificateSummary
   const std::string& family = certificate.family;
   if (family == "submanifold") return std::make_unique<TangentManifold>(certificate);
   if (family == "atlas") return std::make_unique<ChartManifold>(certificate);
-  for (const char* linear : {"flat-torus", "euclidean-ball", "spherical", "flat", "hyperbolic", "metric-field"}) {
-    if (family == linear) return std::make_unique<LinearManifold>(certificate);
+  if (family == "flat-torus") return std::make_unique<TorusManifold>(certificate);
+  if (family == "euclidean-ball") return std::make_unique<BallManifold>(certificate);
+  if (family == "metric-field") return std::make_unique<MetricFieldManifold>(certificate);
+  for (const char* space_form : {"spherical", "flat", "hyperbolic"}) {
+    if (family == space_form) return std::make_unique<SpaceFormManifold>(certificate);
   }
   throw InputError("manifold: this version does not draw the family");
 }
