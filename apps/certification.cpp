@@ -4,6 +4,7 @@
 
 #include "apps/progress_line.hpp"
 #include "proofs/certification/certification.hpp"
+#include "proofs/certification/report_json.hpp"
 
 namespace delcert {
 

@@ -8,8 +8,9 @@
 
 #include "apps/printable.hpp"
 #include "proofs/certificate/content.hpp"
+#include "proofs/certification/level_line.hpp"
+#include "proofs/certification/report_json.hpp"
 #include "proofs/certification/report_parts.hpp"
-#include "proofs/certification/run_report.hpp"
 
 namespace delcert {
 

@@ -15,7 +15,7 @@
 #include "kernel/number/exact_text.hpp"
 #include "proofs/certificate/stated_levels.hpp"
 #include "proofs/certificate/summary_json.hpp"
-#include "proofs/certification/run_report.hpp"
+#include "proofs/certification/report_json.hpp"
 #include "proofs/publication/certificate_table.hpp"
 #include "support/atomic_file.hpp"
 #include "support/error.hpp"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -104,16 +103,7 @@ struct RunReport {
 [[nodiscard]] RunReport::Radii radii_report(const SamplingRadii& radii, const Rational& variation, Dimension dimension,
                                             std::string reach);
 
-/// What is said of a level that is claimed; lengths in this unit, the sampling radius.
-[[nodiscard]] std::string level_line(const Claims& claims, const std::string& level, const Rational& unit);
-/// All levels, by their names: the entries of the certificate, with every bound in full.
-[[nodiscard]] nlohmann::ordered_json levels_json(const Claims& claims, const Rational& sampling_radius);
-[[nodiscard]] nlohmann::ordered_json levels_json(const std::vector<ClaimedLevel>& levels,
-                                                 const Rational& sampling_radius);
-
 /// A page of text. Decimal figures in it are rounded in the safe direction and marked by ≥ or ≤.
 [[nodiscard]] std::string report_text(const RunReport& report);
-/// The same as JSON: docs/report-format.md.
-[[nodiscard]] std::string report_json(const RunReport& report);
 
 }  // namespace delcert

@@ -8,7 +8,7 @@
 
 #include "proofs/certificate/stated_levels.hpp"
 #include "proofs/certificate/summary_json.hpp"
-#include "proofs/certification/run_report.hpp"
+#include "proofs/certification/report_json.hpp"
 #include "proofs/drawing/cell_data.hpp"
 #include "proofs/drawing/certificate_export.hpp"
 #include "proofs/drawing/picture.hpp"

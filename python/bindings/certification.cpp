@@ -6,6 +6,7 @@
 #include <map>
 
 #include "kernel/manifold/manifold_list.hpp"
+#include "proofs/certification/report_json.hpp"
 #include "python/bindings/call.hpp"
 #include "python/bindings/conversion.hpp"
 #include "python/bindings/parts.hpp"

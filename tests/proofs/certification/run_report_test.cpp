@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "proofs/certification/report_json.hpp"
+
 namespace delcert {
 namespace DELCERT_THIS_FILE {
 
