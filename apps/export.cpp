@@ -10,7 +10,7 @@
 #include "apps/checker_process.hpp"
 #include "apps/other_programs.hpp"
 #include "proofs/certificate/reader.hpp"
-#include "proofs/drawing/certificate_export.hpp"
+#include "proofs/drawing/formats/certificate_export.hpp"
 #include "support/atomic_file.hpp"
 #include "support/error.hpp"
 #include "support/spelling.hpp"

@@ -6,9 +6,9 @@
 #include "apps/commands.hpp"
 #include "apps/other_programs.hpp"
 #include "apps/witness_file.hpp"
-#include "proofs/drawing/certificate_facts.hpp"
-#include "proofs/drawing/figure_pdf.hpp"
-#include "proofs/drawing/picture.hpp"
+#include "proofs/certificate/certificate_facts.hpp"
+#include "proofs/drawing/figure/figure_pdf.hpp"
+#include "proofs/drawing/figure/picture.hpp"
 #include "support/atomic_file.hpp"
 #include "support/error.hpp"
 

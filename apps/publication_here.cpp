@@ -3,7 +3,7 @@
 #include "apps/certificate_picture.hpp"
 #include "apps/other_programs.hpp"
 #include "proofs/certificate/reader.hpp"
-#include "proofs/drawing/picture.hpp"
+#include "proofs/drawing/figure/picture.hpp"
 
 namespace delcert {
 

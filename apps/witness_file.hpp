@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "proofs/drawing/figure.hpp"
+#include "proofs/drawing/figure/figure.hpp"
 #include "proofs/report/certificate_item.hpp"
 
 namespace delcert {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "proofs/certificate/reader.hpp"
-#include "proofs/drawing/approximate_manifold.hpp"
+#include "proofs/drawing/manifold/approximate_manifold.hpp"
 #include "proofs/drawing/measures.hpp"
 
 namespace delcert {

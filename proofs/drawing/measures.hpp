@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "proofs/drawing/approximate_manifold.hpp"
+#include "proofs/drawing/manifold/approximate_manifold.hpp"
 
 namespace delcert {
 

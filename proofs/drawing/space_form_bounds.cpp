@@ -6,7 +6,7 @@
 #include "kernel/manifold/quotient/patch_size.hpp"
 #include "kernel/run/chart_run.hpp"
 #include "proofs/drawing/chart_bounds.hpp"
-#include "proofs/drawing/space_form_json.hpp"
+#include "proofs/drawing/manifold/space_form_json.hpp"
 #include "support/error.hpp"
 
 namespace delcert {

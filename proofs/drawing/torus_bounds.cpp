@@ -7,7 +7,7 @@
 #include "kernel/number/rounding_guard.hpp"
 #include "kernel/number/scalar.hpp"
 #include "proofs/drawing/chart_bounds.hpp"
-#include "proofs/drawing/manifold_json.hpp"
+#include "proofs/drawing/manifold/manifold_json.hpp"
 #include "support/error.hpp"
 
 namespace delcert {

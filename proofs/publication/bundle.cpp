@@ -7,11 +7,11 @@
 #include <set>
 
 #include "delcert_version.hpp"
+#include "proofs/certificate/certificate_facts.hpp"
 #include "proofs/certificate/sha256.hpp"
 #include "proofs/certificate/summary_json.hpp"
-#include "proofs/drawing/certificate_facts.hpp"
 #include "proofs/drawing/drawing.hpp"
-#include "proofs/drawing/export_format.hpp"
+#include "proofs/drawing/formats/export_format.hpp"
 #include "proofs/publication/citation.hpp"
 #include "support/error.hpp"
 #include "support/utc_time.hpp"

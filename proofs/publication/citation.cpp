@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "delcert_version.hpp"
-#include "proofs/drawing/certificate_facts.hpp"
+#include "proofs/certificate/certificate_facts.hpp"
 #include "support/latex_text.hpp"
 #include "support/spelling.hpp"
 

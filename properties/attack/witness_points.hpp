@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "proofs/drawing/point_figure.hpp"
+#include "proofs/drawing/figure/point_figure.hpp"
 #include "properties/attack/witness.hpp"
 
 namespace delcert {
