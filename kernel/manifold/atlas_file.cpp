@@ -5,7 +5,6 @@
 #include "kernel/formula/plain_formula.hpp"
 #include "kernel/formula/toml_formula_reader.hpp"
 #include "kernel/manifold/exact_entry.hpp"
-#include "kernel/number/exact_text.hpp"
 #include "kernel/topology/abelian_group.hpp"
 
 namespace delcert {
@@ -111,13 +110,7 @@ class AtlasReader : TomlFormulaReader {
     Sides result;
     for (const toml::node& entry :
          array_of(node, name, variables.size(), variables.size(), "pairs of numbers, one for each variable")) {
-      const std::string what = name + ", " + variables[result.size()];
-      const auto* ends = entry.as_array();
-      if (ends == nullptr || ends->size() != 2) fail(entry, what, "a pair of numbers");
-      const Rational from = exact_number(*this, (*ends)[0], what + ", from");
-      const Rational to = exact_number(*this, (*ends)[1], what + ", to");
-      if (to <= from) fail((*ends)[1], what + ", to", "a number above " + exact_text(from));
-      result.push_back({from, to});
+      result.push_back(exact_interval(*this, entry, name + ", " + variables[result.size()]));
     }
     return result;
   }

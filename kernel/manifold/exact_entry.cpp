@@ -20,4 +20,13 @@ Rational exact_number(const TomlReader& reader, const toml::node& node, const st
   reader.fail(node, what, exact_number_expected);
 }
 
+std::array<Rational, 2> exact_interval(const TomlReader& reader, const toml::node& node, const std::string& what) {
+  const auto* ends = node.as_array();
+  if (ends == nullptr || ends->size() != 2) reader.fail(node, what, "a pair of numbers");
+  const Rational from = exact_number(reader, (*ends)[0], what + ", from");
+  const Rational to = exact_number(reader, (*ends)[1], what + ", to");
+  if (to <= from) reader.fail((*ends)[1], what + ", to", "a number above " + exact_text(from));
+  return {from, to};
+}
+
 }  // namespace delcert

@@ -10,7 +10,6 @@
 #include "kernel/manifold/exact_entry.hpp"
 #include "kernel/manifold/mesh_file.hpp"
 #include "kernel/manifold/submanifold/polyhedral_mesh.hpp"
-#include "kernel/number/exact_text.hpp"
 #include "kernel/topology/abelian_group.hpp"
 
 namespace delcert {
@@ -108,13 +107,7 @@ class SubmanifoldReader : TomlFormulaReader {
     std::vector<std::array<Rational, 2>> result;
     for (const toml::node& entry :
          array_of("box", variables.size(), variables.size(), "pairs of numbers, one for each variable")) {
-      const std::string what = "box, " + variables[result.size()];
-      const auto* ends = entry.as_array();
-      if (ends == nullptr || ends->size() != 2) fail(entry, what, "a pair of numbers");
-      const Rational from = exact_number(*this, (*ends)[0], what + ", from");
-      const Rational to = exact_number(*this, (*ends)[1], what + ", to");
-      if (to <= from) fail((*ends)[1], what + ", to", "a number above " + exact_text(from));
-      result.push_back({from, to});
+      result.push_back(exact_interval(*this, entry, "box, " + variables[result.size()]));
     }
     return result;
   }

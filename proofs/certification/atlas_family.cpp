@@ -5,7 +5,6 @@
 #include "proofs/certificate/atlas_claims.hpp"
 #include "proofs/certificate/content.hpp"
 #include "proofs/certification/chart_family.hpp"
-#include "support/error.hpp"
 
 namespace delcert {
 
@@ -39,11 +38,7 @@ class AtlasFamily final : public ChartFamily<m, FormulaAtlas<m>> {
   }
 
   void choose_parameters(const CertifyOptions& options, const Progress& progress) override {
-    if (options.mode_is_given && options.choice.mode == RunMode::theory) {
-      throw Rejection(
-          "mode theory on an atlas: charts are distorted, and the paper's constants ask for far less; "
-          "use --mode measured");
-    }
+    refuse_theory_mode(options, "an atlas");
     report.gluing->distortion = fit_patches<m>(*this->atlas_, progress);
     report.patch_factor = this->atlas_->patch_factor();
     this->choose_measured_parameters(options);

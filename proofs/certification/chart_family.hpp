@@ -1,10 +1,12 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "kernel/chart/length_units.hpp"
 #include "kernel/run/chart_run.hpp"
 #include "proofs/certification/family.hpp"
+#include "support/error.hpp"
 
 namespace delcert {
 
@@ -18,6 +20,13 @@ namespace delcert {
     if (vary) choice.tolerance = *choice.tolerance / Rational(2);
   }
   return choice;
+}
+
+/// Throws Rejection where the paper's constants are asked for. `kind`: "a submanifold".
+inline void refuse_theory_mode(const CertifyOptions& options, std::string_view kind) {
+  if (!options.mode_is_given || options.choice.mode != RunMode::theory) return;
+  throw Rejection("mode theory on " + std::string(kind) +
+                  ": charts are distorted, and the paper's constants ask for far less; use --mode measured");
 }
 
 /// What is done alike wherever a manifold is seen through charts, on space forms and on metric fields.

@@ -2,7 +2,6 @@
 #include "proofs/certificate/content.hpp"
 #include "proofs/certificate/metric_field_claims.hpp"
 #include "proofs/certification/chart_family.hpp"
-#include "support/error.hpp"
 
 namespace delcert {
 
@@ -31,11 +30,7 @@ class MetricFieldFamily final : public ChartFamily<m, MetricFieldAtlas<m>> {
   [[nodiscard]] NetText net() const override { return {this->centres(), "coordinates of the torus"}; }
 
   void choose_parameters(const CertifyOptions& options, const Progress& progress) override {
-    if (options.mode_is_given && options.choice.mode == RunMode::theory) {
-      throw Rejection(
-          "mode theory on a metric field: charts are distorted, and the paper's constants ask for far less; "
-          "use --mode measured");
-    }
+    refuse_theory_mode(options, "a metric field");
     report.metric->distortion = fit_patches<m>(*this->atlas_, progress);
     report.patch_factor = this->atlas_->patch_factor();
     this->choose_measured_parameters(options);

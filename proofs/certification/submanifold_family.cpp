@@ -6,7 +6,6 @@
 #include "proofs/certificate/content.hpp"
 #include "proofs/certificate/submanifold_claims.hpp"
 #include "proofs/certification/chart_family.hpp"
-#include "support/error.hpp"
 
 namespace delcert {
 
@@ -53,11 +52,7 @@ class SubmanifoldFamily final : public ChartFamily<m, SubmanifoldAtlas<m>> {
   }
 
   void choose_parameters(const CertifyOptions& options, const Progress&) override {
-    if (options.mode_is_given && options.choice.mode == RunMode::theory) {
-      throw Rejection(
-          "mode theory on a submanifold: charts are distorted, and the paper's constants ask for far less; "
-          "use --mode measured");
-    }
+    refuse_theory_mode(options, "a submanifold");
     this->choose_measured_parameters(options);
   }
 
