@@ -11,6 +11,7 @@
 #include "kernel/number/middle.hpp"
 #include "kernel/number/rounding_guard.hpp"
 #include "kernel/parallel/parts.hpp"
+#include "kernel/theorems/bend_bound.hpp"
 
 namespace delcert {
 
@@ -158,7 +159,7 @@ class Neighbourhood {
     const Interval steepness = square_root(tangential) / rest;
     bends = weighted(*inverse, bends, n_ * n_);
     Interval squared(0);
-    for (std::size_t row = 0; row < q_; ++row) squared += square(bend_of(&bends[row * n_ * n_], steepness));
+    for (std::size_t row = 0; row < q_; ++row) squared += square(bend_bound<m>(&bends[row * n_ * n_], n_, steepness));
     return {(square_root(squared) / rest).upper(), steepness.upper()};
   }
 
@@ -195,27 +196,6 @@ class Neighbourhood {
       }
     }
     return result;
-  }
-  /// The greatest |B[t, t]| for vectors t = u + w, u along E, |u| ≤ 1, and w along N, |w| ≤ steepness·|u|.
-  [[nodiscard]] Interval bend_of(const Interval* both, const Interval& steepness) const {
-    Interval plane(0), mixed(0), normal(0);
-    for (std::size_t k = 0; k < n_; ++k) {
-      for (std::size_t l = 0; l < n_; ++l) {
-        Interval& sum = k < m && l < m ? plane : k >= m && l >= m ? normal : mixed;
-        sum += square(both[k * n_ + l]);
-      }
-    }
-    Interval in_plane = square_root(plane);
-    if constexpr (m == 2) {  // the greater eigenvalue in size
-      const Interval half(2);
-      const Interval mean = (both[0] + both[n_ + 1]) / half;
-      const Interval difference = (both[0] - both[n_ + 1]) / half;
-      const Interval off = (both[1] + both[n_]) / half;
-      in_plane = minimum(in_plane, absolute(mean) + square_root(square(difference) + square(off)));
-    }
-    // `mixed` has both blocks: |E·N| + |N·E| is at most √2 times their common norm.
-    return in_plane + square_root(Interval(2)) * steepness * square_root(mixed) +
-           square(steepness) * square_root(normal);
   }
 
   const GraphVertices& vertices_;

@@ -46,6 +46,9 @@ TEST(TrigonometricPolynomial, is_written_in_one_way) {
   EXPECT_TRUE(read("cos(u)^2 + sin(u)^2 - 1").waves().empty());
   EXPECT_TRUE(read("sin(u - v) + sin(v - u)").waves().empty());
   EXPECT_TRUE(read("cos(2*u) - 1 + 2*sin(u)^2").waves().empty());
+  // The sine of 0 is no wave, whichever products it comes from.
+  EXPECT_EQ(read("sin(u)*cos(u)").waves().size(), 1U);
+  EXPECT_TRUE(read("sin(0*u)").waves().empty());
   const auto waves = read("cos(v - u)/2").waves();
   ASSERT_EQ(waves.size(), 1U);
   EXPECT_EQ(waves.begin()->first, (std::vector<int>{1, -1}));

@@ -37,8 +37,9 @@ struct Surface {
     EXPECT_TRUE(triangulation.triangulates());
     density = approximate_double(graph_density<2>(vertices, triangles, triangulation, atlas.slope()));
   }
-  [[nodiscard]] ReachBound bound(double greatest_length) const {
-    return bound_reach<2>(zero_set, vertices, triangles, std::vector<double>(atlas.size(), density), atlas.slope(),
+  [[nodiscard]] ReachBound bound(double greatest_length) const { return bound(greatest_length, density); }
+  [[nodiscard]] ReachBound bound(double greatest_length, double with_density) const {
+    return bound_reach<2>(zero_set, vertices, triangles, std::vector<double>(atlas.size(), with_density), atlas.slope(),
                           greatest_length, no_progress());
   }
 };
@@ -106,6 +107,8 @@ TEST(ReachBound, of_a_sphere) {
   EXPECT_LE(found.bottleneck, 2);
   expect_reach(found, 1, 1.5);
   expect_allowed(found, sphere, 1.6);
+  // With so coarse a density neighbourhoods meet whose points no curve shorter than π/κ is known to join.
+  EXPECT_EQ(sphere.bound(3, 0.35).bottleneck, 0);
   // Segments that are not looked at may be normal.
   expect_reach(sphere.bound(0.5), 0.25, 1.01);
 }
