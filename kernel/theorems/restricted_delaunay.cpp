@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <optional>
 
 #include "kernel/chart/ambient_grid.hpp"
+#include "kernel/manifold/submanifold/chord_bend.hpp"
 #include "kernel/number/rounding_guard.hpp"
 #include "kernel/parallel/parts.hpp"
 
@@ -16,8 +18,13 @@ constexpr std::size_t labels_at_a_time = 64;
 constexpr long digits_of_density = 12;
 /// Readers bound changes of slopes otherwise, and less well.
 const Interval room_for_readers = Interval::exactly(1.25);
-/// Boxes are halved so often.
+/// Bounds by Lemma 3 of what curves are longer than their chords by: readers have others, a little wider.
+constexpr double room_of_bends = 1.0625;
+/// Boxes are halved so often, and so often before it is looked at how M bends about the chords from a box.
 constexpr int most_halvings = 12;
+constexpr int halvings_of_bends = 5;
+/// The same where it is not known how slopes change.
+constexpr int halvings_of_first_bends = 3;
 
 /// √(1 + L²): how much longer than in a chart a curve in M is.
 Interval stretch_of(const Rational& slope) { return square_root(Interval(1) + square(scalar_from<Interval>(slope))); }
@@ -106,19 +113,25 @@ class DiscCover {
     if (!is_in_patch()) return false;
     wide_ = minimum(Interval(2) * radius_, (patch_ - own_distance()) * Interval::exactly(1 - 0x1p-10));
     change_ = {};
-    if (metric_ == GraphMetric::intrinsic && !find_change()) return false;
-    // Where curves may be longer than their chords by more than this nothing is certain, and no label too far away.
-    if (!is_proved(less(excess(radius_), radius_))) return false;
+    is_change_known_ = metric_ == GraphMetric::extrinsic || find_change();
+    // Where curves may be longer than their chords by more than this nothing is certain, but for what bends say.
+    if (!is_change_known_ || !is_proved(less(excess(radius_), radius_))) {
+      is_change_known_ = false;
+      if (!vertices_.manifold.is_smooth() || q_ != 1) return false;
+    }
     gather();
     std::vector<std::size_t> all(around_.size());
     for (std::size_t k = 0; k < all.size(); ++k) all[k] = k;
     Vector<double, m> centre{};
     for (std::size_t row = 0; row < m; ++row) centre[row] = own_[row].lower();
-    return covers_box(centre, (radius_ * Interval::exactly(1 + 0x1p-40)).upper(), all, 0);
+    return covers_box(centre, (radius_ * Interval::exactly(1 + 0x1p-40)).upper(), all, {}, 0);
   }
   [[nodiscard]] std::size_t boxes() const { return boxes_; }
 
  private:
+  /// How M bends about the chords from a box to labels.
+  using Bends = std::map<std::uint32_t, ChordBend>;
+
   /// |φ_i(p′_i)|.
   [[nodiscard]] Interval own_distance() const {
     Interval squared(0);
@@ -189,7 +202,7 @@ class DiscCover {
   void gather() {
     around_.clear();
     const Interval far = stretch_ * radius_;
-    const double reach = (Interval(2) * far + excess(radius_)).upper() * (1 + 0x1p-20);
+    const double reach = (Interval(2) * far).upper() * (1 + 0x1p-20);
     std::array<double, most_ambient_dimensions> place{};
     for (std::size_t axis = 0; axis < n_; ++axis) place[axis] = vertices_.position(label_)[axis].lower();
     std::vector<std::uint32_t> labels;
@@ -226,7 +239,9 @@ class DiscCover {
     return d * square(change_.rate * d / square_root(Interval(12)) + change_.size) / Interval(2);
   }
 
-  bool covers_box(const Vector<double, m>& centre, double half, const std::vector<std::size_t>& labels, int halvings) {
+  /// `outer`: of a box around it.
+  bool covers_box(const Vector<double, m>& centre, double half, const std::vector<std::size_t>& labels,
+                  const Bends& outer, int halvings) {
     ++boxes_;
     std::array<Interval, most_ambient_dimensions> x;
     Interval from_own(0);
@@ -239,15 +254,23 @@ class DiscCover {
     if (is_proved(less(square(radius_), from_own))) return true;
     std::vector<std::size_t> near;
     const Interval reach = square_root(Interval(m)) * Interval::exactly(half);
-    if (is_proved(less(from_zero, square(patch_))) && heights(centre, reach, x) && settles(x, labels, near))
-      return true;
+    Bends found;
+    const Bends* bends = &outer;
+    if (is_proved(less(from_zero, square(patch_))) && heights(centre, reach, x)) {
+      if (settles(x, labels, outer, near)) return true;
+      const bool is_due = halvings == halvings_of_bends || (!is_change_known_ && halvings == halvings_of_first_bends);
+      if (is_due && metric_ == GraphMetric::intrinsic) {
+        if (settles_by_bends(x, near, found)) return true;
+        if (!found.empty()) bends = &found;
+      }
+    }
     if (halvings == most_halvings) return false;
     const std::vector<std::size_t>& left = near.empty() ? labels : near;
     for (unsigned corner = 0; corner < 1U << m; ++corner) {
       Vector<double, m> part = centre;
       for (std::size_t row = 0; row < m; ++row) part[row] += (corner >> row & 1U) != 0 ? half / 2 : -half / 2;
       // What rounding may leave between two parts.
-      if (!covers_box(part, half / 2 * (1 + 0x1p-30), left, halvings + 1)) return false;
+      if (!covers_box(part, half / 2 * (1 + 0x1p-30), left, *bends, halvings + 1)) return false;
     }
     return true;
   }
@@ -268,37 +291,91 @@ class DiscCover {
     return true;
   }
 
+  /// Whether a box is settled once it is known how M bends about the chords from it: to its own label, then to others
+  /// that may still be as near.
+  bool settles_by_bends(const std::array<Interval, most_ambient_dimensions>& x, std::vector<std::size_t>& near,
+                        Bends& bends) {
+    std::array<Interval, most_ambient_dimensions> from;
+    vertices_.charts[label_].enclosed().position(x.data(), from.data());
+    const auto find = [&](std::uint32_t label) {
+      if (auto bend = evaluation_->chord_bend(from.data(), vertices_.position(label)))
+        bends.emplace(label, std::move(*bend));
+    };
+    find(label_);
+    if (bends.empty()) return false;
+    if (settles(x, std::vector(near), bends, near)) return true;
+    for (const std::size_t k : near) find(around_[k].label);
+    return settles(x, std::vector(near), bends, near);
+  }
+
+  /// How far a label is from a point: in ℝᴺ, and by how much more along M.
+  struct Distance {
+    Interval chord;
+    ChordExcess more;
+  };
+  /// `chord`: N coordinates, in the frame of the chart.
+  [[nodiscard]] Distance distance(std::uint32_t label, bool is_shown, const Interval* chord, const Bends& bends) const {
+    Interval in_chart(0);
+    Interval squared(0);
+    for (std::size_t column = 0; column < n_; ++column) {
+      squared += square(chord[column]);
+      if (column + 1 == m) in_chart = squared;
+    }
+    Distance result{square_root(squared), {}};
+    if (is_shown) {
+      const Interval d = square_root(in_chart);
+      result.more.most = metric_ == GraphMetric::extrinsic ? 0 : (stretch_ * d - result.chord).upper();
+      if (is_change_known_) result.more.most = std::min(result.more.most, excess(d).upper());
+    }
+    if (const auto bend = bends.find(label); bend != bends.end()) {
+      std::array<Interval, most_ambient_dimensions> turned;
+      for (std::size_t axis = 0; axis < n_; ++axis) {
+        turned[axis] = Interval(0);
+        for (std::size_t column = 0; column < n_; ++column) turned[axis] += chart_->at(axis, column) * chord[column];
+      }
+      const ChordExcess more = bend->second.excess(turned.data());
+      result.more.least = more.least / room_of_bends;
+      result.more.most = std::min(result.more.most, more.most * room_of_bends);
+    }
+    return result;
+  }
+  /// Whether p is nearer to x than q along M, and in ℝᴺ: if |x − q|² − |x − p|² > e(2|x − p| + e), e how much more than
+  /// chords the distance of p is, less that of q.
+  [[nodiscard]] static bool is_nearer(const Distance& p, const ChordExcess& q, const Interval& lead) {
+    if (!(p.more.most < std::numeric_limits<double>::infinity())) return false;
+    const Interval e = maximum(Interval(0), Interval::exactly(p.more.most) - Interval::exactly(q.least));
+    return is_proved(less(e * (Interval(2) * p.chord + e), lead));
+  }
+
   /// Whether a label is certainly nearer than the own one to all points over the box, or only vertices of one simplex
   /// of the star may be as near. `near`: the labels that are not certainly farther.
   bool settles(const std::array<Interval, most_ambient_dimensions>& x, const std::vector<std::size_t>& labels,
-               std::vector<std::size_t>& near) {
-    Interval own_squared(0);
-    Interval own_in_chart(0);
-    for (std::size_t column = 0; column < n_; ++column) {
-      own_squared += square(x[column] - own_[column]);
-      if (column < m) own_in_chart = own_squared;
-    }
-    const Interval own = square_root(own_squared);
-    const Interval own_excess = excess(square_root(own_in_chart));
-    const Interval farther = Interval(2) * own_excess * own + square(own_excess);
+               const Bends& bends, std::vector<std::size_t>& near) {
+    near.clear();
+    std::array<Interval, most_ambient_dimensions> to_own;
+    for (std::size_t column = 0; column < n_; ++column) to_own[column] = x[column] - own_[column];
+    const Distance own = distance(label_, true, to_own.data(), bends);
     for (const std::size_t k : labels) {
       const Around& other = around_[k];
       // |x − p_k|² − |x − p_i|².
       Interval power = other.power;
       for (std::size_t column = 0; column < n_; ++column) power -= Interval(2) * x[column] * other.offset[column];
-      if (is_proved(less(farther, power))) continue;
-      near.push_back(k);
-      if (!is_proved(less(power, Interval(0)))) continue;
-      if (metric_ == GraphMetric::extrinsic) return true;
-      if (!other.is_shown) continue;
-      Interval in_chart(0);
-      Interval squared(0);
-      for (std::size_t column = 0; column < n_; ++column) {
-        squared += square(x[column] - own_[column] - other.offset[column]);
-        if (column + 1 == m) in_chart = squared;
+      if (is_nearer(own, {}, power)) continue;
+      const bool is_nearer_in_space = is_proved(less(power, Interval(0)));
+      if (is_nearer_in_space && metric_ == GraphMetric::extrinsic) {
+        near.push_back(k);
+        return true;
       }
-      const Interval more = excess(square_root(in_chart));
-      if (is_proved(less(Interval(2) * more * square_root(squared) + square(more), -power))) return true;
+      if (!bends.empty() || (is_nearer_in_space && other.is_shown)) {
+        std::array<Interval, most_ambient_dimensions> chord;
+        for (std::size_t column = 0; column < n_; ++column) chord[column] = to_own[column] - other.offset[column];
+        const Distance there = distance(other.label, other.is_shown, chord.data(), bends);
+        if (is_nearer(own, there.more, power)) continue;
+        near.push_back(k);
+        if (is_nearer(there, own.more, -power)) return true;
+      } else {
+        near.push_back(k);
+      }
     }
     if (near.size() > m) return false;
     return std::any_of(stars_[label_].begin(), stars_[label_].end(), [&](const LabelSimplex<m>& simplex) {
@@ -322,6 +399,7 @@ class DiscCover {
   const EnclosedChart<Interval>* chart_ = nullptr;
   Interval patch_, radius_;
   Interval wide_;  // labels that are farther in the chart are not said to be near by lengths of curves
+  bool is_change_known_ = true;
   SlopeChange change_;
   std::array<Interval, most_ambient_dimensions> own_;
   std::vector<Around> around_;

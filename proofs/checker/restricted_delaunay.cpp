@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <memory>
 #include <optional>
 
+#include "proofs/checker/chord_bend.hpp"
 #include "proofs/checker/polyhedron.hpp"
 #include "proofs/checker/simplex.hpp"
 
@@ -10,6 +12,9 @@ namespace delcert::checker {
 namespace {
 
 constexpr int most_halvings = 12, halvings_at_ease = 5;
+// It is looked at how M bends about the chords from boxes that are halved so often; the second, where the changes of
+// slopes say nothing.
+constexpr int halvings_of_bends = 5, halvings_of_first_bends = 3;
 constexpr std::size_t most_boxes_of_label = std::size_t{1} << 16;
 
 Interval exactly_at(double x) { return Interval::between(x, x); }
@@ -32,12 +37,19 @@ struct Anchor {
   double error = 0;
 };
 
+/// How M bends about the chords from a box to a label.
+struct Bend {
+  const Rival* to;  // none: label i itself
+  std::optional<ChordBend> chords;
+};
+
 /// A box of places of the chart, relative to that of p'_i, and the labels that may be as near as i somewhere over it.
 struct DiscBox {
   Vector<Interval> place{};
   Anchor anchor;
   int halvings = 0;
   std::vector<const Rival*> open;
+  std::shared_ptr<const std::vector<Bend>> bends;  // of a box around it, if any
 };
 
 /// M is so steep at most where it is no farther than this from the origin of a chart: less near it (sub.graph), but for
@@ -87,6 +99,7 @@ class CoveredDisc {
         sharpen();
         if (is_settled(box)) continue;
       }
+      if (are_bends_due(box) && is_settled_by_bends(box)) continue;
       if (is_edge_missing(box)) return false;
       if (looked_at == most_boxes_of_label) undecided(unsettled ? *unsettled : box);
       if (box.halvings < most_halvings) {
@@ -239,29 +252,87 @@ class CoveredDisc {
     return result + Interval::between(-error, error);
   }
 
-  /// What the lead has to be more than, so that distances in M compare as those in R^N do: 2 |x - p'| e + e^2 with e
-  /// the greatest difference, p' at this distance in the chart.
-  double margin_at(double distance) const {
-    if (!c_.intrinsic) return 0;
-    // d (a d / sqrt 12 + b)^2 / 2, rounded upwards.
-    const double spread = rate_ * distance / 3.4641016 + size_, more = distance * spread * spread / 2;
-    return more * (2 * stretch_ * distance + more);
+  /// d (a d / sqrt 12 + b)^2 / 2, rounded upwards: by how much a curve over a segment of this length d is longer than
+  /// its chord, at most.
+  double excess_at(double d) const {
+    const double spread = rate_ * d / 3.4641016 + size_;
+    return d * spread * spread / 2;
   }
+
+  /// From p'_i to the points of M over the box, in R^N.
+  Matrix<Interval> offset(const DiscBox& box) const {
+    Matrix<Interval> along(m_, 1), up(q_, 1);
+    Interval off(0);
+    for (std::size_t a = 0; a < m_; ++a) {
+      along[a] = box.place[a];
+      off = off + square(box.place[a] - exactly_at(box.anchor.place[a]));
+    }
+    const double error = box.anchor.error + slope_ * upper_root(off);
+    for (std::size_t a = 0; a < q_; ++a) up[a] = exactly_at(box.anchor.height[a]) + Interval::between(-error, error);
+    return charts_.chart(i_).tangent * along + charts_.chart(i_).normal * up;
+  }
+
+  /// How far a label is from the points of M over the box; no rival: label i itself.
+  Distance distance(const DiscBox& box, const Rival* rival) const {
+    Interval squared(0);
+    for (std::size_t a = 0; a < m_; ++a)
+      squared = squared + square(rival == nullptr ? box.place[a] : box.place[a] - rival->along[a]);
+    const double in_chart = upper_root(squared);
+    Distance result{stretch_ * in_chart, {}};
+    if (rival == nullptr || rival->shown)
+      result.excess.most = std::min((exactly_at(result.chord) - square_root(squared)).upper(), excess_at(in_chart));
+    if (!box.bends) return result;
+    for (const Bend& bend : *box.bends) {
+      if (bend.to != rival || !bend.chords) continue;
+      Matrix<Interval> chord = Interval(-1) * offset(box);
+      if (rival != nullptr) chord = chord + (charts_.point(rival->label) - charts_.point(i_));
+      const ChordExcess excess = bend.chords->excess(chord);
+      result.chord = std::min(result.chord, norm_above(chord));
+      result.excess.most = std::min(result.excess.most, excess.most);
+      result.excess.least = excess.least;
+    }
+    return result;
+  }
+
   bool is_nearer(const DiscBox& box, const Rival& rival, const Interval& lead) const {
-    if (!(lead.upper() < 0) || (c_.intrinsic && !rival.shown)) return false;
-    Vector<Interval> offset = box.place;
-    for (std::size_t a = 0; a < m_; ++a) offset[a] = offset[a] - rival.along[a];
-    return -lead.upper() > margin_at(upper_root(squared_length(offset)));
+    if (!(lead.upper() < 0)) return false;
+    return !c_.intrinsic || -lead.upper() > least_lead(distance(box, &rival), distance(box, nullptr).excess);
+  }
+  bool is_farther(const DiscBox& box, const Rival& rival, const Interval& lead, const Distance& own) const {
+    if (!(lead.lower() > 0)) return false;
+    if (!c_.intrinsic || rival.only_straight || lead.lower() > least_lead(own, {})) return true;
+    return box.bends && lead.lower() > least_lead(own, distance(box, &rival).excess);
+  }
+
+  bool are_bends_due(const DiscBox& box) const {
+    if (!c_.intrinsic || charts_.polyhedron() != nullptr || q_ != 1) return false;
+    const bool is_change_known = !is_sharp_ || excess_at(radius_.upper()) < radius_.upper();
+    return box.halvings == halvings_of_bends || (!is_change_known && box.halvings == halvings_of_first_bends);
+  }
+  /// By the chords to p'_i, then by those to labels that are still open.
+  bool is_settled_by_bends(DiscBox& box) {
+    const Matrix<Interval> from = charts_.point(i_) + offset(box);
+    const auto bend_to = [&](const Rival* rival) {
+      const Label label = rival == nullptr ? i_ : rival->label;
+      return Bend{rival, bend_about_chords(charts_.manifold().box, values_, from, charts_.point(label))};
+    };
+    std::vector<Bend> bends = {bend_to(nullptr)};
+    if (!bends[0].chords) return false;
+    box.bends = std::make_shared<const std::vector<Bend>>(bends);
+    if (is_settled(box)) return true;
+    for (const Rival* rival : box.open) bends.push_back(bend_to(rival));
+    box.bends = std::make_shared<const std::vector<Bend>>(std::move(bends));
+    return is_settled(box);
   }
 
   /// Keeps of the open labels of the box those that may be as near as i.
   bool is_settled(DiscBox& box) const {
-    const double margin = margin_at(upper_root(squared_length(box.place)));
+    const Distance own = distance(box, nullptr);
     std::vector<const Rival*> open;
     for (const Rival* rival : box.open) {
       const Interval ahead = lead(box, *rival);
       if (is_nearer(box, *rival, ahead)) return true;
-      if (!(ahead.lower() > (rival->only_straight ? 0 : margin))) open.push_back(rival);
+      if (!is_farther(box, *rival, ahead, own)) open.push_back(rival);
     }
     box.open = std::move(open);
     for (std::size_t s = 0; s < c_.star_size(i_); ++s) {
@@ -288,8 +359,8 @@ class CoveredDisc {
       near.place[a] = exactly_at(rising ? box.place[a].upper() : box.place[a].lower());
       far.place[a] = exactly_at(rising ? box.place[a].lower() : box.place[a].upper());
     }
-    const double margin = margin_at(upper_root(squared_length(far.place)));
-    return is_nearer(near, rival, lead(near, rival)) && lead(far, rival).lower() > margin;
+    return is_nearer(near, rival, lead(near, rival)) &&
+           is_farther(far, rival, lead(far, rival), distance(far, nullptr));
   }
 
   /// The parts have an anchor near to them.
@@ -301,7 +372,7 @@ class CoveredDisc {
       half = half + square(box.place[a] - middle[a]);
       off = off + square(middle[a] - exactly_at(box.anchor.place[a]));
     }
-    if (off.lower() > 4 * half.upper() && squared_length(middle).upper() < square(radius_).lower()) {
+    if (off.lower() > 4 * half.upper() && squared_length(middle).upper() < square(exactly_at(wide_)).lower()) {
       const Anchor from = box.anchor;
       find_anchor(middle, from, box.anchor);
     }

@@ -22,6 +22,7 @@ class TangentChart;
 struct FittedCharts;
 struct CoverReport;
 struct BoxPart;
+struct ChordBend;
 
 inline constexpr std::size_t most_ambient_dimensions = 9;
 
@@ -63,6 +64,9 @@ class GraphEvaluation {
   /// found. Where M is not smooth that is of segments in this part only: changes in two parts say nothing of both.
   [[nodiscard]] virtual std::optional<SlopeChange> slope_change(const TangentChart& chart, const Interval* place,
                                                                 const Interval& slope) = 0;
+  /// How M bends about the chords from points of one box in ℝᴺ to points of another. None if that is not known, as
+  /// where M is not smooth, or not a hypersurface.
+  [[nodiscard]] virtual std::optional<ChordBend> chord_bend(const Interval* from, const Interval* to) = 0;
 };
 
 /// Coordinates of the points of a net of this radius are multiples of this: of a few digits fewer than doubles have.

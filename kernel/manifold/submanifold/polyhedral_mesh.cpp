@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 
+#include "kernel/manifold/submanifold/chord_bend.hpp"
 #include "kernel/manifold/submanifold/tangent_chart.hpp"
 #include "kernel/number/elementary.hpp"
 #include "kernel/number/rounding_guard.hpp"
@@ -202,6 +203,8 @@ class MeshEvaluation final : public GraphEvaluation {
     if (!is_transversal || facets.empty()) return std::nullopt;
     return change_about(facets, affine_fit(facets));
   }
+
+  std::optional<ChordBend> chord_bend(const Interval*, const Interval*) override { return std::nullopt; }
 
  private:
   struct SlopedFacet {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/manifold/submanifold/chord_bend.hpp"
 #include "kernel/manifold/submanifold/cover_check.hpp"
 #include "kernel/manifold/submanifold/fibre_zero.hpp"
 #include "kernel/manifold/submanifold/graph_check.hpp"
@@ -115,6 +116,10 @@ class ZeroSetEvaluation final : public GraphEvaluation {
     return SlopeChange{(square_root(squares[0]) + Interval(2) * slope * square_root(squares[1] / Interval(2)) +
                         square(slope) * square_root(squares[2])) /
                        rest};
+  }
+
+  std::optional<ChordBend> chord_bend(const Interval* from, const Interval* to) override {
+    return bend_about_chords(zero_set_, in_doubles(), from, to);
   }
 
  private:

@@ -70,9 +70,18 @@ TEST(RestrictedDelaunay, of_a_sphere_for_both_distances) {
   EXPECT_LT(found.density, Rational(2) * sphere().radius);
   EXPECT_GT(found.extrinsic.boxes, sphere().atlas.size());
   EXPECT_TRUE(found.intrinsic.holds());
-  // Curves are told from chords where the net is not as coarse as this.
+}
+
+TEST(RestrictedDelaunay, of_a_coarse_net_by_how_a_hypersurface_bends) {
   const Sphere coarse(ratio(1, 5));
-  EXPECT_FALSE(found_with(coarse.triangles, {}, coarse).intrinsic.holds());
+  EXPECT_TRUE(found_with(coarse.triangles, {}, coarse).intrinsic.holds());
+  // By two equations it is known of curves only what they are at most longer than their chords by.
+  const RunOn<ZeroSet> other(
+      zero_set("sphere", {"x", "y", "z", "w"}, {"x^2 + y^2 + z^2 - 1", "w"}, std::vector<Rational>(4, ratio(3, 2))),
+      ratio(1, 5));
+  const Found found = found_with(other.triangles, {}, other);
+  EXPECT_TRUE(found.extrinsic.holds());
+  EXPECT_FALSE(found.intrinsic.holds());
 }
 
 TEST(RestrictedDelaunay, is_not_what_has_the_other_diagonal_of_two_triangles) {
