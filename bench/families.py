@@ -18,7 +18,7 @@ COLUMNS = {"kernel": ["kernel/"], "certificate, report": ["proofs/cert"], "check
 
 # A file belongs to the first family of which a pattern is in its path.
 FAMILIES = {
-    "meshes": [r"polyhedral_mesh", r"mesh_charts", r"facet_tree", r"triangle_mesh", r"manifold/mesh_file", r"mesh_family", r"cli/mesh", r"mesh_samples", r"surface_mesh",
+    "meshes": [r"polyhedral_mesh", r"mesh_(charts|evaluation|neighbours|sampler)", r"shown_facet", r"facet_tree", r"triangle_mesh", r"manifold/mesh_file", r"mesh_family", r"cli/mesh", r"mesh_samples", r"surface_mesh",
                r"full_stars"],
     "radii that vary": [r"sizing", r"sampling_radii", r"graded_", r"length_units"],
     "piecewise linear transitions": [r"piecewise_", r"map_piece", r"blended_", r"cone-torus"],

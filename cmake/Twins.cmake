@@ -10,6 +10,8 @@ set(DELCERT_TWIN_EXEMPTIONS
   "kernel/chart/label_range" "plain data, read in kernel/ranks/part_of_net"
   "kernel/chart/atlas" "an interface, tested through flat_atlas"
   "kernel/manifold/submanifold/embedded_manifold" "an interface, tested through zero_set_evaluation and polyhedral_mesh"
+  "kernel/manifold/submanifold/mesh_evaluation" "made by PolyhedralMesh, tested in polyhedral_mesh"
+  "kernel/manifold/submanifold/mesh_sampler" "made by PolyhedralMesh, tested in polyhedral_mesh"
   "kernel/manifold/submanifold/triangle_mesh" "plain data, read and tested in kernel/manifold/mesh_file"
   "proofs/formula/builtin_claims" "a declaration of what is generated, read in tests/proofs/formula/claim_test.cpp"
   "proofs/errata/builtin_errata" "a declaration of what is generated, read in tests/proofs/errata/erratum_test.cpp"

@@ -5,7 +5,7 @@
 #include "kernel/chart/ambient_grid.hpp"
 #include "kernel/manifold/submanifold/cover_check.hpp"
 #include "kernel/manifold/submanifold/graph_check.hpp"
-#include "kernel/manifold/submanifold/polyhedral_mesh.hpp"
+#include "kernel/manifold/submanifold/shown_facet.hpp"
 #include "kernel/number/rounding_guard.hpp"
 #include "kernel/number/scalar.hpp"
 #include "kernel/parallel/parts.hpp"

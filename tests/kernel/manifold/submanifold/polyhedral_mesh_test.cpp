@@ -2,18 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include "kernel/manifold/submanifold/shown_facet.hpp"
 #include "kernel/number/elementary.hpp"
 #include "kernel/number/rounding_guard.hpp"
 #include "kernel/number/scalar.hpp"
-#include "support/error.hpp"
 #include "tests/kernel/manifold/submanifold/mesh_samples.hpp"
 
 namespace delcert::test {
 namespace DELCERT_THIS_FILE {
-
-std::string refusal(TriangleMesh mesh) {
-  return message_of<Rejection>([&] { (void)PolyhedralMesh("m", std::move(mesh), {}); });
-}
 
 /// About the north pole, with the plane of x and y.
 TangentChart chart_at_pole(const Rational& weight = Rational(1)) {
@@ -40,39 +36,6 @@ TEST(PolyhedralMesh, of_a_sphere_is_closed) {
     }
   }
   for (const auto& side : mesh.box()) EXPECT_TRUE(side[0] < Rational(-1) && Rational(1) < side[1]);
-}
-
-TEST(PolyhedralMesh, that_is_not_closed_is_refused_with_what_to_do) {
-  const TriangleMesh whole = sphere_mesh(2);
-  TriangleMesh open = whole;
-  open.triangles.pop_back();
-  EXPECT_NE(refusal(open).find("close the boundary"), std::string::npos);
-
-  // One vertex of one facet is another one, a unit in the last place away.
-  TriangleMesh cracked = whole;
-  const std::uint32_t vertex = cracked.triangles[5][0];
-  cracked.points.push_back(cracked.points[vertex]);
-  cracked.points.back()[0] = cracked.points.back()[0] + Rational::power_of_two(-53);
-  cracked.triangles[5][0] = static_cast<std::uint32_t>(cracked.points.size() - 1);
-  EXPECT_NE(refusal(cracked).find("merge the vertices"), std::string::npos);
-
-  TriangleMesh twice = whole;
-  twice.triangles.push_back(twice.triangles[3]);
-  EXPECT_NE(refusal(twice).find("where there should be two"), std::string::npos);
-
-  TriangleMesh reversed = whole;
-  std::swap(reversed.triangles[7][0], reversed.triangles[7][1]);
-  EXPECT_NE(refusal(reversed).find("reverse one of them"), std::string::npos);
-  EXPECT_NE(refusal(reversed).find("facet 7 "), std::string::npos);
-
-  TriangleMesh flat = whole;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    flat.points[flat.triangles[9][2]][axis] =
-        (flat.points[flat.triangles[9][0]][axis] + flat.points[flat.triangles[9][1]][axis]) / Rational(2);
-  }
-  EXPECT_NE(refusal(flat).find("facet 9 "), std::string::npos);
-  EXPECT_NE(refusal(flat).find("no area"), std::string::npos);
-  EXPECT_EQ(refusal(whole), "accepted");
 }
 
 TEST(PolyhedralMesh, heights_are_the_same_on_all_rungs) {
