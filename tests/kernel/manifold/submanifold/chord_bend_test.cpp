@@ -78,6 +78,27 @@ TEST(ChordBend, bounds_distances_in_spheres_cylinders_and_tori) {
   }
 }
 
+TEST(ChordBend, holds_for_all_chords_from_a_box) {
+  for (const Pair& pair : pairs()) {
+    const double length = std::hypot(pair.y[0] - pair.x[0], pair.y[1] - pair.x[1], pair.y[2] - pair.x[2]);
+    if (length > 0.25) continue;
+    const RoundingGuard guard;
+    const Chord box(pair, length / 32);
+    const Chord one(pair, 1e-14);
+    const auto bend = box.bend(pair.surface);
+    ASSERT_TRUE(bend) << pair.name;
+    const ChordExcess of_all = bend->excess(box.chord.data());
+    // Of one chord, by what is known about all, and by what is known about it.
+    for (const ChordExcess& excess :
+         {bend->excess(one.chord.data()), one.bend(pair.surface)->excess(one.chord.data())}) {
+      EXPECT_LE(of_all.least, excess.least) << pair.name;
+      EXPECT_GE(of_all.most, excess.most) << pair.name;
+    }
+    EXPECT_GT(of_all.least, 0) << pair.name;
+    EXPECT_LT(of_all.most, length) << pair.name;
+  }
+}
+
 TEST(ChordBend, is_what_the_lemma_says) {
   const RoundingGuard guard;
   ChordBend bend;
