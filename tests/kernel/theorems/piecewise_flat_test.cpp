@@ -127,6 +127,40 @@ TEST(MeasurePiecewiseFlat, bounds_how_the_natural_map_stretches) {
   EXPECT_LE(report.upper, 1 + 3 * (greatest - 1));
 }
 
+/// The least factor by which squares of lengths differ in a triangle of chords and the flat one with the arcs for
+/// edges.
+double least_squared_factor(const Vector<double, 3>& a, const Vector<double, 3>& b, const Vector<double, 3>& c) {
+  const auto gram = [](double ab, double ac, double bc) {
+    return std::array{ab * ab, (ab * ab + ac * ac - bc * bc) / 2, ac * ac};
+  };
+  const auto chord = [](const auto& p, const auto& q) { return 2 * std::sin(distance(p, q) / 2); };
+  const auto flat = gram(distance(a, b), distance(a, c), distance(b, c));
+  const auto chords = gram(chord(a, b), chord(a, c), chord(b, c));
+  // det(chords − λ·flat) = 0.
+  const double two = flat[0] * flat[2] - flat[1] * flat[1];
+  const double one = chords[0] * flat[2] + chords[2] * flat[0] - 2 * chords[1] * flat[1];
+  const double none = chords[0] * chords[2] - chords[1] * chords[1];
+  return (one - std::sqrt(one * one - 4 * two * none)) / (2 * two);
+}
+
+TEST(MeasurePiecewiseFlat, bounds_chords_by_the_first_step_of_its_list_that_is_one) {
+  const auto sample = perturbed_sphere();
+  double least = 1;
+  for (const auto& triangle : sample.run.complex.simplices()) {
+    least = std::min(least, least_squared_factor(sample.places[triangle[0]], sample.places[triangle[1]],
+                                                 sample.places[triangle[2]]));
+  }
+  const auto measured = measure_flat_simplices<2>(sample.atlas, sample.run.points, unit_sphere, sample.run.complex,
+                                                  all_labels_of(sample.run.complex), no_progress());
+  // With balls so small that nothing else counts.
+  const auto report =
+      piecewise_flat_report(measured.stretch, count_hinges<2>(measured.sides), Curvature::positive, 0x1p-40);
+  const double squared = report.lower * report.lower;
+  EXPECT_LE(squared, least + 1e-12);
+  // Steps are at most a quarter wide.
+  EXPECT_GE(squared, 1 - 1.26 * (1 - least));
+}
+
 TEST(MeasurePiecewiseFlat, of_a_flat_torus_is_the_metric_itself) {
   const auto sample = perturbed_torus();
   const auto report = measure_piecewise_flat<2>(sample.atlas, sample.run.points, unit_torus, sample.run.complex,

@@ -69,6 +69,15 @@ TEST(CellMap, knows_where_a_map_misses_its_box) {
   EXPECT_FALSE(evaluation.on(cell(0.375, 0.625, -0.125, 0.125)).is_excluded);
 }
 
+/// There the squares add up to more than 1, and to less than the dimension.
+TEST(CellMap, does_not_miss_the_corners_of_its_box) {
+  const CellMap map = map_of({"x", "y"}, {}, {});
+  const RoundingGuard guard;
+  CellMapEvaluation evaluation(map);
+  EXPECT_FALSE(evaluation.on(cell(1.75, 1.875, -1.875, -1.75)).is_excluded);
+  EXPECT_TRUE(evaluation.on(cell(2.0625, 2.125, -1.875, -1.75)).is_excluded);
+}
+
 TEST(CellMap, knows_poles_by_one_coordinate) {
   const CellMap map = map_of({"1/x", "y/x"}, {}, {"x"});
   const RoundingGuard guard;
