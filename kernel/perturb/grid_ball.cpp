@@ -61,23 +61,26 @@ template <int m>
 void GridBall<m>::draw(CounterRandom& random) {
   while (true) {
     for (Axis& axis : axes_) choose(random, axis);
-    if (is_clearly_outside()) continue;
+    const Verdict outside = is_clearly_outside();
+    if (is_proved(outside)) continue;
     enclose();
-    if (is_in_ball()) return;
+    if (is_refuted(outside) || is_in_ball()) return;
   }
 }
 
-// Half of what is drawn from a cube is outside of its ball, most of that clearly: each of the few operations here is
-// wrong by some 2⁻⁵² of the radius at most.
+// Half of what is drawn from a cube is outside of its ball, and all but a few are clearly outside or inside: each of
+// the few operations here is wrong by some 2⁻⁵² of the radius at most.
 template <int m>
-bool GridBall<m>::is_clearly_outside() const {
-  if (!metric_.is_cartesian()) return false;
+Verdict GridBall<m>::is_clearly_outside() const {
+  constexpr double slack = 0x1p-30;
+  if (!metric_.is_cartesian()) return Verdict::undecided;
   double squared = 0;
   for (const Axis& axis : axes_) {
     const double offset = axis.from_centre.lower() + static_cast<double>(axis.head) * axis.unit.lower();
     squared += offset * offset;
   }
-  return squared > enclosed_squared_radius_.upper() * (1 + 0x1p-30);
+  if (squared > enclosed_squared_radius_.upper() * (1 + slack)) return Verdict::proved;
+  return squared < enclosed_squared_radius_.lower() * (1 - slack) ? Verdict::refuted : Verdict::undecided;
 }
 
 template <int m>
@@ -92,18 +95,27 @@ void GridBall<m>::enclose() {
 template <int m>
 void GridBall<m>::choose(CounterRandom& random, Axis& axis) {
   do {
-    axis.head = 0;
-    unsigned missing = std::min(axis.bits, head_bits);
-    unsigned left = axis.bits;
-    for (std::uint32_t& word : axis.words) {
-      const unsigned taken = std::min(left, 32U);
-      left -= taken;
-      word = random.next_word() >> (32 - taken);
-      const unsigned used = std::min(missing, taken);
-      missing -= used;
-      if (used > 0) axis.head = (axis.head << used) | (word >> (taken - used));
-    }
+    for (std::uint32_t& word : axis.words) word = random.next_word();
+    axis.words.back() >>= 32 * axis.words.size() - axis.bits;
+    axis.head = head_of(axis);
   } while (axis.head > axis.head_of_count || (axis.head == axis.head_of_count && chosen(axis) >= axis.count));
+}
+
+template <int m>
+std::uint64_t GridBall<m>::head_of(const Axis& axis) {
+  // As usual; the same as below.
+  if (axis.words.size() == 2) return (std::uint64_t{axis.words[0]} << (axis.bits - 32) | axis.words[1]) >> axis.rest;
+  std::uint64_t head = 0;
+  unsigned missing = std::min(axis.bits, head_bits);
+  unsigned left = axis.bits;
+  for (const std::uint32_t word : axis.words) {
+    const unsigned taken = std::min(left, 32U);
+    left -= taken;
+    const unsigned used = std::min(missing, taken);
+    missing -= used;
+    if (used > 0) head = (head << used) | (word >> (taken - used));
+  }
+  return head;
 }
 
 template <int m>

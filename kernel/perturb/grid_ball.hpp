@@ -45,11 +45,13 @@ class GridBall {
   };
 
   static void choose(CounterRandom& random, Axis& axis);
+  /// What its words begin with.
+  [[nodiscard]] static std::uint64_t head_of(const Axis& axis);
   [[nodiscard]] static Integer chosen(const Axis& axis);
   /// Of the chosen steps.
   [[nodiscard]] static Filter length(const Axis& axis);
-  /// By doubles; false says nothing.
-  [[nodiscard]] bool is_clearly_outside() const;
+  /// By doubles.
+  [[nodiscard]] Verdict is_clearly_outside() const;
   void enclose();
   [[nodiscard]] bool is_in_ball() const;
 

@@ -139,26 +139,33 @@ std::optional<Vector<Rational, m>> Placement<m>::best_good(Label i, GridBall<m>&
     draw(i, attempt, ball);
     return Drawn{attempt, delaunay_.clearance(ball.enclosure())};
   };
-  std::vector<Drawn> drawn;
-  while (drawn.size() < parameters_.choices && tries < parameters_.most_tries) drawn.push_back(draw_next());
-  std::stable_sort(drawn.begin(), drawn.end(),
-                   [](const Drawn& a, const Drawn& b) { return a.clearance > b.clearance; });
   std::optional<Vector<Rational, m>> best;
   double farthest = 0;
-  for (const Drawn& position : drawn) {
-    draw(i, position.attempt, ball);
-    if (!test_.accepts(ball.enclosure(), exactly)) continue;
+  const auto takes = [&](const Drawn& position) {
+    if (!test_.accepts(ball.enclosure(), exactly)) return false;
     best = ball.exact();
     farthest = position.clearance;
-    break;
+    return true;
+  };
+  const auto draws_and_takes = [&](const Drawn& position) {
+    draw(i, position.attempt, ball);
+    return takes(position);
+  };
+  std::vector<Drawn> drawn;
+  while (drawn.size() < parameters_.choices && tries < parameters_.most_tries) drawn.push_back(draw_next());
+  const auto is_nearer = [](const Drawn& a, const Drawn& b) { return a.clearance < b.clearance; };
+  // The first of the farthest, which is good nearly always; so the others are not put in order before.
+  const auto first = std::max_element(drawn.begin(), drawn.end(), is_nearer);
+  if (first != drawn.end() && !draws_and_takes(*first)) {
+    std::rotate(drawn.begin(), first, first + 1);
+    std::stable_sort(drawn.begin() + 1, drawn.end(), [&](const Drawn& a, const Drawn& b) { return is_nearer(b, a); });
+    (void)std::any_of(drawn.begin() + 1, drawn.end(), draws_and_takes);
   }
   for (auto chosen = drawn.size(); tries < parameters_.most_tries; ++chosen) {
     if (best && (farthest >= enough || chosen >= 16 * std::size_t{parameters_.choices})) break;
     const Drawn position = draw_next();
     if (best && position.clearance <= farthest) continue;
-    if (!test_.accepts(ball.enclosure(), exactly)) continue;
-    best = ball.exact();
-    farthest = position.clearance;
+    (void)takes(position);
   }
   return best;
 }
