@@ -166,7 +166,11 @@ void PointGrid<m>::visit_near(const Vector<double, m>& centre, double distance, 
       for (std::size_t axis = 0; axis < m; ++axis) {
         offset[axis] = entry.reduced[axis] + static_cast<double>(period[axis]) - centre[axis];
       }
-      if (squared_norm(offset) <= most && visit(entry, period)) return;
+      if constexpr (requires { visit.consider(entry, period, true); }) {
+        visit.consider(entry, period, squared_norm(offset) <= most);
+      } else if (squared_norm(offset) <= most && visit(entry, period)) {
+        return;
+      }
     }
     std::size_t axis = m;
     while (axis > 0 && ++cell[axis - 1] > last[axis - 1]) {
@@ -183,12 +187,32 @@ void PointGrid<m>::visit_near(const Vector<double, m>& centre, double distance, 
   }
 }
 
+namespace {
+
+/// Takes what is near. No processor predicts which of the points in cells are: all are written, and what is not near is
+/// written over.
+template <int m>
+struct Nearby {
+  std::vector<Lift<m>>& out;
+  std::size_t& count;
+
+  template <class Entry>
+  void consider(const Entry& entry, const Shift<m>& period, bool is_near) const {
+    if (count == out.size()) out.resize(2 * count + 64);
+    Lift<m>& lift = out[count];
+    lift.index = entry.index;
+    lift.shift = sum_of<m>(entry.shift, period);
+    count += static_cast<std::size_t>(is_near);
+  }
+};
+
+}  // namespace
+
 template <int m>
 void PointGrid<m>::near(const Vector<double, m>& centre, double distance, std::vector<Lift<m>>& out) const {
-  visit_near(centre, distance, [&out](const Entry& entry, const Shift<m>& period) {
-    out.push_back({entry.index, sum_of<m>(entry.shift, period)});
-    return false;
-  });
+  std::size_t count = out.size();
+  visit_near(centre, distance, Nearby<m>{out, count});
+  out.resize(count);
 }
 
 template <int m>

@@ -95,17 +95,23 @@ void FlatAtlas<m>::sightings(Label i, double distance, std::vector<Sighting<m>>&
   });
   if (is_found) return;
   if (list == nullptr || !(distance <= list->distance)) return find_near(i, distance, out);
-  out.clear();
   const Vector<double, m>& centre = net_.approximate(i);
   const double most = grid_.most_squared(centre, distance);
+  // About half of them are near, which no processor predicts: all are written, and what is not near is written over.
+  out.resize(list->entries.size());
+  std::size_t count = 0;
   for (const auto& entry : list->entries) {
     Vector<double, m> shift;
-    for (std::size_t axis = 0; axis < m; ++axis) shift[axis] = entry.shift[axis];
-    if (!(grid_.squared_distance(centre, entry.index, shift) <= most)) continue;
-    Sighting<m>& sighting = out.emplace_back();
+    Sighting<m>& sighting = out[count];
     sighting.index = entry.index;
-    for (std::size_t axis = 0; axis < m; ++axis) sighting.shift[axis] = entry.shift[axis];
+    for (std::size_t axis = 0; axis < m; ++axis) {
+      shift[axis] = entry.shift[axis];
+      sighting.shift[axis] = entry.shift[axis];
+    }
+    sighting.element = 0;
+    count += static_cast<std::size_t>(grid_.squared_distance(centre, entry.index, shift) <= most);
   }
+  out.resize(count);
 }
 
 template <int m>
