@@ -238,24 +238,40 @@ class Measurement {
   bool measure_shape(std::size_t at) {
     const FilterGuard guard;
     const auto vertices = positions<Filter>(complex_.simplices()[at]);
+    SphereStack<Filter, m> stack(filter_);
+    if (!is_proved(build<Filter>(stack, filter_, vertices, m))) return false;
+    const Filter radius = square_root(stack.squared_radius());
+    negated_radius_.include(-units_.upper(least_, radius.upper()), -units_.lower(least_, radius.lower()));
+    stack_squared_radius_ = stack.squared_radius();
+    centre_ = sum(stack.centre(), vertices[0]);
+    return measure_thickness(vertices);
+  }
+
+  /// The altitude over a facet is ⟨n, e⟩/|n|, n normal to the facet and e an edge that leaves it; ⟨n, e⟩ is, up to its
+  /// sign, the same for all facets.
+  bool measure_thickness(const Corners<Filter, m>& vertices) {
     Filter longest(0);
     for (std::size_t a = 0; a < corners<m>; ++a) {
       for (std::size_t b = a + 1; b < corners<m>; ++b) {
         longest = maximum(longest, filter_.squared_norm(difference(vertices[b], vertices[a])));
       }
     }
-    for (std::size_t last = 0; last < corners<m>; ++last) {
-      SphereStack<Filter, m> stack(filter_);
-      if (!is_proved(build<Filter>(stack, filter_, vertices, last))) return false;
-      const Filter thickness = square_root(stack.squared_altitude() / longest) / Filter(m);
-      thickness_.include(thickness.lower(), thickness.upper());
-      if (last == m) {
-        const Filter radius = square_root(stack.squared_radius());
-        negated_radius_.include(-units_.upper(least_, radius.upper()), -units_.lower(least_, radius.lower()));
-        stack_squared_radius_ = stack.squared_radius();
-        centre_ = sum(stack.centre(), vertices[0]);
+    Filter slope(0);
+    Filter largest(0);
+    for (std::size_t apex = 0; apex < corners<m>; ++apex) {
+      const std::size_t foot = apex == 0 ? 1 : 0;
+      std::array<Vector<Filter, m>, static_cast<std::size_t>(m)> edges{};  // the last entry is not read
+      std::size_t next = 0;
+      for (std::size_t corner = 0; corner < corners<m>; ++corner) {
+        if (corner != foot && corner != apex) edges[next++] = difference(vertices[corner], vertices[foot]);
       }
+      const auto covector = wedge(edges);
+      if (apex == 0) slope = filter_.determinant() * pairing(covector, difference(vertices[apex], vertices[foot]));
+      largest = maximum(largest, filter_.squared_norm(filter_.raised(covector)));
     }
+    if (!is_refuted(is_zero(slope))) return false;
+    const Filter thickness = square_root(square(slope) / (largest * longest)) / Filter(m);
+    thickness_.include(thickness.lower(), thickness.upper());
     return true;
   }
 
