@@ -271,7 +271,14 @@ Covering<m> certified_covering(const FlatSpace<m>& space, const PointSet<m>& net
 /// On a torus copies of displaced points may disagree about a cospherical set; the next displacement decides
 /// differently.
 template <int m>
-Covering<m> cover_net(const FlatSpace<m>& space, const PointSet<m>& net, double usual, std::span<const double> units) {
+Covering<m> cover_net(const FlatSpace<m>& space, const PointSet<m>& net, double usual, std::span<const double> units,
+                      const std::vector<LiftedSimplex<m>>& known) {
+  if (!known.empty()) {
+    try {
+      return certified_covering<m>(space, net, net.approximate_all(), known, units);
+    } catch (const Rejection&) {  // another triangulation may cover
+    }
+  }
   for (std::uint32_t attempt = 0;; ++attempt) {
     const auto points = jittered(net, attempt);
     const auto proposed = propose_delaunay<m>(space, points, usual);
@@ -283,11 +290,12 @@ Covering<m> cover_net(const FlatSpace<m>& space, const PointSet<m>& net, double 
   }
 }
 
-#define DELCERT_INSTANTIATE(m)                                                                               \
-  template Covering<m> certified_covering<m>(const FlatSpace<m>&, const PointSet<m>&,                        \
-                                             const std::vector<Vector<double, m>>&,                          \
-                                             const std::vector<LiftedSimplex<m>>&, std::span<const double>); \
-  template Covering<m> cover_net<m>(const FlatSpace<m>&, const PointSet<m>&, double, std::span<const double>);
+#define DELCERT_INSTANTIATE(m)                                                                                \
+  template Covering<m> certified_covering<m>(const FlatSpace<m>&, const PointSet<m>&,                         \
+                                             const std::vector<Vector<double, m>>&,                           \
+                                             const std::vector<LiftedSimplex<m>>&, std::span<const double>);  \
+  template Covering<m> cover_net<m>(const FlatSpace<m>&, const PointSet<m>&, double, std::span<const double>, \
+                                    const std::vector<LiftedSimplex<m>>&);
 DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
 #undef DELCERT_INSTANTIATE
 

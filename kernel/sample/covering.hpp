@@ -32,10 +32,12 @@ template <int m>
                                              std::span<const double> units = {});
 
 /// The covering that a triangulation of a copy of the net gives, displaced by less than 2⁻³¹, so that cospherical
-/// points are triangulated the same way wherever they are seen. `usual`: about the distance of neighbours. Throws what
-/// `certified_covering` and `propose_delaunay` throw.
+/// points are triangulated the same way wherever they are seen; or that `known` gives, a triangulation of the net
+/// itself, if there is one and it covers. `usual`: about the distance of neighbours. Throws what `certified_covering`
+/// and `propose_delaunay` throw.
 template <int m>
 [[nodiscard]] Covering<m> cover_net(const FlatSpace<m>& space, const PointSet<m>& net, double usual,
-                                    std::span<const double> units = {});
+                                    std::span<const double> units = {},
+                                    const std::vector<LiftedSimplex<m>>& known = {});
 
 }  // namespace delcert

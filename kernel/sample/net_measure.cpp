@@ -49,14 +49,14 @@ Rational distance_lower(const FlatSpace<m>& space, const PointSet<m>& net, const
 
 template <int m>
 NetDensity<m> measure_density(const FlatSpace<m>& space, const PointSet<m>& net, const std::optional<Rational>& nominal,
-                              const Progress& progress) {
+                              const Progress& progress, const std::vector<LiftedSimplex<m>>& known) {
   progress("measure density", 0, 1);
   if (nominal && *nominal <= Rational(0)) {
     throw InputError("the nominal sampling radius " + exact_text(*nominal) + " is not above 0");
   }
   if (net.size() <= m) throw Rejection("a net needs more than " + std::to_string(m) + " points");
   const double usual = nominal ? approximate_double(*nominal) : usual_distance(space, net.size());
-  Covering<m> covering = cover_net<m>(space, net, usual);
+  Covering<m> covering = cover_net<m>(space, net, usual, {}, known);
   NetDensity<m> result;
   result.covering_radius_lower = distance_lower(space, net, covering.farthest_centre);
   const Rational& upper = covering.radius_upper;
@@ -76,7 +76,7 @@ NetDensity<m> measure_density(const FlatSpace<m>& space, const PointSet<m>& net,
 
 #define DELCERT_INSTANTIATE(m)                                                                                       \
   template NetDensity<m> measure_density<m>(const FlatSpace<m>&, const PointSet<m>&, const std::optional<Rational>&, \
-                                            const Progress&);
+                                            const Progress&, const std::vector<LiftedSimplex<m>>&);
 DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
 #undef DELCERT_INSTANTIATE
 

@@ -27,10 +27,12 @@ struct NetDensity {
 /// `nominal`: the radius the net was made for; it is taken as the sampling radius if it is one and exceeds the
 /// covering radius by at most a factor 1.001, otherwise a tight upper bound is. On a ball it also has to exceed the
 /// circumradii of the simplices that meet the ball, whose centres may lie beyond it, and may be larger for that.
+/// `known`: a Delaunay triangulation of the points as they are, which is tried first; empty if none is known.
 /// Throws Rejection when the density cannot be certified, saying where, InputError unless the nominal radius is above
 /// 0.
 template <int m>
 [[nodiscard]] NetDensity<m> measure_density(const FlatSpace<m>& space, const PointSet<m>& net,
-                                            const std::optional<Rational>& nominal, const Progress& progress);
+                                            const std::optional<Rational>& nominal, const Progress& progress,
+                                            const std::vector<LiftedSimplex<m>>& known = {});
 
 }  // namespace delcert

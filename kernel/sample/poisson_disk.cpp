@@ -59,7 +59,7 @@ class Sampler {
   /// Returns whether a gap was found.
   bool fill_gaps(std::uint32_t round) {
     const auto plain = space_.metric.template on<PlainDouble>();
-    const auto simplices = proposal_.simplices(grid_.points());
+    simplices_ = proposal_.simplices(grid_.points());
     struct Found {
       bool gap = false;
       std::vector<Candidate> free;
@@ -69,8 +69,9 @@ class Sampler {
       for (auto at = static_cast<std::uint32_t>(first); at < last; ++at) {
         std::array<Vector<double, m>, static_cast<std::size_t>(m) + 1> vertices;
         for (std::size_t corner = 0; corner <= m; ++corner) {
-          vertices[corner] = grid_.points()[simplices[at][corner].index];
-          for (std::size_t axis = 0; axis < m; ++axis) vertices[corner][axis] += simplices[at][corner].shift[axis];
+          const Lift<m>& vertex = simplices_[at][corner];
+          vertices[corner] = grid_.points()[vertex.index];
+          for (std::size_t axis = 0; axis < m; ++axis) vertices[corner][axis] += vertex.shift[axis];
         }
         const auto sphere = approximate_sphere<m>(plain, vertices);
         const double gap = std::sqrt(sphere.squared_radius);
@@ -85,16 +86,33 @@ class Sampler {
     };
     // All vertices are of the points before; what is inserted changes no index.
     bool found = false;
-    in_parts<64>("fill gaps", simplices.size(), no_progress(), look, [&](const Found& part) {
+    in_parts<64>("fill gaps", simplices_.size(), no_progress(), look, [&](const Found& part) {
       found = found || part.gap;
       insert_those_free(part.free);
     });
     return found;
   }
 
-  [[nodiscard]] std::vector<Vector<Rational, m>> net() const {
+  [[nodiscard]] std::vector<Vector<Rational, m>> net() const { return points_in(grid_.spatial_order()); }
+
+  /// With the triangulation in which gaps were looked for last.
+  [[nodiscard]] TriangulatedNet<m> triangulated_net() const {
+    const auto order = grid_.spatial_order();
+    std::vector<std::uint32_t> new_label(order.size());
+    for (std::uint32_t label = 0; label < order.size(); ++label) new_label[order[label]] = label;
+    TriangulatedNet<m> result{points_in(order), simplices_};
+    for (LiftedSimplex<m>& simplex : result.simplices) {
+      for (Lift<m>& vertex : simplex) vertex.index = new_label[vertex.index];
+      simplex = canonical<m>(simplex);
+    }
+    std::sort(result.simplices.begin(), result.simplices.end());
+    return result;
+  }
+
+ private:
+  [[nodiscard]] std::vector<Vector<Rational, m>> points_in(const std::vector<std::uint32_t>& order) const {
     std::vector<Vector<Rational, m>> result;
-    for (const std::uint32_t index : grid_.spatial_order()) {
+    for (const std::uint32_t index : order) {
       Vector<Rational, m> point;
       for (std::size_t axis = 0; axis < m; ++axis) point[axis] = Rational::exactly(grid_.points()[index][axis]);
       result.push_back(point);
@@ -102,7 +120,6 @@ class Sampler {
     return result;
   }
 
- private:
   static double raised_to_dimension(double x) {
     double result = 1;
     for (int factor = 0; factor < m; ++factor) result *= x;
@@ -196,14 +213,15 @@ class Sampler {
   std::uint64_t seed_;
   PointGrid<m> grid_;
   GrowingProposal<m> proposal_;
+  std::vector<LiftedSimplex<m>> simplices_;
 };
 
 template <int m>
-std::vector<Vector<Rational, m>> complete_net(Sampler<m>&& sampler, const Progress& progress) {
+void complete(Sampler<m>& sampler, const Progress& progress) {
   sampler.throw_darts(progress);
   for (std::uint32_t round = 0; round < most_rounds; ++round) {
     progress("fill gaps", round, most_rounds);
-    if (!sampler.fill_gaps(round)) return sampler.net();
+    if (!sampler.fill_gaps(round)) return;
   }
   throw Rejection("maximal Poisson-disk sampling found gaps for " + std::to_string(most_rounds) + " rounds");
 }
@@ -213,18 +231,30 @@ std::vector<Vector<Rational, m>> complete_net(Sampler<m>&& sampler, const Progre
 template <int m>
 std::vector<Vector<Rational, m>> poisson_disk_net(const FlatSpace<m>& space, const Rational& radius, std::uint64_t seed,
                                                   const Progress& progress) {
-  return complete_net<m>(Sampler<m>(space, approximate_double(radius), nullptr, seed), progress);
+  return triangulated_poisson_disk_net<m>(space, radius, seed, progress).points;
+}
+
+template <int m>
+TriangulatedNet<m> triangulated_poisson_disk_net(const FlatSpace<m>& space, const Rational& radius, std::uint64_t seed,
+                                                 const Progress& progress) {
+  Sampler<m> sampler(space, approximate_double(radius), nullptr, seed);
+  complete<m>(sampler, progress);
+  return sampler.triangulated_net();
 }
 
 template <int m>
 std::vector<Vector<Rational, m>> poisson_disk_net(const FlatSpace<m>& space, const TorusSizing<m>& sizing,
                                                   std::uint64_t seed, const Progress& progress) {
-  return complete_net<m>(Sampler<m>(space, sizing.greatest(), &sizing, seed), progress);
+  Sampler<m> sampler(space, sizing.greatest(), &sizing, seed);
+  complete<m>(sampler, progress);
+  return sampler.net();
 }
 
 #define DELCERT_INSTANTIATE(m)                                                                                       \
   template std::vector<Vector<Rational, m>> poisson_disk_net<m>(const FlatSpace<m>&, const Rational&, std::uint64_t, \
                                                                 const Progress&);                                    \
+  template TriangulatedNet<m> triangulated_poisson_disk_net<m>(const FlatSpace<m>&, const Rational&, std::uint64_t,  \
+                                                               const Progress&);                                     \
   template std::vector<Vector<Rational, m>> poisson_disk_net<m>(const FlatSpace<m>&, const TorusSizing<m>&,          \
                                                                 std::uint64_t, const Progress&);
 DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "kernel/sample/torus_sizing.hpp"
+#include "kernel/stars/proposal.hpp"
 #include "support/progress.hpp"
 
 namespace delcert {
@@ -20,6 +21,18 @@ namespace delcert {
 template <int m>
 [[nodiscard]] std::vector<Vector<Rational, m>> poisson_disk_net(const FlatSpace<m>& space, const Rational& radius,
                                                                 std::uint64_t seed, const Progress& progress);
+
+/// A net, and the Delaunay triangulation in which no gap was left, of labels, as `propose_delaunay` has it.
+template <int m>
+struct TriangulatedNet {
+  std::vector<Vector<Rational, m>> points;
+  std::vector<LiftedSimplex<m>> simplices;
+};
+
+/// The same net with this triangulation.
+template <int m>
+[[nodiscard]] TriangulatedNet<m> triangulated_poisson_disk_net(const FlatSpace<m>& space, const Rational& radius,
+                                                               std::uint64_t seed, const Progress& progress);
 
 /// The same with radii that vary: of two points at least one is no nearer to the other than e there, and no simplex of
 /// the Delaunay triangulation has a circumradius above the least e of its vertices; both nearly, where e varies.

@@ -26,11 +26,12 @@ class FlatFamily final : public Family {
 
   void make_net(const NetSource& source, const Progress& progress) override {
     const auto sizing = source.torus_sizing<m>(space_);
-    PointSet<m> net(source.points<m>(space_, progress));
+    auto made = source.net<m>(space_, progress);
+    PointSet<m> net(std::move(made.points));
     if (sizing) {
       take_graded(std::move(net), *sizing, progress);
     } else {
-      NetDensity<m> density = measure_density<m>(space_, net, source.radius, progress);
+      NetDensity<m> density = measure_density<m>(space_, net, source.radius, progress, made.simplices);
       covering_radius_lower_ = density.covering_radius_lower;
       net_simplices_ = std::move(density.simplices);
       atlas_.emplace(space_, std::move(net), density.sampling_radius);

@@ -56,14 +56,17 @@ std::optional<TorusSizing<m>> NetSource::torus_sizing(const FlatSpace<m>& space)
 }
 
 template <int m>
-std::vector<Vector<Rational, m>> NetSource::points(const FlatSpace<m>& space, const Progress& progress) const {
+TriangulatedNet<m> NetSource::net(const FlatSpace<m>& space, const Progress& progress) const {
   if (icosphere_frequency) throw InputError("--icosphere is for the manifold sphere-2");
   if (relaxation_steps > 0) throw InputError("--relax is for space forms other than tori");
-  if (!points_file.empty()) return points_of_file<m>(points_file);
-  if (lattice) return lattice_net<m>(space, LatticeNet{*lattice, centred, displacement_exponent, seed});
+  if (!points_file.empty()) return {points_of_file<m>(points_file), {}};
+  if (lattice) return {lattice_net<m>(space, LatticeNet{*lattice, centred, displacement_exponent, seed}), {}};
   require_radius("--radius, --lattice or --points");
-  if (const auto radii = torus_sizing<m>(space)) return poisson_disk_net<m>(space, *radii, seed, progress);
-  return poisson_disk_net<m>(space, *radius, seed, progress);
+  if (const auto radii = torus_sizing<m>(space)) return {poisson_disk_net<m>(space, *radii, seed, progress), {}};
+  auto result = triangulated_poisson_disk_net<m>(space, *radius, seed, progress);
+  // Beyond the rim of a ball, simplices are so flat that they are rather taken from displaced points.
+  if (!space.is_torus()) result.simplices.clear();
+  return result;
 }
 
 template <int m>
@@ -173,7 +176,7 @@ template std::pair<std::vector<Vector<Rational, 3>>, Rational> NetSource::net_of
 
 #define DELCERT_INSTANTIATE(m)                                                                  \
   template std::optional<TorusSizing<m>> NetSource::torus_sizing<m>(const FlatSpace<m>&) const; \
-  template std::vector<Vector<Rational, m>> NetSource::points<m>(const FlatSpace<m>&, const Progress&) const;
+  template TriangulatedNet<m> NetSource::net<m>(const FlatSpace<m>&, const Progress&) const;
 DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
 #undef DELCERT_INSTANTIATE
 

@@ -11,8 +11,8 @@
 #include "kernel/manifold/quotient/space_form.hpp"
 #include "kernel/sample/atlas_net.hpp"
 #include "kernel/sample/lattice_net.hpp"
+#include "kernel/sample/poisson_disk.hpp"
 #include "kernel/sample/submanifold_net.hpp"
-#include "kernel/sample/torus_sizing.hpp"
 #include "support/progress.hpp"
 
 namespace delcert {
@@ -34,9 +34,10 @@ struct NetSource {
   template <int m>
   [[nodiscard]] std::optional<TorusSizing<m>> torus_sizing(const FlatSpace<m>& space) const;
 
-  /// Makes or reads the points. Throws what sampling and reading throw.
+  /// Makes or reads the points; with a triangulation of them if one comes for free, and without simplices otherwise.
+  /// Throws what sampling and reading throw.
   template <int m>
-  [[nodiscard]] std::vector<Vector<Rational, m>> points(const FlatSpace<m>& space, const Progress& progress) const;
+  [[nodiscard]] TriangulatedNet<m> net(const FlatSpace<m>& space, const Progress& progress) const;
 
   /// The same on a space form: conformal coordinates, and the radius in which the run is measured: that of the
   /// Poisson-disk net, the nominal one of given points, otherwise about the covering radius.

@@ -34,6 +34,33 @@ void check_density(const FlatSpace<m>& space, const ExactPoints<m>& points, cons
   EXPECT_NE(complaint_of_torus_witness<m>(space, points, density.simplices, density.covering_radius_lower), "");
 }
 
+// A triangulation that is known is not believed: where it does not cover, one of a displaced copy is made.
+TEST(MeasureDensity, of_a_known_triangulation_is_that_of_a_displaced_copy) {
+  const auto check = []<int m>(const FlatSpace<m>& space, const Rational& radius) {
+    const auto net = triangulated_poisson_disk_net<m>(space, radius, 2, no_progress());
+    const PointSet<m> points(net.points);
+    const auto expected = measure_density<m>(space, points, radius, no_progress());
+    auto holed = net.simplices;
+    holed.pop_back();
+    for (const auto& known : {net.simplices, holed}) {
+      const auto density = measure_density<m>(space, points, radius, no_progress(), known);
+      EXPECT_EQ(density.simplices, expected.simplices);
+      EXPECT_EQ(density.sampling_radius, expected.sampling_radius);
+      EXPECT_EQ(density.covering_radius_lower, expected.covering_radius_lower);
+    }
+  };
+  check.template operator()<2>(hexagonal_torus(), ratio(1, 16));
+  check.template operator()<3>(skewed_torus(), ratio(1, 5));
+}
+
+TEST(MeasureDensity, of_a_known_triangulation_that_covers_by_a_large_simplex_is_refused) {
+  auto net = triangulated_poisson_disk_net<3>(skewed_torus(), ratio(1, 5), 2, no_progress());
+  net.simplices.back()[3].shift[0] += 1;
+  EXPECT_THROW(
+      (void)measure_density<3>(skewed_torus(), PointSet<3>(net.points), ratio(1, 5), no_progress(), net.simplices),
+      Rejection);
+}
+
 TEST(MeasureDensity, knows_the_covering_radii_of_lattices) {
   check_density<1>(cubic_torus<1>(), lattice<1>(cubic_torus<1>(), 48), ratio(1, 96 * 96));
   check_density<2>(cubic_torus<2>(), lattice<2>(cubic_torus<2>(), 20), ratio(1, 2 * 20 * 20));

@@ -43,6 +43,21 @@ TEST(PoissonDiskNet, is_separated_and_maximal_on_tori) {
   check_net<3>(skewed_torus(), ratio(1, 5), 6);
 }
 
+template <int m>
+void check_triangulation(const FlatSpace<m>& space, const Rational& radius, std::uint64_t seed) {
+  const auto net = triangulated_poisson_disk_net<m>(space, radius, seed, no_progress());
+  EXPECT_EQ(net.points, poisson_disk_net<m>(space, radius, seed, no_progress()));
+  EXPECT_EQ(net.simplices,
+            propose_delaunay<m>(space, PointSet<m>(net.points).approximate_all(), approximate_double(radius)));
+}
+
+TEST(PoissonDiskNet, comes_with_its_delaunay_triangulation) {
+  check_triangulation<1>(cubic_torus<1>(), ratio(1, 50), 1);
+  check_triangulation<2>(hexagonal_torus(), ratio(1, 16), 3);
+  check_triangulation<3>(skewed_torus(), ratio(1, 5), 6);
+  check_triangulation<2>(ball_of<2>(Rational(1)), ratio(1, 6), 1);
+}
+
 TEST(PoissonDiskNet, has_the_usual_number_of_points) {
   // A maximal set in the plane has about 0.70 points for every square of the radius.
   const auto points = poisson_disk_net<2>(cubic_torus<2>(), ratio(1, 24), 1, no_progress());

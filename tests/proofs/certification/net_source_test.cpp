@@ -14,7 +14,7 @@ FlatSpace<2> square_torus() { return flat_space_of<2>(std::get<ManifoldDescripti
 
 std::string refusal_of(const NetSource& source) {
   try {
-    (void)source.points<2>(square_torus(), no_progress());
+    (void)source.net<2>(square_torus(), no_progress());
   } catch (const InputError& error) {
     return error.what();
   }
@@ -24,9 +24,18 @@ std::string refusal_of(const NetSource& source) {
 TEST(NetSource, a_lattice_has_its_points) {
   NetSource source;
   source.lattice = 5;
-  EXPECT_EQ(source.points<2>(square_torus(), no_progress()).size(), 25U);
+  EXPECT_EQ(source.net<2>(square_torus(), no_progress()).points.size(), 25U);
   source.centred = true;
-  EXPECT_EQ(source.points<2>(square_torus(), no_progress()).size(), 50U);
+  EXPECT_EQ(source.net<2>(square_torus(), no_progress()).points.size(), 50U);
+}
+
+TEST(NetSource, a_torus_that_is_sampled_comes_with_its_triangulation_and_what_may_be_cospherical_without) {
+  NetSource source;
+  source.radius = Rational(1, 10);
+  const auto sampled = source.net<2>(square_torus(), no_progress());
+  EXPECT_EQ(sampled.simplices.size(), 2 * sampled.points.size());
+  source.lattice = 5;
+  EXPECT_TRUE(source.net<2>(square_torus(), no_progress()).simplices.empty());
 }
 
 TEST(NetSource, a_file_has_its_points_exactly) {
@@ -34,7 +43,7 @@ TEST(NetSource, a_file_has_its_points_exactly) {
   write_file_atomically(folder / "net.txt", "1/3 0\n1/2 0x1p-7\n");
   NetSource source;
   source.points_file = (folder / "net.txt").string();
-  const auto points = source.points<2>(square_torus(), no_progress());
+  const auto points = source.net<2>(square_torus(), no_progress()).points;
   ASSERT_EQ(points.size(), 2U);
   EXPECT_EQ(points[0][0], Rational(1, 3));
   EXPECT_EQ(points[1][1], Rational(1, 128));
