@@ -12,6 +12,7 @@
 #include "kernel/simplex/dimensions.hpp"
 #include "kernel/stars/approximate_sphere.hpp"
 #include "support/error.hpp"
+#include "support/sort_by_number.hpp"
 
 namespace delcert {
 
@@ -161,7 +162,9 @@ std::vector<SignedFace<m>> boundary(const std::vector<LiftedSimplex<m>>& simplic
       faces.push_back(face);
     }
   }
-  std::sort(faces.begin(), faces.end(), [](const auto& a, const auto& b) { return a.labels < b.labels; });
+  sort_by_number(
+      faces, [](const auto& face) { return face.labels[0]; },
+      [](const auto& a, const auto& b) { return a.labels < b.labels; });
   std::vector<SignedFace<m>> result;
   for (std::size_t first = 0; first < faces.size();) {
     std::size_t last = first;

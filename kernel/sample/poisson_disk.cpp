@@ -105,7 +105,7 @@ class Sampler {
       for (Lift<m>& vertex : simplex) vertex.index = new_label[vertex.index];
       simplex = canonical<m>(simplex);
     }
-    std::sort(result.simplices.begin(), result.simplices.end());
+    sort_canonical<m>(result.simplices);
     return result;
   }
 

@@ -8,6 +8,7 @@
 #include "kernel/simplex/dimensions.hpp"
 #include "kernel/stars/approximate_sphere.hpp"
 #include "support/error.hpp"
+#include "support/sort_by_number.hpp"
 
 namespace delcert {
 
@@ -82,6 +83,11 @@ LiftedSimplex<m> canonical(LiftedSimplex<m> simplex) {
 }
 
 template <int m>
+void sort_canonical(std::vector<LiftedSimplex<m>>& simplices) {
+  sort_by_number(simplices, [](const LiftedSimplex<m>& simplex) { return simplex[0].index; });
+}
+
+template <int m>
 void GrowingProposal<m>::add_copies(const std::vector<Vector<double, m>>& points, double margin) {
   const auto half = half_widths<m>(space_.metric, margin);
   const auto known_half = half_widths<m>(space_.metric, margin_);
@@ -128,7 +134,7 @@ std::pair<std::vector<LiftedSimplex<m>>, double> GrowingProposal<m>::simplices_a
     if (std::isfinite(sphere.squared_radius)) result.second = std::max(result.second, std::sqrt(sphere.squared_radius));
     result.first.push_back(canonical<m>(lifted));
   }
-  std::sort(result.first.begin(), result.first.end());
+  sort_canonical<m>(result.first);
   result.first.erase(std::unique(result.first.begin(), result.first.end()), result.first.end());
   return result;
 }
@@ -169,6 +175,7 @@ std::vector<LiftedSimplex<m>> propose_delaunay(const FlatSpace<m>& space, const 
 
 #define DELCERT_INSTANTIATE(m)                                                    \
   template LiftedSimplex<m> canonical<m>(LiftedSimplex<m>);                       \
+  template void sort_canonical<m>(std::vector<LiftedSimplex<m>>&);                \
   template class GrowingProposal<m>;                                              \
   template std::vector<LiftedSimplex<m>> propose_delaunay<m>(const FlatSpace<m>&, \
                                                              const std::vector<Vector<double, m>>&, double);

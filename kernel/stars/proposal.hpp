@@ -15,6 +15,10 @@ using LiftedSimplex = std::array<Lift<m>, static_cast<std::size_t>(m) + 1>;
 template <int m>
 [[nodiscard]] LiftedSimplex<m> canonical(LiftedSimplex<m> simplex);
 
+/// Puts simplices in canonical form in increasing order.
+template <int m>
+void sort_canonical(std::vector<LiftedSimplex<m>>& simplices);
+
 /// The Delaunay simplices of the lifts of these points (approximate frame coordinates), each once mod the lattice, in
 /// increasing order. A proposal: nothing is certified. On a torus copies of the points around the unit cell stand in
 /// for the lifts; their number grows, from what the usual circumradius (> 0) asks for, until every proposed circumball

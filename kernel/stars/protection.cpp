@@ -46,6 +46,9 @@ Verdict is_outside_by(const S& power, const S& squared_radius, const S& protecti
   return conjunction(less(S(0), shifted), less(S(4) * square(protection) * squared_radius, square(shifted)));
 }
 
+/// Cells of this many sampling radii: queries ask for up to 2.
+constexpr double cell_factor = 1.5;
+
 /// The bounds over all simplices as they are found.
 struct Extremes {
   double least = std::numeric_limits<double>::infinity();
@@ -72,7 +75,8 @@ struct Ground {
         units(of_points),
         half_radius(approximate_double(of_points.sampling_radius()) / 2),
         grid(of_points.metric(), of_points.space().box_radius(),
-             approximate_double(of_points.sampling_radius()) * middle_unit(of_points.radii().units()), placed.size()) {
+             cell_factor * approximate_double(of_points.sampling_radius()) * middle_unit(of_points.radii().units()),
+             placed.size()) {
     for (const auto& point : placed.approximate_all()) grid.insert(point);
   }
 

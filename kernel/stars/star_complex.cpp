@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kernel/simplex/dimensions.hpp"
+#include "support/sort_by_number.hpp"
 
 namespace delcert {
 
@@ -23,7 +24,7 @@ std::size_t face_count(const std::vector<LiftedSimplex<m>>& simplices, int count
       faces.push_back(labels);
     }
   }
-  std::sort(faces.begin(), faces.end());
+  sort_by_number(faces, [](const auto& labels) { return labels[0]; });
   return static_cast<std::size_t>(std::unique(faces.begin(), faces.end()) - faces.begin());
 }
 
