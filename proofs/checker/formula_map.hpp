@@ -50,7 +50,8 @@ class FormulaMap {
   const Quantity& constant(std::size_t k) const { return constants_[k]; }
   /// The step whose value is the function.
   std::size_t result(std::size_t function) const { return results_[function]; }
-  /// Whether the value of a step depends on a variable.
+  /// Whether the value of a step depends on a variable, on this one.
+  bool depends(std::size_t step) const { return depends_[step] != 0; }
   bool depends(std::size_t step, std::size_t variable) const { return (depends_[step] >> variable & 1U) != 0; }
 
  private:

@@ -230,7 +230,7 @@ std::vector<Polynomial> denominators_after(const std::vector<MapPiece>& second, 
 
 /// As the file has it, or, of one piece of several, which is affine, its polynomials.
 FormulaMap formulas_of_piece(const MapPiece& piece, const FormulaMap& whole, std::size_t m) {
-  return piece.nonnegative.empty() ? whole : formulas_of(m, parts_of(piece.map, &RationalFunction::numerator));
+  return is_rational(whole) ? whole : formulas_of(m, piece.map);
 }
 
 }  // namespace

@@ -64,17 +64,21 @@ std::vector<MapPiece> pieces_of(std::size_t m, const FormulaMap& f) {
   constexpr std::size_t most_absolute_values = 10;
   std::vector<std::size_t> folds;
   for (std::size_t step = 0; step < f.steps().size(); ++step) {
-    if (f.steps()[step].operation == FormulaMap::Operation::absolute) folds.push_back(step);
+    if (f.steps()[step].operation == FormulaMap::Operation::absolute && f.depends(step)) folds.push_back(step);
   }
   if (folds.size() > most_absolute_values) refuse();
   std::vector<MapPiece> result;
   for (std::size_t pattern = 0; pattern < std::size_t{1} << folds.size(); ++pattern) {
     MapPiece piece;
+    bool is_repeated = false;
     const auto map = composed(f, identity_map(m), [&](std::size_t step, const RationalFunction& of) {
       if (!of.denominator.is_constant() || !is_affine(of.numerator)) refuse();
       const auto number = static_cast<std::size_t>(std::find(folds.begin(), folds.end(), step) - folds.begin());
       const Polynomial& p = of.numerator;
-      const bool positive = p.is_constant() ? p.at({}).sign() >= 0 : (pattern >> number & 1U) == 0;
+      const bool flipped = (pattern >> number & 1U) != 0;
+      // The absolute value of a constant is no fold: one pattern is enough.
+      is_repeated = is_repeated || (flipped && p.is_constant());
+      const bool positive = p.is_constant() ? p.at({}).sign() >= 0 : !flipped;
       const Polynomial value = positive ? p : Polynomial(m, Rational(0)) - p;
       if (!p.is_constant()) piece.nonnegative.push_back(value);
       return RationalFunction(value);
@@ -82,9 +86,9 @@ std::vector<MapPiece> pieces_of(std::size_t m, const FormulaMap& f) {
     if (!map) throw Malformed("form.formula", "a transition divides by 0 everywhere");
     piece.map = *map;
     for (const RationalFunction& g : *map) {
-      if (!folds.empty() && !(g.denominator.is_constant() && is_affine(g.numerator))) refuse();
+      if (!piece.nonnegative.empty() && !(g.denominator.is_constant() && is_affine(g.numerator))) refuse();
     }
-    if (may_be_positive_together(piece.nonnegative)) result.push_back(std::move(piece));
+    if (!is_repeated && may_be_positive_together(piece.nonnegative)) result.push_back(std::move(piece));
   }
   return result;
 }

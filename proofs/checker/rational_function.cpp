@@ -214,15 +214,31 @@ bool is_rational(const FormulaMap& f, bool folds) {
   });
 }
 
-FormulaMap formulas_of(std::size_t m, const std::vector<Polynomial>& polynomials) {
+namespace {
+
+FormulaMap formulas_from(std::size_t m, const std::vector<std::string>& texts) {
   static const std::vector<std::string_view> names = {"x0", "x1", "x2"};
-  std::vector<std::string> texts;
-  for (const Polynomial& p : polynomials) texts.push_back(p.text());
   try {
     return {{names.begin(), names.begin() + static_cast<std::ptrdiff_t>(m)}, {texts.begin(), texts.end()}};
   } catch (const Malformed&) {
     fail_as_too_large();
   }
+}
+
+}  // namespace
+
+FormulaMap formulas_of(std::size_t m, const std::vector<Polynomial>& polynomials) {
+  std::vector<std::string> texts;
+  for (const Polynomial& p : polynomials) texts.push_back(p.text());
+  return formulas_from(m, texts);
+}
+
+FormulaMap formulas_of(std::size_t m, const RationalMap& map) {
+  std::vector<std::string> texts;
+  for (const RationalFunction& f : map)
+    texts.push_back(f.denominator.is_constant() ? f.numerator.text()
+                                                : "(" + f.numerator.text() + ")/(" + f.denominator.text() + ")");
+  return formulas_from(m, texts);
 }
 
 }  // namespace delcert::checker

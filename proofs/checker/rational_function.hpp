@@ -69,7 +69,8 @@ using AbsoluteValue = std::function<RationalFunction(std::size_t step, const Rat
 std::optional<RationalMap> composed(const FormulaMap& f, const RationalMap& x, const AbsoluteValue& absolute = {});
 /// Whether it has neither; absolute values count if there may be none.
 bool is_rational(const FormulaMap& f, bool folds = false);
-/// The polynomials as formulas, for enclosures.
+/// The polynomials, or the functions, as formulas, for enclosures.
 FormulaMap formulas_of(std::size_t m, const std::vector<Polynomial>& polynomials);
+FormulaMap formulas_of(std::size_t m, const RationalMap& map);
 
 }  // namespace delcert::checker

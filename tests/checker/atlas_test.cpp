@@ -96,6 +96,23 @@ TEST(Atlas, folds_fit_their_inverses_and_other_transitions_on_both_sides) {
             std::set<std::string>{"atlas.cocycle"});
 }
 
+// Defect: an absolute value of a constant ended the checker with an internal error.
+TEST(Atlas, absolute_values_of_constants_are_numbers) {
+  const auto run = [](const std::string& map) {
+    Json document = sphere_document();
+    document["manifold"]["transitions"][0]["map"][0] = map;
+    return run_checker(sealed(document));
+  };
+  EXPECT_EQ(run("abs(-1)*x/(x^2+abs(y-y-1)*y^2)").status, 0);
+  // More of them than a map may have folds.
+  std::string ones;
+  for (int k = 1; k <= 12; ++k) ones += "abs(-" + std::to_string(k) + ")/" + std::to_string(k) + "*";
+  EXPECT_EQ(run(ones + "x/(x^2+y^2)").status, 0);
+  EXPECT_EQ(run("abs(-2)*x/(x^2+y^2)").rules, std::set<std::string>{"atlas.inverse"});
+  // With a fold all has to be linear.
+  EXPECT_EQ(run("abs(-1)*x/(x^2+y^2)+abs(y)-abs(y)").rules, std::set<std::string>{"form.formula"});
+}
+
 TEST(Atlas, stars_are_complete_and_their_labels_are_seen) {
   Json document = sphere_document();
   document["simplices"].erase(4);

@@ -235,6 +235,11 @@ ATLASES = {
         1,
         "atlas.inverse: the inverse of map is not the identity: coordinate 1 is not u",
     ),
+    "an absolute value of a number, and an inverse without it": (
+        glued(('"x/(x^2 + y^2)"', '"abs(-2)*x/(x^2 + y^2)"')),
+        1,
+        "atlas.inverse: the inverse of map is not the identity: coordinate 1 is not x",
+    ),
     "a cocycle that fails on one side of a fold": (sheared_on_one_side(), 1, "atlas.cocycle: .*no transition does the same; chart [a-z0-9]*: "),
     "a gap between charts of cone points": (
         glued(('"2/3"', '"1/5"'), ('"-2/3"', '"-1/5"'), ('"3/5"', '"3/16"'), ('"-3/5"', '"-3/16"'), text=CONE_TORUS),

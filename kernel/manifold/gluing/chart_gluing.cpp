@@ -85,12 +85,16 @@ class TransitionReader {
     return result;
   }
 
-  /// The piece as the file has it; of an affine one of several, its polynomials.
+  /// The map as the file has it; if that has absolute values, the rational functions of the piece.
   [[nodiscard]] FormulaMap formulas(const MapPiece& piece, const std::vector<std::string>& given,
                                     const std::vector<std::string>& variables) const {
-    if (piece.nonnegative.empty()) return {variables, given};
+    const std::vector<ExpressionPointer> trees = parsed(given, variables, AbsoluteValues::allowed);
+    if (std::none_of(trees.begin(), trees.end(), [](const auto& tree) { return has_absolute_values(*tree); }))
+      return {variables, given};
     std::vector<std::string> texts;
-    for (const RationalFunction& f : piece.map) texts.push_back(f.numerator.text());
+    for (const RationalFunction& f : piece.map)
+      texts.push_back(f.denominator.constant() ? f.numerator.text()
+                                               : "(" + f.numerator.text() + ")/(" + f.denominator.text() + ")");
     return {ring_->names(), texts};
   }
 

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
+#include "kernel/manifold/gluing/piecewise_values.hpp"
+#include "kernel/number/rounding_guard.hpp"
 #include "tests/kernel/manifold/gluing/atlas_samples.hpp"
 
 namespace delcert::test {
@@ -87,6 +91,26 @@ TEST(ChartGluing, takes_piecewise_linear_maps_apart) {
   // Conditions are seen from each piece of the other side.
   EXPECT_EQ(gluing.transitions()[1].pieces[0].positive().at(0).text(), "x0 - 1/3*x1 + 1");
   EXPECT_EQ(gluing.transitions()[1].pieces[1].positive().at(0).text(), "x0 + 1/3*x1 + 1");
+}
+
+// Defect: an absolute value of a constant was refused as an unknown function.
+TEST(ChartGluing, takes_absolute_values_of_constants_for_numbers) {
+  const auto gluing_of = [](const std::string& map) {
+    return ChartGluing(two_charts(Rational(2), Rational(1), {0, 1, {map, "y"}, {"u/2", "v"}, {}}));
+  };
+  const ChartGluing gluing = gluing_of("abs(-2)*x*(y^2 + abs(y - y - 1))/(y^2 + 1)");
+  const auto& pieces = gluing.transitions()[0].pieces;
+  ASSERT_EQ(pieces.size(), 1U);
+  EXPECT_TRUE(pieces[0].nonnegative().empty());
+  const RoundingGuard guard;
+  PiecewiseValues<Interval> values(pieces);
+  const std::array<Interval, 2> x{Interval(1), Interval(3)};
+  std::array<Interval, 2> value;
+  ASSERT_TRUE(values.value(x.data(), value.data()));
+  EXPECT_EQ(value[0].lower(), 2);
+  EXPECT_EQ(value[0].upper(), 2);
+  const auto refusal = message_of<Rejection>([&] { (void)gluing_of("abs(-3)*x"); });
+  EXPECT_TRUE(mentions(refusal, "atlas.inverse: the inverse of map is not the identity: coordinate 1 is not x"));
 }
 
 TEST(ChartGluing, refuses_an_inverse_that_is_wrong_on_one_side_of_a_fold) {
