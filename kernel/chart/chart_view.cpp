@@ -36,7 +36,7 @@ void ChartView<m>::find_near_displacements(const std::vector<double>& own) {
   auto near = std::make_shared<std::vector<double>>();
   std::vector<Sighting<m>> seen;
   for (std::uint32_t index = 0; index < own.size(); ++index) {
-    const double patch = approximate_double(atlas_->sampling_radius(Label(index))) * geometry_.patch_factor;
+    const double patch = approximate_double(atlas_->sampling_radius(Label(index))) * halves_of_patch() / 2;
     atlas_->sightings(Label(index), stretch * (patch + displacement_), seen);
     double most = own[index];
     for (const Sighting<m>& other : seen) most = std::max(most, own[other.index]);
@@ -62,31 +62,32 @@ void ChartView<m>::look(Label chart, double reach) {
 }
 
 template <int m>
-double ChartView<m>::reach_of(Label chart, int half_radii) const {
+double ChartView<m>::reach_of(Label chart, double half_radii) const {
   // A hair less, as patches may be cut off at exactly their radius.
   return approximate_double(atlas_->sampling_radius(chart)) * half_radii / 2 * (1 - 0x1p-40);
 }
 
 template <int m>
-void ChartView<m>::look_by_halves(Label chart, int half_radii) {
+void ChartView<m>::look_by_halves(Label chart, double half_radii) {
   look(chart, reach_of(chart, half_radii));
 }
 
 template <int m>
 double ChartView<m>::complete_radius_of_patch(Label chart) const {
-  const double reach = reach_of(chart, 2 * geometry_.patch_factor);
+  const double reach = reach_of(chart, halves_of_patch());
   const FilterGuard guard;
   const double result = (Filter::exactly(reach) - Filter::exactly(displacement(chart))).lower();
   return result > 0 ? result : 0;
 }
 
 template <int m>
-std::vector<int> ChartView<m>::half_reaches(std::initializer_list<int> wanted) const {
-  std::vector<int> result;
+std::vector<double> ChartView<m>::half_reaches(std::initializer_list<int> wanted) const {
+  const double patch = halves_of_patch();
+  std::vector<double> result;
   for (const int reach : wanted) {
-    if (reach < 2 * geometry_.patch_factor) result.push_back(reach);
+    if (reach < patch) result.push_back(reach);
   }
-  result.push_back(2 * geometry_.patch_factor);
+  result.push_back(patch);
   return result;
 }
 

@@ -16,7 +16,7 @@ namespace delcert {
 struct ModelGeometry {
   Curvature curvature = Curvature::zero;
   Rational injectivity_radius;    ///< a lower bound
-  int patch_factor = 9;           ///< patches have this radius, in sampling radii
+  Rational patch_factor = 9;      ///< patches have this radius, in sampling radii: a multiple of 1/4
   bool isometric_charts = false;  ///< transitions are isometries of the charts' metric, as on flat manifolds
   /// How much longer than at home a vector is in another chart at most, relative: 0 on space forms, whose charts keep
   /// the distances from their centres. What a label moves by at home is seen from elsewhere longer by that.
@@ -42,10 +42,10 @@ class ChartView {
   /// sightings. Precondition: as for `Atlas::sightings`.
   void look(Label chart, double reach);
   /// The same for a reach of so many halves of a sampling radius.
-  void look_by_halves(Label chart, int half_radii);
+  void look_by_halves(Label chart, double half_radii);
   /// Reaches, in halves of a sampling radius, to try one after the other: those of these that a patch has, increasing,
   /// and the patch itself at last; never none.
-  [[nodiscard]] std::vector<int> half_reaches(std::initializer_list<int> wanted = {7, 10, 14}) const;
+  [[nodiscard]] std::vector<double> half_reaches(std::initializer_list<int> wanted = {7, 10, 14}) const;
 
   [[nodiscard]] const Atlas<m>& atlas() const { return *atlas_; }
   [[nodiscard]] const PointSet<m>& points() const { return *points_; }
@@ -93,7 +93,8 @@ class ChartView {
  private:
   const std::vector<Vector<Filter, m>>& conformal_positions() const;
   void find_near_displacements(const std::vector<double>& own);
-  [[nodiscard]] double reach_of(Label chart, int half_radii) const;
+  [[nodiscard]] double reach_of(Label chart, double half_radii) const;
+  [[nodiscard]] double halves_of_patch() const { return 2 * approximate_double(geometry_.patch_factor); }
 
   const Atlas<m>* atlas_;
   const PointSet<m>* points_;

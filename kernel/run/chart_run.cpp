@@ -42,6 +42,12 @@ ChartRun<m> run_in_charts(const Atlas<m>& atlas, const ModelGeometry& geometry,
       model = check_model_delaunay<m>(atlas, perturbation.points(), geometry, complex, progress);
       all = model.failures;
     }
+    std::optional<StarStability> stability;
+    if (all.empty() && request.repair_stability) {
+      stability = check_stability<m>(atlas, perturbation.points(), geometry, complex, progress);
+      // Where a chart shows too little, other places of points do not help.
+      if (stability->stars == stability->occupied) all = stability->failures;
+    }
     const auto labels = labels_concerned_by(all);
     if (labels.empty() || !request.perturb || round == request.most_repair_rounds) {
       return {perturbation.points(),
@@ -54,7 +60,8 @@ ChartRun<m> run_in_charts(const Atlas<m>& atlas, const ModelGeometry& geometry,
               first_failures,
               perturbation.statistics(),
               round,
-              repaired};
+              repaired,
+              std::move(stability)};
     }
     repaired += labels.size();
     perturbation.place_anew(labels, progress);
@@ -81,7 +88,8 @@ ChartRun<m> stars_in_charts(const Atlas<m>& atlas, const ModelGeometry& geometry
           failing,
           {},
           0,
-          0};
+          0,
+          {}};
 }
 
 template <int m>

@@ -3,6 +3,7 @@
 #include "kernel/manifold/quotient/space_form_atlas.hpp"
 #include "kernel/run/run.hpp"
 #include "kernel/stars/chart_complex.hpp"
+#include "kernel/stars/stable_stars.hpp"
 #include "kernel/theorems/model_delaunay.hpp"
 
 namespace delcert {
@@ -21,6 +22,7 @@ struct ChartRun {
   PerturbationStatistics statistics;
   int repair_rounds = 0;
   std::size_t repaired_points = 0;
+  std::optional<StarStability> stability;  ///< if it was asked for, and the stars are certified and agree
 
   /// Whether levels 1, 2 and 4 are certified.
   [[nodiscard]] bool is_certified() const {
@@ -29,8 +31,9 @@ struct ChartRun {
 };
 
 /// Perturbs, computes all stars, each in its own chart, and certifies them; compares them; certifies the geodesic
-/// circumballs. Places the points of what fails anew, round by round, until nothing fails or the rounds are used up;
-/// only stars that a moved point may concern are computed again. Without perturbation nothing is repaired.
+/// circumballs, or looks at all stars in all charts, if that is asked for. Places the points of what fails anew, round
+/// by round, until nothing fails or the rounds are used up; only stars that a moved point may concern are computed
+/// again. Without perturbation nothing is repaired.
 ///
 /// The result depends on the atlas, the geometry, the parameters and the request only. Precondition: rounding to
 /// nearest.

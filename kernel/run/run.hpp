@@ -17,6 +17,9 @@ struct RunRequest {
   int most_repair_rounds = 20;
   /// On space forms: certify geodesic circumballs as well.
   bool certify_model = true;
+  /// In charts: place points anew, too, where only a point in the ball of a star keeps the stars from being the same in
+  /// all charts that show them (level 2s).
+  bool repair_stability = false;
 };
 
 /// The outcome of the extended algorithm with its final step, the computation of all stars.

@@ -208,7 +208,7 @@ template <int m>
 CertifiedStar<m> chart_star(ChartView<m>& scratch, Label i, double required_protection) {
   CertifiedStar<m> result;
   // Little is enough for the stars of a perturbed net; more, up to the whole patch, where that may be what fails.
-  for (const int half_reach : scratch.half_reaches()) {
+  for (const double half_reach : scratch.half_reaches()) {
     scratch.look_by_halves(i, half_reach);
     result = {};
     result.star.label = i;

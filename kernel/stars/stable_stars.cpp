@@ -84,7 +84,7 @@ class ChartCheck {
   ChartStability run() {
     auto open = all_simplices();
     // What the chart has to show for the stars of a perturbed net, for all but a few; then the whole patch.
-    for (const int half_reach : view_.half_reaches({9, 12})) {
+    for (const double half_reach : view_.half_reaches({9, 12})) {
       view_.look_by_halves(chart_, half_reach);
       known_.look(view_);
       std::vector<LabelSimplex<m>> rest;
@@ -205,7 +205,7 @@ std::optional<LocalMargins> margins_by_isometry(ChartView<m>& view, const ChartC
     if (complex.is_interior(chart)) complete = std::min(complete, view.complete_radius_of_patch(chart));
     if (mine.empty()) continue;
     std::optional<LocalMargins> here;
-    for (const int half_reach : view.half_reaches()) {
+    for (const double half_reach : view.half_reaches()) {
       view.look_by_halves(chart, half_reach);
       here = margins_in_chart<m>(view, mine);
       if (here) break;

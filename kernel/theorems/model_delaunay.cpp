@@ -75,7 +75,7 @@ class ModelCheck {
     const auto mine = complex_.first_seen_from(i);
     if (mine.empty()) return;
     std::vector<StarFailure> failures;
-    for (const int half_reach : view_.half_reaches()) {
+    for (const double half_reach : view_.half_reaches()) {
       view_.look_by_halves(i, half_reach);
       failures.clear();
       bool blames_a_point = false;

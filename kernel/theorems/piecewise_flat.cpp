@@ -56,7 +56,7 @@ class FlatMetric {
     const auto simplices = complex_.first_seen_from(i);
     if (simplices.empty()) return;
     std::vector<std::pair<LabelSimplex<m>, PlaceSimplex<m>>> found;
-    for (const int half_reach : view_.half_reaches()) {
+    for (const double half_reach : view_.half_reaches()) {
       view_.look_by_halves(i, half_reach);
       found.clear();
       for (const auto& others : simplices) {

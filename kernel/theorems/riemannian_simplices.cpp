@@ -14,7 +14,7 @@ namespace {
 /// Places of the simplices of star(i) in a view large enough for them, its label first in each; empty if there is none.
 template <int m>
 std::vector<PlaceSimplex<m>> star_places(ChartView<m>& view, const ChartComplex<m>& complex, Label i) {
-  for (const int half_reach : view.half_reaches()) {
+  for (const double half_reach : view.half_reaches()) {
     view.look_by_halves(i, half_reach);
     std::vector<PlaceSimplex<m>> result;
     for (const auto& others : complex.star(i)) {

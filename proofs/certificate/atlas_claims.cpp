@@ -29,7 +29,8 @@ std::string reason_of(const FormulaAtlas<m>& atlas, const BlendedTriangulation<m
 template <int m>
 AtlasMeasures<m> measure_atlas(const FormulaAtlas<m>& atlas, const ChartRun<m>& run, const ModelGeometry& geometry,
                                const LevelSelection& selection, const Progress& progress) {
-  AtlasMeasures<m> result{check_stability<m>(atlas, run.points, geometry, run.complex, progress), {}};
+  AtlasMeasures<m> result{
+      run.stability ? *run.stability : check_stability<m>(atlas, run.points, geometry, run.complex, progress), {}};
   if (selects(selection, "5"))
     result.triangulation = check_blended_triangulation<m>(atlas, run.points, run.complex.simplices());
   return result;

@@ -125,7 +125,8 @@ SubmanifoldMeasures<m> measure_submanifold(const SubmanifoldAtlas<m>& atlas, con
   const std::vector<LabelSimplex<m>> simplices = run.complex.simplices();
   SubmanifoldMeasures<m> result{{}, check_graph_triangulation<m>(vertices, simplices, progress), {}, {}};
   if (selects(selection, "2s"))
-    result.stability = check_stability<m>(atlas, run.points, geometry, run.complex, progress);
+    result.stability =
+        run.stability ? *run.stability : check_stability<m>(atlas, run.points, geometry, run.complex, progress);
   if (!result.triangulation.triangulates()) return result;
   if (selects(selection, "4")) {
     const Rational density = graph_density<m>(vertices, simplices, result.triangulation, atlas.slope());

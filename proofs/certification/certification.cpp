@@ -79,6 +79,7 @@ class Certification {
     RunRequest request;
     request.perturb = !options_.no_perturbation;
     request.most_repair_rounds = options_.repair_rounds;
+    request.repair_stability = selects(options_.levels, "2s");
     if (options_.required_protection)
       request.required_protection = *options_.required_protection * report.sampling_radius;
     family_->run(request, progress_);

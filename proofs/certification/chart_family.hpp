@@ -35,6 +35,7 @@ class ChartFamily : public Family {
  public:
   void run(RunRequest request, const Progress& progress) override {
     request.certify_model = certifies_model_;
+    request.repair_stability = request.repair_stability && repairs_stability();
     request_ = request;
     run_.emplace(run_in_charts<m>(*atlas_, geometry(), report.parameters.algorithm, request, progress));
     report.take(*run_);
@@ -48,6 +49,8 @@ class ChartFamily : public Family {
   explicit ChartFamily(bool certifies_model) : certifies_model_(certifies_model) {}
 
   [[nodiscard]] virtual ModelGeometry geometry() const = 0;
+  /// Whether points are placed anew for the sake of level 2s.
+  [[nodiscard]] virtual bool repairs_stability() const { return false; }
 
   /// In measured mode, with what suits this dimension.
   void choose_measured_parameters(const CertifyOptions& options) {

@@ -30,6 +30,12 @@ Json manifold_json(const RunReport& report) {
   return json;
 }
 
+/// A whole number, or a decimal: quarters are exact.
+Json patch_json(const Rational& factor) {
+  if (factor.denominator() == 1) return static_cast<std::int64_t>(approximate_double(factor));
+  return approximate_double(factor);
+}
+
 Json parameters_json(const RunReport& report) {
   const PerturbationParameters& algorithm = report.parameters.algorithm;
   Json json{{"mode", name_of(report.parameters.mode)},
@@ -42,7 +48,7 @@ Json parameters_json(const RunReport& report) {
             {"clearance", exact_text(algorithm.clearance)},
             {"choices", algorithm.choices},
             {"flake_parameter_squared", exact_text(report.parameters.squared_flake_parameter)}};
-  if (report.patch_factor) json["patch_factor"] = *report.patch_factor;
+  if (report.patch_factor) json["patch_factor"] = patch_json(*report.patch_factor);
   return json;
 }
 

@@ -33,7 +33,7 @@ std::string head_text(const RunReport& report) {
   }
   out += fmt::format("net          {} points, ε = {}, μ₀ = {}", report.points, exact_text(report.sampling_radius),
                      exact_text(algorithm.separation));
-  out += report.patch_factor ? fmt::format(", patches of radius {} ε\n", *report.patch_factor) : "\n";
+  out += report.patch_factor ? fmt::format(", patches of radius {} ε\n", exact_text(*report.patch_factor)) : "\n";
   for (const InputItem& item : report.input)
     out += fmt::format("  {:<10} {} ({})\n", name_of(item.verdict), item.name, item.detail);
   if (report.metric) {

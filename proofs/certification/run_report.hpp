@@ -71,7 +71,7 @@ struct RunReport {
   std::optional<Radii> radii;
   RunParameters parameters;
   Rational sampling_radius;
-  std::optional<int> patch_factor;  ///< the radius of patches, in sampling radii
+  std::optional<Rational> patch_factor;  ///< the radius of patches, in sampling radii
   std::size_t points = 0;
   std::size_t simplices = 0;
   std::vector<InputItem> input;

@@ -28,8 +28,9 @@ class SpaceFormFamily final : public ChartFamily<m, SpaceFormAtlas<m>> {
 
   void make_net(const NetSource& source, const Progress& progress) override {
     auto [centres, sampling_radius] = source.net_of<m>(form_, progress);
-    report.patch_factor = fitting_patch_factor(form_, m, sampling_radius);
-    this->take_atlas(SpaceFormAtlas<m>(form_, std::move(centres), sampling_radius, *report.patch_factor));
+    const int factor = fitting_patch_factor(form_, m, sampling_radius);
+    report.patch_factor = factor;
+    this->take_atlas(SpaceFormAtlas<m>(form_, std::move(centres), sampling_radius, factor));
     report.parameters.algorithm.separation = measure_separation<m>(*this->atlas_, progress);
   }
 

@@ -118,6 +118,7 @@ class SubmanifoldFamily final : public ChartFamily<m, SubmanifoldAtlas<m>> {
   }
 
   [[nodiscard]] ModelGeometry geometry() const override { return geometry_of<m>(*this->atlas_); }
+  [[nodiscard]] bool repairs_stability() const override { return true; }
 
   std::shared_ptr<const EmbeddedManifold> manifold_;
   std::unique_ptr<SubmanifoldSampling<m>> sampling_;  // none for points that are given

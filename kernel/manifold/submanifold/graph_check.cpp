@@ -487,10 +487,11 @@ bool GraphCheck::may_be_as_high(const TangentChart& chart) {
 
 namespace {
 
-constexpr std::array patch_factors{5, 4, 3};
 /// The slope is greater than needed by this: the more, the fewer cells, here and for whoever checks it.
 constexpr std::array slope_slacks{1.6, 1.25};
 constexpr double last_slack = 1.1;
+/// Of these factors the narrow ones hold most balls of level 1 and few of level 2s.
+constexpr std::size_t wide_factors = 3;
 constexpr long slope_exponent = -8;
 /// What is not so at all charts is mostly seen at some of them.
 constexpr std::size_t most_suspects = 64;
@@ -605,21 +606,28 @@ class Fitting {
 
   FittedCharts fit() {
     std::string reason;
-    for (const int factor : patch_factors) {
-      for (const double slack : slope_slacks) {
-        if (auto slope = fitting_slope(factor, slack, reason)) return {std::move(charts_), std::move(*slope), factor};
+    const auto found = [&](std::size_t first, std::size_t last, const auto& slacks) -> std::optional<FittedCharts> {
+      for (std::size_t at = first; at < last; ++at) {
+        const Rational factor = Rational(patch_quarters[at]) / Rational(4);
+        for (const double slack : slacks) {
+          if (auto slope = fitting_slope(factor, slack, reason))
+            return FittedCharts{std::move(charts_), std::move(*slope), factor};
+        }
       }
-    }
-    if (auto slope = fitting_slope(patch_factors.back(), last_slack, reason))
-      return {std::move(charts_), std::move(*slope), patch_factors.back()};
+      return std::nullopt;
+    };
+    const std::array last_slacks{last_slack};
+    if (auto charts = found(0, wide_factors, slope_slacks)) return *std::move(charts);
+    if (auto charts = found(0, wide_factors, last_slacks)) return *std::move(charts);
+    if (auto charts = found(wide_factors, patch_quarters.size(), slope_slacks)) return *std::move(charts);
+    if (auto charts = found(patch_quarters.size() - 1, patch_quarters.size(), last_slacks)) return *std::move(charts);
     std::vector<std::vector<double>> places;
     for (const std::size_t label : failed_) places.push_back(place_of(label));
     throw TooCoarse(reason, std::move(places));
   }
 
  private:
-  std::optional<Rational> fitting_slope(int factor, double slack, std::string& reason) {
-    const Rational patch(factor);
+  std::optional<Rational> fitting_slope(const Rational& patch, double slack, std::string& reason) {
     Rational slope;
     failed_.clear();
     if (!estimate(patch, slack, slope, reason)) return std::nullopt;

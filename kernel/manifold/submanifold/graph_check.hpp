@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,11 +39,15 @@ class GraphCheck {
   const ZeroSet& zero_set_;
 };
 
+/// The widths of patches that are tried, in quarters of a sampling radius. Most balls of level 2s lie within four and a
+/// half of these radii.
+inline constexpr std::array patch_quarters{20, 19, 18, 16, 12};
+
 /// Charts about the points of a net, as large as they pass.
 struct FittedCharts {
   std::vector<TangentChart> charts;
-  Rational slope;        ///< L, for all of them
-  int patch_factor = 0;  ///< ϱ = this times the sampling radius of the label
+  Rational slope;         ///< L, for all of them
+  Rational patch_factor;  ///< ϱ = this times the sampling radius of the label
 };
 
 /// A sampling radius is too large: at these places.
@@ -53,9 +58,9 @@ class TooCoarse : public Rejection {
   std::vector<std::vector<double>> places;
 };
 
-/// Charts about these points with the greatest of the factors 5, 4, 3 for which all of them pass `GraphCheck`, heights
-/// and one slope L ≤ 1. Throws TooCoarse, with the label, the place and a sampling radius that would roughly do, if
-/// there is none. Precondition: rounding to nearest.
+/// Charts about these points with the greatest of the factors 5, 19/4, 9/2, 4, 3 for which all of them pass
+/// `GraphCheck`, heights and one slope L ≤ 1. Throws TooCoarse, with the label, the place and a sampling radius that
+/// would roughly do, if there is none. Precondition: rounding to nearest.
 [[nodiscard]] FittedCharts fit_charts(const ZeroSet& zero_set, const std::vector<std::vector<Rational>>& centres,
                                       const SamplingRadii& radii, const Progress& progress);
 

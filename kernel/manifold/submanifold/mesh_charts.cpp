@@ -6,6 +6,7 @@
 #include "kernel/manifold/submanifold/cover_check.hpp"
 #include "kernel/manifold/submanifold/graph_check.hpp"
 #include "kernel/manifold/submanifold/shown_facet.hpp"
+#include "kernel/number/exact_text.hpp"
 #include "kernel/number/rounding_guard.hpp"
 #include "kernel/number/scalar.hpp"
 #include "kernel/parallel/parts.hpp"
@@ -15,7 +16,6 @@ namespace delcert {
 
 namespace {
 
-constexpr std::array mesh_patch_factors{5, 4, 3};
 constexpr long exponent_of_mesh_slope = -8;
 
 /// What there is of a mesh in a cylinder, and whether rule sub.graph holds.
@@ -232,7 +232,8 @@ class MeshFitting {
   }
 
   FittedCharts fit() {
-    for (const int factor : mesh_patch_factors) {
+    for (const int quarters : patch_quarters) {
+      const Rational factor = Rational(quarters) / Rational(4);
       if (auto slope = fitting_slope(factor)) return {std::move(charts_), std::move(*slope), factor};
     }
     throw TooCoarse(reason_, {place_});
@@ -248,7 +249,7 @@ class MeshFitting {
     return *std::move(chart);
   }
 
-  std::optional<Rational> fitting_slope(int factor) {
+  std::optional<Rational> fitting_slope(const Rational& factor) {
     double slope = 0;
     bool holds = true;
     std::size_t next = 0;
@@ -280,9 +281,9 @@ class MeshFitting {
   }
 
   /// Also gives the chart its size: heights as on zero sets if nothing else is so near.
-  MeshPatch patch_of(std::size_t at, int factor) {
+  MeshPatch patch_of(std::size_t at, const Rational& factor) {
     const RoundingGuard guard;
-    const Rational radius = Rational(factor) * radii_.of(at);
+    const Rational radius = factor * radii_.of(at);
     MeshPatch patch = PatchSearch(mesh_, charts_[at], radius).search();
     if (!patch.failure.empty()) return patch;
     const Rational lid = Rational::exactly(patch.lid);
@@ -294,12 +295,12 @@ class MeshFitting {
     return patch;
   }
 
-  void note(std::size_t label, int factor, const MeshPatch& patch) {
+  void note(std::size_t label, const Rational& factor, const MeshPatch& patch) {
     std::vector<double> x;
     for (const Rational& coordinate : centres_[label]) x.push_back(approximate_double(coordinate));
     place_ = x;
     reason_ = mesh_.name() + ": label " + std::to_string(label) + " at " + rough_text(x) + ", patch of " +
-              std::to_string(factor) + " sampling radii: ";
+              exact_text(factor) + " sampling radii: ";
     for (std::size_t k = 0; k < std::min<std::size_t>(patch.named.size(), 8); ++k)
       reason_ += std::string(k == 0 ? "facet " : ", ") + std::to_string(patch.named[k]);
     reason_ += (patch.named.empty() ? "" : " ") + patch.failure;

@@ -37,9 +37,9 @@ class SubmanifoldAtlas final : public Atlas<m> {
   [[nodiscard]] const SamplingRadii& radii() const { return radii_; }
   /// ε, the greatest of them.
   [[nodiscard]] const Rational& sampling_radius() const { return radii_.greatest(); }
-  [[nodiscard]] int patch_factor() const { return charts_.patch_factor; }
+  [[nodiscard]] const Rational& patch_factor() const { return charts_.patch_factor; }
   /// Of a label with the greatest sampling radius.
-  [[nodiscard]] Rational patch_radius() const { return Rational(charts_.patch_factor) * sampling_radius(); }
+  [[nodiscard]] Rational patch_radius() const { return charts_.patch_factor * sampling_radius(); }
 
   /// The point of M over these home coordinates in the cylinder of i, enclosed, N coordinates; S = Interval (needs a
   /// `RoundingGuard`), BigInterval or Rational. None if it cannot be, at this precision; exactly, if it is not

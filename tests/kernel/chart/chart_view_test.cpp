@@ -125,13 +125,14 @@ TEST(ChartView, has_conformal_coordinates_in_which_balls_are_balls) {
 
 TEST(ChartView, looks_as_far_as_patches_reach) {
   const FlatAtlas<2> atlas(cubic_torus<2>(), PointSet<2>(random_points<2>(20, 8)), ratio(1, 20));
-  const auto reaches = [&](int factor) {
+  const auto reaches = [&](const Rational& factor) {
     return ChartView<2>(atlas, atlas.net(), {Curvature::zero, ratio(1, 2), factor}).half_reaches();
   };
-  EXPECT_EQ(reaches(9), (std::vector<int>{7, 10, 14, 18}));
-  EXPECT_EQ(reaches(5), (std::vector<int>{7, 10}));
+  EXPECT_EQ(reaches(9), (std::vector<double>{7, 10, 14, 18}));
+  EXPECT_EQ(reaches(5), (std::vector<double>{7, 10}));
+  EXPECT_EQ(reaches(ratio(19, 4)), (std::vector<double>{7, 9.5}));
   // Defect: in a patch smaller than the first reach nothing was looked at, and nothing found wrong.
-  EXPECT_EQ(reaches(3), (std::vector<int>{6}));
+  EXPECT_EQ(reaches(3), (std::vector<double>{6}));
   ChartView<2> view(atlas, atlas.net(), unit_torus);
   view.look_by_halves(Label(0), 7);
   EXPECT_NEAR(view.reach(), 3.5 / 20, 1e-12);

@@ -118,7 +118,10 @@ TEST(FitCharts, takes_the_greatest_patches_that_are_graphs) {
   };
   // L = 1.25·ϱ/(1 − 9Lϱ/16) ≤ 1 has a solution up to ϱ = 0.55, with 1.1 up to 0.6.
   EXPECT_EQ(factor(ratio(1, 10)), 5);
-  EXPECT_EQ(factor(ratio(12, 100)), 4);
+  EXPECT_EQ(factor(ratio(112, 1000)), ratio(19, 4));
+  EXPECT_EQ(factor(ratio(12, 100)), ratio(9, 2));
+  EXPECT_EQ(factor(ratio(13, 100)), ratio(9, 2));
+  EXPECT_EQ(factor(ratio(137, 1000)), 4);
   EXPECT_EQ(factor(ratio(19, 100)), 3);
   const std::string refusal = message_of<Rejection>([&] { (void)factor(ratio(1, 4)); });
   EXPECT_TRUE(mentions(refusal, "): its patch is steeper than 1: there")) << refusal;

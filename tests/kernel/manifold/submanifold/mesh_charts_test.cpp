@@ -23,7 +23,7 @@ TEST(MeshCharts, of_a_sphere_fit_and_cover_it) {
   EXPECT_LT(net.centres.size(), 1000U);
   EXPECT_GE(net.charts.patch_factor, 3);
   // A cap of the sphere is as steep as this at its rim, and a facet is a little steeper.
-  const double rim = net.charts.patch_factor / 8.0;
+  const double rim = approximate_double(net.charts.patch_factor) / 8;
   EXPECT_GE(approximate_double(net.charts.slope), rim / std::sqrt(1 - rim * rim) * 0.9);
   EXPECT_LE(net.charts.slope, Rational(1));
   EXPECT_TRUE(mesh.check_cover(net.charts.charts, no_progress()).open.empty());
