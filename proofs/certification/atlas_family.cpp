@@ -2,6 +2,7 @@
 #include "kernel/manifold/gluing/gluing_check.hpp"
 #include "kernel/sample/separation.hpp"
 #include "kernel/theorems/seam_homes.hpp"
+#include "kernel/theorems/stable_patches.hpp"
 #include "proofs/certificate/atlas_claims.hpp"
 #include "proofs/certificate/content.hpp"
 #include "proofs/certification/chart_family.hpp"
@@ -45,11 +46,19 @@ class AtlasFamily final : public ChartFamily<m, FormulaAtlas<m>> {
     refinement_rounds_ = options.refinement_rounds;
   }
 
+  void run(RunRequest request, const Progress& progress) override {
+    ChartFamily<m, FormulaAtlas<m>>::run(request, progress);
+    const auto& stability = this->run_->stability;
+    if (stability && stability->stars > stability->occupied) reach_stability(progress);
+  }
+
   void derive(const LevelSelection& selection, const Progress& progress) override {
     AtlasMeasures<m> measures = measure_atlas<m>(*this->atlas_, *this->run_, geometry(), selection, progress);
     const bool is_to_refine =
         measures.triangulation && !measures.triangulation->failures.empty() && refinement_rounds_ > 0;
     const bool is_refined = is_to_refine && choose_homes(measures, selection, progress);
+    if (is_refined && selects(selection, "2s") && widen(measures.stability, progress))
+      measures.stability = *this->run_->stability;
     report.claims =
         derive_claims<m>(*this->atlas_, report.parameters, *this->run_, measures, selection, report.reasons);
     if (is_to_refine && !is_refined) {
@@ -67,6 +76,33 @@ class AtlasFamily final : public ChartFamily<m, FormulaAtlas<m>> {
   }
 
  private:
+  /// Wider patches, and other points, where these make level 2s hold.
+  void reach_stability(const Progress& progress) {
+    const ChartRun<m> before = *this->run_;
+    const int factor = this->atlas_->patch_factor();
+    const Rational distortion = report.gluing->distortion;
+    if (!widen(*before.stability, progress)) return;
+    if (!this->run_->stability->failures.empty())
+      this->run_.emplace(
+          run_in_charts<m>(*this->atlas_, geometry(), report.parameters.algorithm, this->request_, progress));
+    const ChartRun<m>& now = *this->run_;
+    if (now.is_certified() && now.stability && now.stability->failures.empty()) return report.take(now);
+    this->run_.emplace(before);
+    this->atlas_->set_patch_factor(factor);
+    report.gluing->distortion = distortion;
+    report.patch_factor = factor;
+  }
+
+  /// Wider patches, in which no star lacks room. False if there are none.
+  bool widen(const StarStability& stability, const Progress& progress) {
+    auto found = widen_patches<m>(*this->atlas_, this->run_->points, this->run_->complex, stability, progress);
+    if (!found) return false;
+    this->run_->stability = std::move(found->stability);
+    report.gluing->distortion = found->distortion;
+    report.patch_factor = this->atlas_->patch_factor();
+    return true;
+  }
+
   /// Other home charts, where that makes level 5 hold and is certified on levels 1 and 2. False if there are none.
   [[nodiscard]] bool choose_homes(AtlasMeasures<m>& measures, const LevelSelection& selection,
                                   const Progress& progress) {
@@ -97,6 +133,8 @@ class AtlasFamily final : public ChartFamily<m, FormulaAtlas<m>> {
   [[nodiscard]] ModelGeometry geometry() const override {
     return geometry_of<m>(*this->atlas_, report.gluing->distortion);
   }
+
+  [[nodiscard]] bool repairs_stability() const override { return true; }
 
   std::shared_ptr<const ChartGluing> gluing_;
   int refinement_rounds_ = 0;

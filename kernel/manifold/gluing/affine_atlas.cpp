@@ -48,6 +48,7 @@ bool AffineAtlas<m>::fit_patch_factor(const std::function<double(Label, std::siz
   while (!is_proved(less(Interval(patch_factor_) * unit, Interval(1)))) {
     if (--patch_factor_ < least_patch_factor) return false;
   }
+  widest_patch_factor_ = patch_factor_;
   return true;
 }
 

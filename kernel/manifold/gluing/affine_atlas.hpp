@@ -19,8 +19,10 @@ class AffineAtlas : public Atlas<m> {
   static constexpr int greatest_patch_factor = 9;
   static constexpr int least_patch_factor = 4;
 
-  /// Makes all patches smaller: of this factor. Precondition: from 4 to what it is.
-  void shrink_patches(int patch_factor) { patch_factor_ = patch_factor; }
+  /// Gives all patches this factor. Precondition: from 4 to the widest.
+  void set_patch_factor(int patch_factor) { patch_factor_ = patch_factor; }
+  /// The greatest with which patches fit.
+  [[nodiscard]] int widest_patch_factor() const { return widest_patch_factor_; }
 
   [[nodiscard]] const AffineChart<m>& chart(Label i) const { return charts_[i.value]; }
   /// p_i.
@@ -90,6 +92,7 @@ class AffineAtlas : public Atlas<m> {
   PointSet<m> centres_;
   PointSet<m> net_;
   Rational sampling_radius_;
+  int widest_patch_factor_ = greatest_patch_factor;
   int patch_factor_ = greatest_patch_factor;
   std::vector<AffineChart<m>> charts_;
   std::vector<Enclosed> enclosed_;

@@ -19,8 +19,21 @@ std::optional<Rational> measure_transitions(const FormulaAtlas<m>& atlas, const 
     atlas.visit_derivatives(i, [&](Label j, const Matrix<Interval, m>& derivative) {
       if (j == i) return;
       const auto whole = product(product(here, derivative), atlas.enclosed(j).inverse);
-      const auto gram = gram_of(whole);
-      bound.grow_until([&](const Interval& xi) { return is_below(gram, square(Interval(1) + xi), identity); });
+      // ‖W‖ ≤ ‖middle‖ + ‖W − middle‖, the second by the norm of Frobenius.
+      Interval spread(0);
+      Matrix<Interval, m> middle;
+      for (std::size_t row = 0; row < m; ++row) {
+        for (std::size_t column = 0; column < m; ++column) {
+          const Interval& entry = whole[row][column];
+          middle[row][column] = Interval::exactly(entry.lower() / 2 + entry.upper() / 2);
+          spread += square(entry - middle[row][column]);
+        }
+      }
+      const auto gram = gram_of(middle);
+      const Interval rest = Interval(1) - square_root(spread);
+      bound.grow_until([&](const Interval& xi) {
+        return conjunction(less(Interval(0), rest + xi), is_below(gram, square(rest + xi), identity));
+      });
     });
     if (!bound.is_below_limit()) return std::nullopt;
   }
@@ -29,7 +42,7 @@ std::optional<Rational> measure_transitions(const FormulaAtlas<m>& atlas, const 
 
 template <int m>
 Rational fit_patches(FormulaAtlas<m>& atlas, const Progress& progress) {
-  return fitted_patches<m>(atlas, atlas.gluing().description().name, Rational(4),
+  return fitted_patches<m>(atlas, atlas.gluing().description().name, greatest_distortion(),
                            [&](const Rational& limit) { return measure_transitions<m>(atlas, limit, progress); });
 }
 

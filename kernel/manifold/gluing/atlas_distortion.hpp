@@ -16,8 +16,12 @@ template <int m>
 [[nodiscard]] std::optional<Rational> measure_transitions(const FormulaAtlas<m>& atlas, const Rational& limit,
                                                           const Progress& progress);
 
+/// No patches are so wide that their charts are distorted by this.
+[[nodiscard]] inline Rational greatest_distortion() { return 4; }
+
 /// Makes the patches of the atlas smaller until that is below 1/4, or they are as small as they can be. Throws
-/// Rejection if it is 4 or more then: the radius is too large for the charts. Levels 1 and 2 need no small bound.
+/// Rejection if it is 4 or more then: the radius is too large for the charts. Levels 1 and 2 need no small bound; for
+/// level 2s `widen_patches` may make them wider again.
 template <int m>
 [[nodiscard]] Rational fit_patches(FormulaAtlas<m>& atlas, const Progress& progress);
 

@@ -56,9 +56,22 @@ std::vector<Vector<Rational, m>> coordinates_of(const std::vector<NetPlace<m>>& 
   return result;
 }
 
-/// An image is divided until it is this part of the chart's box, at most so often along each axis.
+/// A cell is divided until its image is this part of the chart's box, and the entries of the derivative are known up to
+/// this part of the greatest; at most so often along each axis.
 constexpr double widest_image = 8;
+constexpr double widest_derivative = 16;
 constexpr int most_halvings_of_images = 4;
+
+/// Whether all entries are as narrow as that.
+bool are_narrow(const Interval* entries, std::size_t count) {
+  double widest = 0;
+  double greatest = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    widest = std::max(widest, entries[k].upper() - entries[k].lower());
+    greatest = std::max({greatest, entries[k].upper(), -entries[k].lower()});
+  }
+  return widest * widest_derivative <= greatest;
+}
 
 Interval hull(const Interval& a, const Interval& b) {
   return Interval::between(std::min(a.lower(), b.lower()), std::max(a.upper(), b.upper()));
@@ -170,13 +183,9 @@ void FormulaAtlas<m>::find_appearances() {
 }
 
 template <int m>
-bool FormulaAtlas<m>::include_image(std::size_t transition, const Cell& cell, const MapOnCell& found, bool is_first,
-                                    Appearance& seen) const {
+void FormulaAtlas<m>::include_image(const MapOnCell& found, const Interval* derivative, bool is_first,
+                                    Appearance& seen) {
   constexpr auto n = static_cast<std::size_t>(m);
-  std::array<Interval, n * n> derivative;
-  const bool is_defined = evaluations_->on_filter[transition]->with_one(
-      [&](PiecewiseValues<Interval>& map) { return centred_derivative(map, cell, n, derivative.data()); });
-  if (!is_defined) return false;
   for (std::size_t row = 0; row < n; ++row) {
     seen.image[row] = is_first ? found.image[row] : hull(seen.image[row], found.image[row]);
     for (std::size_t column = 0; column < n; ++column) {
@@ -184,13 +193,13 @@ bool FormulaAtlas<m>::include_image(std::size_t transition, const Cell& cell, co
       entry = is_first ? derivative[row * n + column] : hull(entry, derivative[row * n + column]);
     }
   }
-  return true;
 }
 
 template <int m>
 typename FormulaAtlas<m>::Following FormulaAtlas<m>::follow(std::size_t transition, const Cell& still,
                                                             const Cell& moved, PiecewiseCells& on_cells,
                                                             Appearance& seen) const {
+  constexpr auto n = static_cast<std::size_t>(m);
   struct Part {
     Cell cell;
     int halvings;
@@ -208,6 +217,12 @@ typename FormulaAtlas<m>::Following FormulaAtlas<m>::follow(std::size_t transiti
     for (std::size_t axis = 0; axis < m && is_narrow; ++axis)
       is_narrow = found.image[axis].upper() - found.image[axis].lower() <=
                   (whole[axis].upper() - whole[axis].lower()) / widest_image;
+    std::array<Interval, n * n> derivative;
+    const auto is_differentiable = [&](PiecewiseValues<Interval>& map) {
+      return centred_derivative(map, part.cell, n, derivative.data());
+    };
+    const bool is_known = is_narrow && evaluations_->on_filter[transition]->with_one(is_differentiable);
+    is_narrow = is_known && are_narrow(derivative.data(), n * n);
     if (!is_narrow && part.halvings < most_halvings_of_images * m) {
       const auto axis = static_cast<std::size_t>(part.halvings % m);
       const double middle = middle_double(part.cell[axis]);
@@ -218,7 +233,9 @@ typename FormulaAtlas<m>::Following FormulaAtlas<m>::follow(std::size_t transiti
       parts.push_back(half);
       continue;
     }
-    if (!found.is_regular || !include_image(transition, part.cell, found, is_first, seen)) return Following::uncertain;
+    if (!found.is_regular || !(is_known || evaluations_->on_filter[transition]->with_one(is_differentiable)))
+      return Following::uncertain;
+    include_image(found, derivative.data(), is_first, seen);
     is_first = false;
   }
   if (is_first) return Following::nowhere;

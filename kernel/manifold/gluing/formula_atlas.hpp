@@ -82,8 +82,7 @@ class FormulaAtlas final : public AffineAtlas<m> {
   /// What the transition makes of a point and of all points that it may be moved to.
   [[nodiscard]] Following follow(std::size_t transition, const Cell& still, const Cell& moved, PiecewiseCells& on_cells,
                                  Appearance& seen) const;
-  [[nodiscard]] bool include_image(std::size_t transition, const Cell& cell, const MapOnCell& found, bool is_first,
-                                   Appearance& seen) const;
+  static void include_image(const MapOnCell& found, const Interval* derivative, bool is_first, Appearance& seen);
 
   void require_places(const std::vector<NetPlace<m>>& net) const;
   void choose_patches();

@@ -52,7 +52,7 @@ template <int m, class Measure>
     if (is_least)
       throw Rejection(name + ": charts are distorted by " + exact_text(last_limit) + " or more within " +
                       std::to_string(AffineAtlas<m>::least_patch_factor) + " sampling radii: take a smaller radius");
-    atlas.shrink_patches(atlas.patch_factor() - 1);
+    atlas.set_patch_factor(atlas.patch_factor() - 1);
   }
 }
 

@@ -23,7 +23,7 @@ TEST(AtlasDistortion, of_translations_is_nothing) {
 
 TEST(AtlasDistortion, holds_for_every_pair_and_is_not_much_too_large) {
   auto atlas = sampled("sphere-2-stereographic", ratio(1, 24));
-  atlas.shrink_patches(5);
+  atlas.set_patch_factor(5);
   const Rational xi = measure_transitions<2>(atlas, Rational(2), no_progress()).value();
   const double bound = approximate_double(xi);
   double worst = 0;

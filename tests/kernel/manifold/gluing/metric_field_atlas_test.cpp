@@ -124,7 +124,7 @@ TEST(MetricFieldAtlas, patches_are_as_large_as_the_torus_lets_them) {
   const Field narrow(constant_field({{ratio(1, 4), Rational(0)}, {Rational(0), Rational(1)}}));
   EXPECT_EQ(Atlas2(narrow, lattice_points<2>(2), ratio(1, 28)).patch_factor(), 4);
   auto atlas = Atlas2(flat, lattice_points<2>(2), ratio(1, 28));
-  atlas.shrink_patches(5);
+  atlas.set_patch_factor(5);
   EXPECT_EQ(atlas.patch_radius(), ratio(5, 28));
 }
 
