@@ -344,6 +344,35 @@ TEST(RunInCharts, certifies_atlases_by_formulas) {
   check_formula_atlas<2>("torus-2-bent", ratio(1, 56), true);
 }
 
+TEST(RunInCharts, places_points_anew_that_a_neighbour_shows_in_the_ball_of_a_star) {
+  const Rational radius(Integer(1), Integer(40));
+  const auto gluing = std::make_shared<const ChartGluing>(atlas_named("torus-2-bent"));
+  FormulaAtlas<2> atlas(gluing, atlas_net<2>(*gluing, radius, 1, no_progress()).places, radius);
+  const ModelGeometry geometry = geometry_of<2>(atlas, fit_patches<2>(atlas, no_progress()));
+  RunRequest request;
+  request.certify_model = false;
+  const auto run = [&] {
+    return run_in_charts<2>(atlas, geometry, measured_parameters(Dimension(2), 1), request, no_progress());
+  };
+  const auto as_it_is = run();
+  ASSERT_TRUE(as_it_is.is_certified());
+  EXPECT_FALSE(as_it_is.stability);
+  const auto found = check_stability<2>(atlas, as_it_is.points, geometry, as_it_is.complex, no_progress());
+  EXPECT_GT(found.occupied, 0U);
+  EXPECT_EQ(found.occupied, found.stars);
+  request.repair_stability = true;
+  const auto repaired = run();
+  ASSERT_TRUE(repaired.is_certified());
+  ASSERT_TRUE(repaired.stability);
+  EXPECT_TRUE(repaired.stability->failures.empty());
+  EXPECT_GT(repaired.repaired_points, as_it_is.repaired_points);
+  // Without rounds the stars are certified all the same.
+  request.most_repair_rounds = 0;
+  const auto left = run();
+  EXPECT_TRUE(left.is_certified());
+  EXPECT_EQ(left.stability->stars, found.stars);
+}
+
 TEST(RunInCharts, has_the_stars_of_the_flat_torus_on_an_atlas_of_it) {
   const Rational radius(Integer(1), Integer(24));
   const auto gluing = std::make_shared<const ChartGluing>(atlas_named("torus-2-by-charts"));

@@ -52,6 +52,10 @@ TEST(RunReport, leaves_out_what_the_family_does_not_have) {
   report.stability.emplace().pairs = 4;
   EXPECT_TRUE(mentions(report_text(report), "curvature -1, injectivity radius ≥ 3.000e+00, H₁ = Z^4\n"));
   EXPECT_TRUE(mentions(report_text(report), ", patches of radius 9 ε\n"));
+  EXPECT_TRUE(Json::parse(report_json(report))["parameters"]["patch_factor"].is_number_integer());
+  report.patch_factor = Rational(19) / Rational(4);
+  EXPECT_TRUE(mentions(report_text(report), ", patches of radius 19/4 ε\n"));
+  EXPECT_EQ(Json::parse(report_json(report))["parameters"]["patch_factor"], 4.75);
   EXPECT_EQ(Json::parse(report_json(report))["manifold"]["curvature"], -1);
   EXPECT_EQ(Json::parse(report_json(report))["measures"]["star_chart_pairs"]["all"], 4);
 }
