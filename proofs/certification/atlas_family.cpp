@@ -49,7 +49,7 @@ class AtlasFamily final : public ChartFamily<m, FormulaAtlas<m>> {
   void run(RunRequest request, const Progress& progress) override {
     ChartFamily<m, FormulaAtlas<m>>::run(request, progress);
     const auto& stability = this->run_->stability;
-    if (stability && stability->stars > stability->occupied) reach_stability(progress);
+    if (stability && stability->stars > stability->occupied) (void)reach_stability(*stability, true, progress);
   }
 
   void derive(const LevelSelection& selection, const Progress& progress) override {
@@ -57,7 +57,7 @@ class AtlasFamily final : public ChartFamily<m, FormulaAtlas<m>> {
     const bool is_to_refine =
         measures.triangulation && !measures.triangulation->failures.empty() && refinement_rounds_ > 0;
     const bool is_refined = is_to_refine && choose_homes(measures, selection, progress);
-    if (is_refined && selects(selection, "2s") && widen(measures.stability, progress))
+    if (is_refined && selects(selection, "2s") && reach_stability(measures.stability, false, progress))
       measures.stability = *this->run_->stability;
     report.claims =
         derive_claims<m>(*this->atlas_, report.parameters, *this->run_, measures, selection, report.reasons);
@@ -76,21 +76,27 @@ class AtlasFamily final : public ChartFamily<m, FormulaAtlas<m>> {
   }
 
  private:
-  /// Wider patches, and other points, where these make level 2s hold.
-  void reach_stability(const Progress& progress) {
+  /// Wider patches, and other points if they may be placed anew, where these make level 2s hold. False, and nothing has
+  /// changed, if they do not.
+  bool reach_stability(const StarStability& found, bool places_anew, const Progress& progress) {
     const ChartRun<m> before = *this->run_;
     const int factor = this->atlas_->patch_factor();
     const Rational distortion = report.gluing->distortion;
-    if (!widen(*before.stability, progress)) return;
-    if (!this->run_->stability->failures.empty())
+    if (!widen(found, progress)) return false;
+    if (!this->run_->stability->failures.empty() && places_anew) {
       this->run_.emplace(
           run_in_charts<m>(*this->atlas_, geometry(), report.parameters.algorithm, this->request_, progress));
+    }
     const ChartRun<m>& now = *this->run_;
-    if (now.is_certified() && now.stability && now.stability->failures.empty()) return report.take(now);
+    if (now.is_certified() && now.stability && now.stability->failures.empty()) {
+      report.take(now);
+      return true;
+    }
     this->run_.emplace(before);
     this->atlas_->set_patch_factor(factor);
     report.gluing->distortion = distortion;
     report.patch_factor = factor;
+    return false;
   }
 
   /// Wider patches, in which no star lacks room. False if there are none.

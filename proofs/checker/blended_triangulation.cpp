@@ -113,23 +113,23 @@ class BlendChecker {
       }
     }
     // By parts of boxes, and where they are too large, by parts of half the size.
-    Blend blend;
+    std::optional<Blend> blend;
     for (std::size_t halvings = m_ == 2 ? 4 : 2, finer = 0; finer < 2; ++halvings, ++finer) {
-      const std::optional<Blend> found = blend_of(labels, homes, halvings);
-      if (!found) {
-        return report_.reject("5.blend", [&] { return which() + ": no transition is certainly defined on all of it"; });
-      }
-      blend = *found;
-      if (blend.known && less_equal(interval_of(blend.displacement), c_.displacement.filter) == Verdict::proved) {
-        const bool is_contraction =
-            blend.fold < 1 && less_equal(interval_of(blend.contraction), c_.contraction.filter) == Verdict::proved;
-        if (is_contraction || keeps_volumes(labels, homes, blend)) return;
-        break;
-      }
+      blend = blend_of(labels, homes, halvings);
+      const bool moves_little = blend && blend->known &&
+                                less_equal(interval_of(blend->displacement), c_.displacement.filter) == Verdict::proved;
+      if (!moves_little) continue;
+      const bool is_contraction =
+          blend->fold < 1 && less_equal(interval_of(blend->contraction), c_.contraction.filter) == Verdict::proved;
+      if (is_contraction || keeps_volumes(labels, homes, *blend)) return;
+      break;
+    }
+    if (!blend) {
+      return report_.reject("5.blend", [&] { return which() + ": no transition is certainly defined on all of it"; });
     }
     report_.reject("5.blend", [&] {
-      return which() + ": gamma <= " + about(interval_of(blend.contraction)) +
-             ", displacement <= " + about(interval_of(blend.displacement)) + " are all that is known";
+      return which() + ": gamma <= " + about(interval_of(blend->contraction)) +
+             ", displacement <= " + about(interval_of(blend->displacement)) + " are all that is known";
     });
   }
 
