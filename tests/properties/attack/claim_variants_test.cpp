@@ -38,6 +38,8 @@ TEST(ClaimVariants, a_strict_statement_is_refuted_exactly_where_there_is_equalit
   EXPECT_EQ(decide_statement(*strict, equality), Verdict::refuted);
   // Vertices and edges have thickness 1: without them the acute triangle has no equality.
   const Claim radius = claim_about_simplices("b", "[[show]]\nclaim = \"2*circumradius(s) >= longest_edge(s)\"\n");
+  Scene right_angle(right);
+  EXPECT_EQ(decide_statement(*made_strict(radius.conclusions[0].formula), right_angle), Verdict::refuted);
   Scene inequality(acute);
   EXPECT_EQ(decide_statement(*made_strict(radius.conclusions[0].formula), inequality), Verdict::proved);
 }

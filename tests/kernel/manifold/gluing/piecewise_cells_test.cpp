@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "kernel/formula/plain_formula.hpp"
 #include "kernel/manifold/gluing/chart_gluing.hpp"
 #include "kernel/number/rounding_guard.hpp"
 #include "tests/kernel/manifold/gluing/atlas_samples.hpp"
@@ -50,6 +51,35 @@ TEST(PiecewiseCells, excludes_what_all_pieces_exclude) {
   EXPECT_TRUE(cut.on(cell(0, 0.5, -0.375, 0.375)).is_excluded);
   EXPECT_TRUE(cut.on(cell(0, 0.5, 0.75, 1)).is_regular);
   EXPECT_FALSE(cut.on(cell(0, 0.5, 0.375, 1)).is_regular);
+}
+
+/// The identity where the first polynomial is not negative, on the domain where the second one is above 0.
+CellMap identity_where(const std::string& not_negative, const std::string& positive) {
+  const std::vector<std::string> names{"x", "y"};
+  const auto function = [&](const std::string& text) {
+    return *rational_function_of(*parse_plain_formula(text, names), names, CellMap::ring(2));
+  };
+  return {
+      {function("x"), function("y")},    Sides(2, {Rational(-2), Rational(2)}), {function(positive).numerator}, {}, {},
+      {function(not_negative).numerator}};
+}
+
+TEST(PiecewiseCells, are_regular_or_excluded_only_if_all_pieces_are_in_whichever_order) {
+  // Below y = 0 the domain is all of the square, above it only a part.
+  const CellMap whole = identity_where("-y", "x + 3");
+  const CellMap part = identity_where("y", "x - 1");
+  const RoundingGuard guard;
+  const std::vector<CellMap> one_order{whole, part};
+  const std::vector<CellMap> other_order{part, whole};
+  for (const auto& pieces : {one_order, other_order}) {
+    PiecewiseCells map(pieces);
+    const MapOnCell across = map.on(cell(0, 0.5, -0.25, 0.25));
+    EXPECT_FALSE(across.is_regular);
+    EXPECT_FALSE(across.is_excluded);
+    EXPECT_TRUE(map.on(cell(0, 0.5, 0.25, 0.5)).is_excluded);
+    EXPECT_TRUE(map.on(cell(0, 0.5, -0.5, -0.25)).is_regular);
+    EXPECT_TRUE(map.on(cell(1.25, 1.5, -0.25, 0.25)).is_regular);
+  }
 }
 
 TEST(PiecewiseCells, knows_unrelated_cells) {
