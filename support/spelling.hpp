@@ -4,11 +4,12 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace delcert {
 
-/// ", did you mean x?" for the candidate that is nearest to the word, empty if none is near or the word is longer than
-/// any that we use.
+/// ", did you mean x?" for the candidate that is nearest to the word; if none is near, ", did you mean x, y or z?" for those of which
+/// the word is the first part, as long as these are at most three. Else empty, also if the word is longer than any that we use.
 template <class Words>
 [[nodiscard]] std::string suggestion(std::string_view word, const Words& candidates);
 
@@ -17,6 +18,21 @@ template <class Words>
 
 /// The number of characters to insert, delete or replace to make one word of the other.
 [[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
+
+/// The second kind of suggestion; the word has at least three characters.
+template <class Words>
+[[nodiscard]] std::string completion(std::string_view word, const Words& candidates) {
+  std::vector<std::string_view> completed;
+  for (const std::string_view candidate : candidates)
+    if (word.size() >= 3 && candidate.starts_with(word)) completed.push_back(candidate);
+  if (completed.empty() || completed.size() > 3) return "";
+  std::string list(completed[0]);
+  for (std::size_t i = 1; i < completed.size(); ++i) {
+    list += i + 1 == completed.size() ? " or " : ", ";
+    list += completed[i];
+  }
+  return ", did you mean " + list + "?";
+}
 
 template <class Words>
 std::string suggestion(std::string_view word, const Words& candidates) {
@@ -32,7 +48,7 @@ std::string suggestion(std::string_view word, const Words& candidates) {
       best = candidate;
     }
   }
-  return best.empty() ? "" : ", did you mean " + best + "?";
+  return best.empty() ? completion(word, candidates) : ", did you mean " + best + "?";
 }
 
 }  // namespace delcert

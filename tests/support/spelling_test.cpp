@@ -28,6 +28,17 @@ TEST(Spelling, the_nearest_word_is_suggested) {
   EXPECT_EQ(suggestion("x", std::vector<std::string>{}), "");
 }
 
+TEST(Spelling, words_that_begin_so_are_suggested_if_they_are_few) {
+  const std::vector<std::string> words{"bolza-surface", "klein-bottle", "klein-quartic", "torus-2", "torus-2-skewed", "torus-3", "torus-4"};
+  EXPECT_EQ(suggestion("bolza", words), ", did you mean bolza-surface?");
+  EXPECT_EQ(suggestion("klein", words), ", did you mean klein-bottle or klein-quartic?");
+  EXPECT_EQ(suggestion("surface", words), "");
+  EXPECT_EQ(suggestion("kl", words), "");
+  EXPECT_EQ(suggestion("torus", std::vector<std::string>{"torus-of-a", "torus-of-b", "torus-of-c", "torus-of-d"}), "");
+  EXPECT_EQ(suggestion("lens", std::vector<std::string>{"lens-space-5-2", "lens-space-7-2", "lens-space-8-3"}),
+            ", did you mean lens-space-5-2, lens-space-7-2 or lens-space-8-3?");
+}
+
 TEST(Spelling, a_text_of_a_user_is_shown_on_one_short_line) {
   EXPECT_EQ(shortened("plain"), "plain");
   EXPECT_EQ(shortened("a\nb\tc\x7f"), "a?b?c?");
