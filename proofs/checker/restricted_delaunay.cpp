@@ -278,8 +278,9 @@ class CoveredDisc {
     for (std::size_t a = 0; a < m_; ++a)
       squared = squared + square(rival == nullptr ? box.place[a] : box.place[a] - rival->along[a]);
     const double in_chart = upper_root(squared);
-    Distance result{stretch_ * in_chart, {}};
-    if (rival == nullptr || rival->shown)
+    const bool is_shown = rival == nullptr || rival->shown;  // Lemma 1 is about points that are
+    Distance result{is_shown ? stretch_ * in_chart : std::numeric_limits<double>::infinity(), {}};
+    if (is_shown)
       result.excess.most = std::min((exactly_at(result.chord) - square_root(squared)).upper(), excess_at(in_chart));
     if (!box.bends) return result;
     for (const Bend& bend : *box.bends) {
