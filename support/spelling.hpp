@@ -8,8 +8,9 @@
 
 namespace delcert {
 
-/// ", did you mean x?" for the candidate that is nearest to the word; if none is near, ", did you mean x, y or z?" for those of which
-/// the word is the first part, as long as these are at most three. Else empty, also if the word is longer than any that we use.
+/// ", did you mean x?" for the candidate that is nearest to the word; if none is near, ", did you mean x, y or z?" for
+/// those of which the word is the first part, as long as these are at most three. Else empty, also if the word is
+/// longer than any that we use.
 template <class Words>
 [[nodiscard]] std::string suggestion(std::string_view word, const Words& candidates);
 

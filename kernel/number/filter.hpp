@@ -6,22 +6,12 @@
 
 namespace delcert {
 
-/// The first rung, and the guard that its operations need: intervals, always, except in the benchmark build with
-/// DELCERT_PLAIN_DOUBLES, which measures what the intervals cost and certifies nothing.
-#ifdef DELCERT_PLAIN_DOUBLES
-using Filter = PlainDouble;
-class [[nodiscard]] FilterGuard {
- public:
-  FilterGuard() {}
-  ~FilterGuard() {}
-  FilterGuard(const FilterGuard&) = delete;
-  FilterGuard& operator=(const FilterGuard&) = delete;
-};
-inline constexpr bool filter_is_rigorous = false;
-#else
+/// The first rung, and the guard that its operations need.
 using Filter = Interval;
 using FilterGuard = RoundingGuard;
+
+/// False in the benchmark build only, which measures what intervals cost and certifies nothing: it has the headers of
+/// bench/plain/ in the place of this one and of those above.
 inline constexpr bool filter_is_rigorous = true;
-#endif
 
 }  // namespace delcert

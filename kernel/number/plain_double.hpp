@@ -8,8 +8,7 @@
 namespace delcert {
 
 /// A double in rounding to nearest with the interface of `Interval`, without error bounds: its verdicts are always
-/// proved or refuted, and may be wrong. It stands in for the filter in the benchmark build that measures what rigour
-/// costs, and nowhere else.
+/// proved or refuted, and may be wrong. For what is proposed or chosen by, on which nothing rests.
 class PlainDouble {
  public:
   PlainDouble() = default;

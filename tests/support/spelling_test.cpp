@@ -29,7 +29,8 @@ TEST(Spelling, the_nearest_word_is_suggested) {
 }
 
 TEST(Spelling, words_that_begin_so_are_suggested_if_they_are_few) {
-  const std::vector<std::string> words{"bolza-surface", "klein-bottle", "klein-quartic", "torus-2", "torus-2-skewed", "torus-3", "torus-4"};
+  const std::vector<std::string> words{"bolza-surface",  "klein-bottle", "klein-quartic", "torus-2",
+                                       "torus-2-skewed", "torus-3",      "torus-4"};
   EXPECT_EQ(suggestion("bolza", words), ", did you mean bolza-surface?");
   EXPECT_EQ(suggestion("klein", words), ", did you mean klein-bottle or klein-quartic?");
   EXPECT_EQ(suggestion("surface", words), "");
