@@ -285,7 +285,7 @@ def main():
         done = certify(off(*folded(*slivers)), "folded.off")
         assert done.returncode == 1 and "star of" in done.stderr, done.stderr
 
-        for change, expected in ((pushed, "label 777"), (lifted, "900"), (raised, "1152"), (handle_cut, "label"),
+        for change, expected in ((pushed, "star of 777"), (lifted, "900"), (raised, "1152"), (handle_cut, "label"),
                                  (doubled, "level 5: in 2 components no label is certainly alone"),
                                  (lambda points, triangles: (points, triangles[1:]), "a face in other than two simplices"),
                                  (lambda points, triangles: (points, triangles + triangles[:1]), "occurs twice")):
