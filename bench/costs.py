@@ -87,7 +87,8 @@ ZERO_SETS += [Run(manifold, radius, 1, 2, long=True, options=("--levels", "1,2,5
 ZERO_SETS += [Run("ellipsoid", "1", 1, 2, cheap=True, options=("--sizing", "curvature:3/20,1/10")),
               Run("tanglecube", "1", 1, 2, options=("--sizing", "curvature:1/10,1/10")),
               Run("tanglecube", "1", 1, 2, options=("--sizing", "curvature:3/20,1/10", "--refine", "8", "--levels", "1,2,5,5i")),
-              Run("genus-2", "1/4", 1, 2, long=True, options=("--sizing", "curvature:1/10,1/10", "--refine", "3"))]
+              Run("genus-2", "1/4", 1, 2, long=True, options=("--sizing", "curvature:1/10,1/10", "--refine", "3")),
+              Run("genus-2", "1/60", 1, 2, long=True, options=("--sizing", "curvature:1/10,1/18", "--refine", "3"))]
 ATLASES = [Run(manifold, radius, 1, 2, cheap=True)
            for manifold, radius in [("cone-torus", "1/36"), ("klein-bottle-rectangles", "1/30"), ("projective-plane-by-charts", "1/10"),
                                     ("projective-plane-by-charts", "1/16"), ("sphere-2-stereographic", "1/8"),
