@@ -220,6 +220,11 @@ def measure(arguments, record, file, identity):
         print(f"{line.name}: {statistics.median(figures):.3g}{line.unit}", flush=True)
 
 
+def figure_text(value):
+    """Three digits, or all before the point."""
+    return f"{value:.0f}" if value >= 1000 else f"{value:.3g}"
+
+
 def table(record, identity):
     rows = ["| | asked | median | least – greatest | times | load |", "|---|--:|--:|--:|--:|--:|"]
     for line in LINES:
@@ -228,10 +233,10 @@ def table(record, identity):
             continue
         median = statistics.median(one["figures"])
         mark = "" if one["programs"] == identity else " †"
-        figure = f"{median:.3g}{line.unit}"
+        figure = figure_text(median) + line.unit
         rows.append(f"| {line.title}{mark} | {'≥' if line.at_least else '≤'} {line.asked:g}{line.unit} | "
                     f"{f'**{figure}**' if line.is_met(median) else figure} | "
-                    f"{min(one['figures']):.3g} – {max(one['figures']):.3g} | {len(one['figures'])} | {one['load']} |")
+                    f"{figure_text(min(one['figures']))} – {figure_text(max(one['figures']))} | {len(one['figures'])} | {one['load']} |")
     return "\n".join(rows) + "\n"
 
 
