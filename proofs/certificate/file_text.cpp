@@ -3,7 +3,6 @@
 #include <zstd.h>
 
 #include <fstream>
-#include <iterator>
 #include <memory>
 #include <string_view>
 
@@ -18,7 +17,12 @@ constexpr std::string_view zstd_magic("\x28\xB5\x2F\xFD", 4);
 std::string file_bytes(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw InputError(path.string() + ": cannot be opened");
-  std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  std::string bytes;
+  std::string chunk(std::size_t{1} << 18U, '\0');
+  do {
+    in.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
+    bytes.append(chunk, 0, static_cast<std::size_t>(in.gcount()));
+  } while (in);
   if (in.bad()) throw InputError(path.string() + ": cannot be read");
   return bytes;
 }

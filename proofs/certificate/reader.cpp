@@ -1,10 +1,13 @@
 #include "proofs/certificate/reader.hpp"
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "kernel/number/exact_text.hpp"
 #include "proofs/certificate/file_text.hpp"
+#include "proofs/certificate/json_text.hpp"
 #include "proofs/certificate/sha256.hpp"
 #include "support/error.hpp"
 
@@ -49,17 +52,32 @@ ManifoldDescription manifold_of(const Json& json) {
   return result;
 }
 
-std::vector<Rational> exact_row(const Json& numbers) {
+std::vector<Rational> exact_row(JsonText& text) {
   std::vector<Rational> result;
-  for (const Json& number : numbers) result.push_back(parse_exact(number.get<std::string>()));
+  text.list([&] { result.push_back(parse_exact(text.string())); });
   return result;
 }
 
-std::vector<std::vector<Rational>> exact_rows(const Json& rows) {
+std::vector<std::vector<Rational>> exact_rows(JsonText& text) {
   std::vector<std::vector<Rational>> result;
-  for (const Json& row : rows) result.push_back(exact_row(row));
+  text.list([&] { result.push_back(exact_row(text)); });
   return result;
 }
+
+template <class Integer>
+std::vector<std::vector<Integer>> integer_rows(JsonText& text) {
+  std::vector<std::vector<Integer>> result;
+  std::size_t length = 0;
+  text.list([&] {
+    std::vector<Integer>& row = result.emplace_back();
+    row.reserve(length);
+    text.list([&] { row.push_back(text.integer<Integer>()); });
+    length = row.size();
+  });
+  return result;
+}
+
+Json tree_of(JsonText& text) { return Json::parse(text.skip()); }
 
 /// Of the bytes that the seal is said to be of.
 std::string digest_of_sealed(const std::string& bytes) {
@@ -75,23 +93,77 @@ const std::string* value_of(const std::vector<std::pair<std::string, std::string
   return found == entries.end() ? nullptr : &found->second;
 }
 
-CertificateSummary summary_of(const Json& json) {
-  if (json.value("version", 2) == 1) throw InputError("version 1 is read by delcert 0.1");
+void read_manifold(JsonText& text, CertificateSummary& result) {
+  const std::string_view manifold = text.skip();
+  const Json json = Json::parse(manifold);
+  result.manifold = manifold_of(json);
+  result.family = json.at("family").get<std::string>();
+  result.manifold_text = manifold;
+}
+
+struct KeyOfCertificate {
+  std::string_view key;
+  bool is_required;
+  void (*read)(JsonText&, CertificateSummary&);
+};
+
+constexpr std::array<KeyOfCertificate, 13> keys_of_certificates{{
+    {"version", false,
+     [](JsonText& text, CertificateSummary&) {
+       if (tree_of(text) == 1) throw InputError("version 1 is read by delcert 0.1");
+     }},
+    {"software", true, [](JsonText& text, CertificateSummary& result) { result.software = entries(tree_of(text)); }},
+    {"manifold", true, read_manifold},
+    {"parameters", true,
+     [](JsonText& text, CertificateSummary& result) { result.parameters = entries(tree_of(text)); }},
+    {"levels", true,
+     [](JsonText& text, CertificateSummary& result) {
+       result.levels.clear();
+       const Json levels = tree_of(text);
+       for (const auto& [level, margins] : levels.items()) result.levels.emplace_back(level, entries(margins));
+     }},
+    {"net", true, [](JsonText& text, CertificateSummary& result) { result.net = exact_rows(text); }},
+    {"charts", false, [](JsonText& text, CertificateSummary& result) { result.charts = exact_rows(text); }},
+    {"radii", false, [](JsonText& text, CertificateSummary& result) { result.radii = exact_row(text); }},
+    {"net_simplices", true,
+     [](JsonText& text, CertificateSummary& result) {
+       result.net_simplices = 0;
+       text.list([&] {
+         (void)text.skip();
+         ++result.net_simplices;
+       });
+     }},
+    {"points", true, [](JsonText& text, CertificateSummary& result) { result.points = exact_rows(text); }},
+    {"elements", true,
+     [](JsonText& text, CertificateSummary& result) { result.elements = integer_rows<std::int32_t>(text); }},
+    {"simplices", true,
+     [](JsonText& text, CertificateSummary& result) { result.simplices = integer_rows<std::uint32_t>(text); }},
+    {"sha256", true, [](JsonText& text, CertificateSummary& result) { result.seal = text.string(); }},
+}};
+
+CertificateSummary summary_of(std::string_view bytes) {
   CertificateSummary result;
-  result.software = entries(json.at("software"));
-  result.parameters = entries(json.at("parameters"));
-  for (const auto& [level, margins] : json.at("levels").items()) result.levels.emplace_back(level, entries(margins));
-  result.manifold = manifold_of(json.at("manifold"));
-  result.family = json.at("manifold").at("family").get<std::string>();
-  result.net_simplices = json.at("net_simplices").size();
-  result.manifold_text = json.at("manifold").dump();
-  result.points = exact_rows(json.at("points"));
-  result.net = exact_rows(json.at("net"));
-  if (json.contains("charts")) result.charts = exact_rows(json.at("charts"));
-  if (json.contains("radii")) result.radii = exact_row(json.at("radii"));
-  result.simplices = json.at("simplices").get<std::vector<std::vector<std::uint32_t>>>();
-  result.elements = json.at("elements").get<std::vector<std::vector<std::int32_t>>>();
-  result.seal = json.at("sha256").get<std::string>();
+  std::set<std::string_view> found;
+  JsonText text(bytes);
+  text.object([&](std::string_view key) {
+    const auto known = std::find_if(keys_of_certificates.begin(), keys_of_certificates.end(),
+                                    [key](const KeyOfCertificate& each) { return each.key == key; });
+    if (known == keys_of_certificates.end()) {
+      (void)text.skip();
+      return;
+    }
+    found.insert(known->key);
+    try {
+      known->read(text, result);
+    } catch (const Json::exception& error) {
+      throw InputError(std::string(key) + ": " + error.what());
+    }
+  });
+  text.expect_end();
+  for (const KeyOfCertificate& each : keys_of_certificates) {
+    if (each.is_required && !found.contains(each.key))
+      throw InputError("there is no key \"" + std::string(each.key) + "\"");
+  }
   return result;
 }
 
@@ -115,11 +187,9 @@ std::optional<Rational> CertificateSummary::margin(const std::string& level, con
 CertificateSummary read_certificate(const std::filesystem::path& path) {
   const std::string bytes = read_text(path);
   try {
-    CertificateSummary result = summary_of(Json::parse(bytes));
+    CertificateSummary result = summary_of(bytes);
     result.sealed_bytes = digest_of_sealed(bytes);
     return result;
-  } catch (const Json::exception& error) {
-    throw InputError(path.string() + ": " + error.what());
   } catch (const InputError& error) {
     throw InputError(path.string() + ": " + error.what());
   }
