@@ -18,11 +18,14 @@ constexpr std::size_t most_drawn_axes = 3;
 
 std::vector<DrawnSimplex> simplices_of(const CertificateSummary& certificate, std::size_t m) {
   std::vector<DrawnSimplex> result;
+  result.reserve(certificate.simplices.size());
   for (const std::vector<std::uint32_t>& row : certificate.simplices) {
-    DrawnSimplex simplex{result.size(), {}, {0}};
+    DrawnSimplex simplex{result.size(), {}, {}};
     if (row.size() != 2 * m + 1)
       throw InputError(fmt::format("simplices[{}] has {} numbers, not {}", result.size(), row.size(), 2 * m + 1));
     simplex.labels.assign(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(m + 1));
+    simplex.elements.reserve(m + 1);
+    simplex.elements.push_back(0);
     simplex.elements.insert(simplex.elements.end(), row.begin() + static_cast<std::ptrdiff_t>(m + 1), row.end());
     if (!std::is_sorted(simplex.labels.begin(), simplex.labels.end(), std::less_equal<>()) ||
         simplex.labels.back() >= certificate.points.size())
@@ -160,15 +163,16 @@ Drawing drawing_of(const CertificateSummary& certificate, const DrawingOptions& 
     projection->append(*first, result.domain);
     projection->append(*second, result.domain);
   }
-  if (options.copies == DrawingCopies::cell) result.matching_faces = matching_faces(*manifold, layout);
+  const FacetTable facets(layout.simplices, result.dimension + 1);
+  if (options.copies == DrawingCopies::cell) result.matching_faces = matching_faces(*manifold, layout, facets);
 
   result.positions = std::move(layout.positions);
   result.simplices = std::move(layout.simplices);
-  result.is_oriented = orient_coherently(result.simplices, result.dimension + 1);
+  result.is_oriented = orient_coherently(result.simplices, result.dimension + 1, facets);
   const bool has_volume = result.projection.empty() && (result.dimension == result.ambient_dimension ||
                                                         (result.dimension == 2 && result.ambient_dimension == 3));
   if (has_volume && signed_volume(result) < 0) reverse_orientation(result.simplices, result.dimension + 1);
-  result.measures = measure_simplices(*manifold, simplices, certificate.points.size());
+  if (options.is_measured) result.measures = measure_simplices(*manifold, simplices, certificate.points.size());
   return result;
 }
 

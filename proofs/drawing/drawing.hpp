@@ -29,6 +29,8 @@ struct DrawingOptions {
   DrawingCopies copies = DrawingCopies::cell;
   /// None: the usual one of the family.
   std::optional<DrawingModel> model;
+  /// Whether simplices are measured, which takes most of the time.
+  bool is_measured = true;
 };
 
 /// Two facets of the drawing that are one in the manifold.
@@ -65,7 +67,7 @@ struct Drawing {
   std::vector<std::uint32_t> simplices;
   bool is_oriented = false;              ///< whether that could be done everywhere
   std::vector<std::uint32_t> positions;  ///< of each simplex, in the certificate's list
-  SimplexMeasures measures;              ///< by positions in the certificate's list
+  SimplexMeasures measures;              ///< by positions in the certificate's list; empty lists if not asked for
   MeasureBounds bounds;
 
   std::vector<MatchingFaces> matching_faces;

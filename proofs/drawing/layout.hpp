@@ -1,6 +1,7 @@
 #pragma once
 
 #include "proofs/drawing/drawing.hpp"
+#include "proofs/drawing/facet_table.hpp"
 
 namespace delcert {
 
@@ -19,7 +20,8 @@ struct Layout {
 [[nodiscard]] Layout layout_of(ApproximateManifold& manifold, const std::vector<DrawnSimplex>& simplices,
                                std::size_t labels, DrawingCopies copies);
 
-/// Pairs of facets with the same labels, each in one simplex of the layout.
-[[nodiscard]] std::vector<MatchingFaces> matching_faces(ApproximateManifold& manifold, const Layout& layout);
+/// Pairs of facets with the same labels, each in one simplex of the layout; its facets are known.
+[[nodiscard]] std::vector<MatchingFaces> matching_faces(ApproximateManifold& manifold, const Layout& layout,
+                                                        const FacetTable& facets);
 
 }  // namespace delcert

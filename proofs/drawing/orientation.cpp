@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "proofs/drawing/facet_table.hpp"
-
 namespace delcert {
 
 namespace {
@@ -25,21 +23,29 @@ bool is_induced_positively(const std::vector<std::uint32_t>& simplices, std::siz
 }  // namespace
 
 bool orient_coherently(std::vector<std::uint32_t>& simplices, std::size_t size) {
+  return orient_coherently(simplices, size, FacetTable(simplices, size));
+}
+
+bool orient_coherently(std::vector<std::uint32_t>& simplices, std::size_t size, const FacetTable& facets) {
   struct Neighbour {
     std::uint32_t simplex;
     bool is_same;  ///< whether both are to be turned, or none
   };
   const std::size_t count = simplices.size() / size;
-  std::vector<std::vector<Neighbour>> neighbours(count);
-  const FacetTable facets(simplices, size);
+  // Each side has one on either side of it in the table, at most.
+  std::vector<Neighbour> neighbours(2 * simplices.size());
+  std::vector<std::uint32_t> known(count);
+  const auto add = [&](std::uint32_t simplex, const Neighbour& neighbour) {
+    neighbours[2 * size * simplex + known[simplex]++] = neighbour;
+  };
   for (std::size_t at = 1; at < facets.sides().size(); ++at) {
     if (!facets.is_same_as_before(at)) continue;
     const auto& first = facets.sides()[at - 1];
     const auto& second = facets.sides()[at];
     const bool is_same =
         is_induced_positively(simplices, size, first) != is_induced_positively(simplices, size, second);
-    neighbours[first.simplex].push_back({second.simplex, is_same});
-    neighbours[second.simplex].push_back({first.simplex, is_same});
+    add(first.simplex, {second.simplex, is_same});
+    add(second.simplex, {first.simplex, is_same});
   }
   enum class Turn : unsigned char { open, kept, turned };
   std::vector<Turn> turns(count, Turn::open);
@@ -52,7 +58,8 @@ bool orient_coherently(std::vector<std::uint32_t>& simplices, std::size_t size) 
     while (!open.empty()) {
       const std::uint32_t at = open.back();
       open.pop_back();
-      for (const Neighbour& neighbour : neighbours[at]) {
+      for (std::size_t k = 0; k < known[at]; ++k) {
+        const Neighbour& neighbour = neighbours[2 * size * at + k];
         const Turn wanted = neighbour.is_same == (turns[at] == Turn::kept) ? Turn::kept : Turn::turned;
         Turn& turn = turns[neighbour.simplex];
         if (turn == Turn::open) {

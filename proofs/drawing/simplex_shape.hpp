@@ -3,11 +3,13 @@
 #include <array>
 #include <cstddef>
 
+#include "proofs/drawing/manifold/squared_edges.hpp"
+
 namespace delcert {
 
 /// A simplex by the squares of its edges, in doubles, without error bounds.
 struct ApproximateShape {
-  static constexpr std::size_t most_vertices = 5;
+  static constexpr std::size_t most_vertices = most_vertices_of_a_simplex;
   using Numbers = std::array<double, most_vertices>;
 
   double thickness = 0;     ///< least altitude / (m · longest edge)
@@ -15,9 +17,6 @@ struct ApproximateShape {
   Numbers centre{};         ///< barycentric coordinates of the circumcentre
   Numbers altitudes{};      ///< at each vertex
 };
-
-/// Squares of edges, by the numbers of two vertices.
-using SquaredEdges = std::array<std::array<double, ApproximateShape::most_vertices>, ApproximateShape::most_vertices>;
 
 /// Of the simplex with m + 1 vertices, 1 ≤ m ≤ 4. All is NaN if it is degenerate to double precision.
 [[nodiscard]] ApproximateShape approximate_shape(std::size_t m, const SquaredEdges& squares);

@@ -3,32 +3,56 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "kernel/topology/edge_contraction.hpp"
 #include "kernel/topology/homology.hpp"
-#include "kernel/topology/orientation.hpp"
+#include "proofs/drawing/facet_table.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
 
 namespace {
 
+/// In how many simplices facets are: the boundary, and what no manifold has.
+struct OddFacets {
+  std::size_t in_one = 0;
+  std::size_t in_more_than_two = 0;
+};
+
+OddFacets odd_facets(const std::vector<std::uint32_t>& simplices, std::size_t size) {
+  const FacetTable facets(simplices, size);
+  const std::size_t sides = facets.sides().size();
+  OddFacets result;
+  for (std::size_t first = 0, next = 0; first < sides; first = next) {
+    do {
+      ++next;
+    } while (next < sides && facets.is_same_as_before(next));
+    if (next - first == 1) ++result.in_one;
+    if (next - first > 2) ++result.in_more_than_two;
+  }
+  return result;
+}
+
 /// By labels, in the order of the rows.
 LabelComplex numbered(std::size_t dimension, const std::vector<std::uint32_t>& rows) {
   LabelComplex result;
   result.dimension = dimension;
-  result.labels = rows;
-  std::sort(result.labels.begin(), result.labels.end());
-  result.labels.erase(std::unique(result.labels.begin(), result.labels.end()), result.labels.end());
-  for (const std::uint32_t label : rows) {
-    const auto found = std::lower_bound(result.labels.begin(), result.labels.end(), label);
-    result.simplices.push_back(static_cast<std::uint32_t>(found - result.labels.begin()));
+  constexpr std::uint32_t in_no_simplex = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> place_of(std::size_t{*std::max_element(rows.begin(), rows.end())} + 1, in_no_simplex);
+  for (const std::uint32_t label : rows) place_of[label] = 0;
+  for (std::uint32_t label = 0; label < place_of.size(); ++label) {
+    if (place_of[label] == in_no_simplex) continue;
+    place_of[label] = static_cast<std::uint32_t>(result.labels.size());
+    result.labels.push_back(label);
   }
-  const FacetDegrees degrees = facet_degrees(PureComplex(Dimension(static_cast<int>(dimension)), result.simplices));
-  if (degrees.more != 0)
-    throw InputError(
-        fmt::format("the complex is no manifold: {} of its facets are in three simplices or more", degrees.more));
-  result.is_closed = degrees.one == 0;
+  result.simplices.reserve(rows.size());
+  for (const std::uint32_t label : rows) result.simplices.push_back(place_of[label]);
+  const OddFacets odd = odd_facets(result.simplices, dimension + 1);
+  if (odd.in_more_than_two != 0)
+    throw InputError(fmt::format("the complex is no manifold: {} of its facets are in three simplices or more",
+                                 odd.in_more_than_two));
+  result.is_closed = odd.in_one == 0;
   return result;
 }
 
@@ -46,6 +70,7 @@ LabelComplex label_complex(const CertificateSummary& certificate) {
   const auto m = static_cast<std::size_t>(certificate.manifold.dimension.value);
   if (certificate.simplices.empty()) throw InputError("there are no simplices");
   std::vector<std::uint32_t> rows;
+  rows.reserve(certificate.simplices.size() * (m + 1));
   for (std::size_t at = 0; at < certificate.simplices.size(); ++at) {
     const std::vector<std::uint32_t>& row = certificate.simplices[at];
     if (row.size() != 2 * m + 1)

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "proofs/certificate/reader.hpp"
+#include "proofs/drawing/manifold/squared_edges.hpp"
 
 namespace delcert {
 
@@ -78,12 +79,9 @@ class ApproximateManifold {
   /// Label j, moved by an element, in chart i. None where that is not shown.
   [[nodiscard]] virtual std::optional<ChartPlace> in_chart(std::uint32_t i, std::uint32_t j,
                                                            std::uint32_t element) const = 0;
-  /// The square of the distance that the piecewise flat metric of level 6 gives to an edge. None where no such metric
+  /// The squares of the lengths that the piecewise flat metric of level 6 gives to the edges. None where no such metric
   /// is spoken of.
-  [[nodiscard]] virtual std::optional<double> squared_edge(std::uint32_t, std::uint32_t, std::uint32_t,
-                                                           std::uint32_t) const {
-    return std::nullopt;
-  }
+  [[nodiscard]] virtual std::optional<SquaredEdges> squared_edges(const DrawnSimplex&) const { return std::nullopt; }
 
   // What is shown.
 

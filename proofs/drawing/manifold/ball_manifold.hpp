@@ -13,10 +13,7 @@ class BallManifold : public LinearManifold {
   [[nodiscard]] bool is_closed() const override { return false; }
   [[nodiscard]] std::optional<ChartPlace> in_chart(std::uint32_t i, std::uint32_t j,
                                                    std::uint32_t element) const override;
-  [[nodiscard]] std::optional<double> squared_edge(std::uint32_t, std::uint32_t, std::uint32_t,
-                                                   std::uint32_t) const override {
-    return std::nullopt;
-  }
+  [[nodiscard]] std::optional<SquaredEdges> squared_edges(const DrawnSimplex&) const override { return std::nullopt; }
   [[nodiscard]] std::vector<std::pair<Place, Place>> domain() override;
 
  private:

@@ -105,13 +105,15 @@ std::optional<ApproximateManifold::ChartPlace> LinearManifold::in_chart(std::uin
   return cartesian(motions_.apply(element, points_.at(j)));
 }
 
-std::optional<double> LinearManifold::squared_edge(std::uint32_t i, std::uint32_t element_i, std::uint32_t j,
-                                                   std::uint32_t element_j) const {
-  const std::array<double, 4> x = cartesian(vertex(i, element_i));
-  const std::array<double, 4> y = cartesian(vertex(j, element_j));
-  double square = 0;
-  for (std::size_t axis = 0; axis < m_; ++axis) square += (x[axis] - y[axis]) * (x[axis] - y[axis]);
-  return square;
+std::optional<SquaredEdges> LinearManifold::squared_edges(const DrawnSimplex& simplex) const {
+  std::array<std::array<double, 4>, most_vertices_of_a_simplex> places{};
+  for (std::size_t k = 0; k <= m_; ++k) places[k] = cartesian(vertex(simplex.labels[k], simplex.elements[k]));
+  return squares_between(m_ + 1, [&](std::size_t j, std::size_t k) {
+    double square = 0;
+    for (std::size_t axis = 0; axis < m_; ++axis)
+      square += (places[j][axis] - places[k][axis]) * (places[j][axis] - places[k][axis]);
+    return square;
+  });
 }
 
 std::optional<std::vector<double>> LinearManifold::drawn(DrawingModel, const Place& place) const {

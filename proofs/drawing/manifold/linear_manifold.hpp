@@ -21,8 +21,7 @@ class LinearManifold : public ApproximateManifold {
   [[nodiscard]] std::uint32_t product(std::uint32_t a, std::uint32_t b) override { return motions_.product(a, b); }
   [[nodiscard]] std::optional<ChartPlace> in_chart(std::uint32_t i, std::uint32_t j,
                                                    std::uint32_t element) const override;
-  [[nodiscard]] std::optional<double> squared_edge(std::uint32_t i, std::uint32_t element_i, std::uint32_t j,
-                                                   std::uint32_t element_j) const override;
+  [[nodiscard]] std::optional<SquaredEdges> squared_edges(const DrawnSimplex& simplex) const override;
   [[nodiscard]] std::vector<DrawingModel> models() const override { return {DrawingModel::unit}; }
   [[nodiscard]] std::optional<std::vector<double>> drawn(DrawingModel model, const Place& place) const override;
 

@@ -13,10 +13,7 @@ class MetricFieldManifold : public TorusManifold {
   [[nodiscard]] bool has_isometric_charts() const override { return false; }
   [[nodiscard]] std::optional<ChartPlace> in_chart(std::uint32_t i, std::uint32_t j,
                                                    std::uint32_t element) const override;
-  [[nodiscard]] std::optional<double> squared_edge(std::uint32_t, std::uint32_t, std::uint32_t,
-                                                   std::uint32_t) const override {
-    return std::nullopt;
-  }
+  [[nodiscard]] std::optional<SquaredEdges> squared_edges(const DrawnSimplex&) const override { return std::nullopt; }
 
  private:
   std::vector<std::vector<double>> net_;

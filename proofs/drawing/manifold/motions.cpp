@@ -60,15 +60,22 @@ std::uint32_t Motions::letter(std::int32_t letter) const {
 std::uint32_t Motions::product(std::uint32_t a, std::uint32_t b) {
   if (a == 0) return b;
   if (b == 0) return a;
-  const std::uint64_t key = (std::uint64_t{a} << 32U) | b;
-  if (const auto known = products_.find(key); known != products_.end()) return known->second;
+  std::uint32_t& known = known_product(a, b);
+  if (known != 0) return known - 1;
   const Motion& first = motions_[a];
   const Motion& second = motions_[b];
   const std::uint32_t result =
       kept(times(first.matrix, second.matrix), times(motions_[second.inverse].matrix, motions_[first.inverse].matrix),
            reduced_word(first.word, second.word));
-  products_.emplace(key, result);
+  known = result + 1;
   return result;
+}
+
+std::uint32_t& Motions::known_product(std::uint32_t a, std::uint32_t b) {
+  if (a >= most_in_table || b >= most_in_table) return other_products_[(std::uint64_t{a} << 32U) | b];
+  if (a >= products_.size()) products_.resize(a + 1);
+  if (products_[a].empty()) products_[a].resize(most_in_table);
+  return products_[a][b];
 }
 
 Motions::Vector Motions::apply(std::uint32_t a, const Vector& x) const {

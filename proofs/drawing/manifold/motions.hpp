@@ -46,11 +46,17 @@ class Motions {
   /// Its number; it and its inverse are kept if they are new.
   [[nodiscard]] std::uint32_t kept(const Matrix& matrix, const Matrix& inverse, std::vector<std::int32_t> word);
   [[nodiscard]] std::uint32_t find(const Matrix& matrix) const;
+  /// 1 more than the number of the product; 0 if it has not been computed.
+  [[nodiscard]] std::uint32_t& known_product(std::uint32_t a, std::uint32_t b);
+
+  /// Products of those with lower numbers are in a table, row by row; nearly all that are asked for are.
+  static constexpr std::uint32_t most_in_table = 1024;
 
   std::size_t order_;
   std::vector<Motion> motions_;
   std::vector<std::uint32_t> letters_;  ///< those of 1, −1, 2, −2, …
-  std::unordered_map<std::uint64_t, std::uint32_t> products_;
+  std::vector<std::vector<std::uint32_t>> products_;
+  std::unordered_map<std::uint64_t, std::uint32_t> other_products_;
 };
 
 }  // namespace delcert

@@ -68,11 +68,14 @@ SpaceFormManifold::SpaceFormManifold(const CertificateSummary& certificate)
                                                       : 0) {
   read_letters(manifold_json(certificate));
   read_elements(certificate);
-  net_ = net_of(certificate);
+  std::vector<std::vector<double>> net = net_of(certificate);
   for (std::size_t label = 0; label < certificate.points.size(); ++label) {
     std::vector<double> point = doubles_of(certificate.points[label]);
     point.resize(m_);
-    points_.push_back(point_near(net_[label], point));
+    net[label].resize(m_);
+    points_.push_back(point_near(net[label], point));
+    for (double& entry : net[label]) entry = -entry;
+    to_charts_.push_back(frame(net[label]));
   }
 }
 
@@ -220,9 +223,7 @@ std::optional<ApproximateManifold::ChartPlace> SpaceFormManifold::in_chart(std::
                                                                            std::uint32_t element) const {
   if (curvature_ == 0) return LinearManifold::in_chart(i, j, element);
   const Vector x = motions_.apply(element, points_.at(j));
-  std::vector<double> back = net_[i];
-  for (double& entry : back) entry = -entry;
-  const Motions::Matrix matrix = frame(back);
+  const Motions::Matrix& matrix = to_charts_[i];
   Vector seen{};
   for (std::size_t row = 0; row <= m_; ++row) {
     for (std::size_t column = 0; column <= m_; ++column) seen[row] += matrix[row * (m_ + 1) + column] * x[column];
@@ -239,17 +240,20 @@ std::optional<ApproximateManifold::ChartPlace> SpaceFormManifold::in_chart(std::
   return result;
 }
 
-std::optional<double> SpaceFormManifold::squared_edge(std::uint32_t i, std::uint32_t element_i, std::uint32_t j,
-                                                      std::uint32_t element_j) const {
-  if (curvature_ == 0) return LinearManifold::squared_edge(i, element_i, j, element_j);
-  const Vector a = vertex(i, element_i);
-  const Vector b = vertex(j, element_j);
-  // 4 sin²(d/2) or 4 sinh²(d/2).
-  double chord = curvature_ * (a[0] - b[0]) * (a[0] - b[0]);
-  for (std::size_t axis = 1; axis <= m_; ++axis) chord += (a[axis] - b[axis]) * (a[axis] - b[axis]);
-  const double half = std::sqrt(std::max(chord, 0.0)) / 2;
-  const double distance = 2 * (curvature_ > 0 ? std::asin(std::min(half, 1.0)) : std::asinh(half));
-  return distance * distance;
+std::optional<SquaredEdges> SpaceFormManifold::squared_edges(const DrawnSimplex& simplex) const {
+  if (curvature_ == 0) return LinearManifold::squared_edges(simplex);
+  std::array<Vector, most_vertices_of_a_simplex> places{};
+  for (std::size_t k = 0; k <= m_; ++k) places[k] = vertex(simplex.labels[k], simplex.elements[k]);
+  return squares_between(m_ + 1, [&](std::size_t j, std::size_t k) {
+    const Vector& a = places[j];
+    const Vector& b = places[k];
+    // 4 sin²(d/2) or 4 sinh²(d/2).
+    double chord = curvature_ * (a[0] - b[0]) * (a[0] - b[0]);
+    for (std::size_t axis = 1; axis <= m_; ++axis) chord += (a[axis] - b[axis]) * (a[axis] - b[axis]);
+    const double half = std::sqrt(std::max(chord, 0.0)) / 2;
+    const double distance = 2 * (curvature_ > 0 ? std::asin(std::min(half, 1.0)) : std::asinh(half));
+    return distance * distance;
+  });
 }
 
 std::vector<DrawingModel> SpaceFormManifold::models() const {

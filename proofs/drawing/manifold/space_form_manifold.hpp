@@ -18,8 +18,7 @@ class SpaceFormManifold : public LinearManifold {
   [[nodiscard]] bool has_isometric_charts() const override { return curvature_ == 0; }
   [[nodiscard]] std::optional<ChartPlace> in_chart(std::uint32_t i, std::uint32_t j,
                                                    std::uint32_t element) const override;
-  [[nodiscard]] std::optional<double> squared_edge(std::uint32_t i, std::uint32_t element_i, std::uint32_t j,
-                                                   std::uint32_t element_j) const override;
+  [[nodiscard]] std::optional<SquaredEdges> squared_edges(const DrawnSimplex& simplex) const override;
   [[nodiscard]] std::vector<DrawingModel> models() const override;
   [[nodiscard]] std::optional<std::vector<double>> drawn(DrawingModel model, const Place& place) const override;
   [[nodiscard]] std::vector<std::pair<Place, Place>> domain() override;
@@ -35,7 +34,7 @@ class SpaceFormManifold : public LinearManifold {
   [[nodiscard]] Vector wall_before(const Vector& image) const;
 
   int curvature_;
-  std::vector<std::vector<double>> net_;  ///< as in the file
+  std::vector<Motions::Matrix> to_charts_;  ///< of each label: takes its point of the net to the origin
 };
 
 }  // namespace delcert

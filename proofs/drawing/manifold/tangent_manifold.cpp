@@ -131,12 +131,14 @@ std::optional<ApproximateManifold::ChartPlace> TangentManifold::in_chart(std::ui
   return result;
 }
 
-std::optional<double> TangentManifold::squared_edge(std::uint32_t i, std::uint32_t, std::uint32_t j,
-                                                    std::uint32_t) const {
-  double square = 0;
-  for (std::size_t axis = 0; axis < ambient_; ++axis)
-    square += (places_[i][axis] - places_[j][axis]) * (places_[i][axis] - places_[j][axis]);
-  return square;
+std::optional<SquaredEdges> TangentManifold::squared_edges(const DrawnSimplex& simplex) const {
+  return squares_between(m_ + 1, [&](std::size_t j, std::size_t k) {
+    const Place& a = places_[simplex.labels[j]];
+    const Place& b = places_[simplex.labels[k]];
+    double square = 0;
+    for (std::size_t axis = 0; axis < ambient_; ++axis) square += (a[axis] - b[axis]) * (a[axis] - b[axis]);
+    return square;
+  });
 }
 
 std::optional<std::vector<double>> TangentManifold::drawn(DrawingModel, const Place& place) const {

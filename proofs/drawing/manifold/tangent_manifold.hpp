@@ -21,8 +21,7 @@ class TangentManifold : public ApproximateManifold {
   }
   [[nodiscard]] std::optional<ChartPlace> in_chart(std::uint32_t i, std::uint32_t j,
                                                    std::uint32_t element) const override;
-  [[nodiscard]] std::optional<double> squared_edge(std::uint32_t i, std::uint32_t, std::uint32_t j,
-                                                   std::uint32_t) const override;
+  [[nodiscard]] std::optional<SquaredEdges> squared_edges(const DrawnSimplex& simplex) const override;
   [[nodiscard]] std::vector<DrawingModel> models() const override { return {DrawingModel::space}; }
   [[nodiscard]] std::optional<std::vector<double>> drawn(DrawingModel model, const Place& place) const override;
 

@@ -13,7 +13,8 @@ TEST(FacetTable, PutsTheSidesOfAFacetTogether) {
   for (std::size_t at = 0; at < facets.sides().size(); ++at) {
     if (!facets.is_same_as_before(at)) continue;
     ++shared;
-    EXPECT_EQ(facets.vertices(facets.sides()[at]), (std::vector<std::uint32_t>{1, 2}));
+    const auto vertices = facets.vertices(at);
+    EXPECT_EQ(std::vector<std::uint32_t>(vertices.begin(), vertices.end()), (std::vector<std::uint32_t>{1, 2}));
     EXPECT_EQ(facets.sides()[at - 1].simplex, 0U);
     EXPECT_EQ(facets.sides()[at - 1].without, 0U);
     EXPECT_EQ(facets.sides()[at].simplex, 1U);

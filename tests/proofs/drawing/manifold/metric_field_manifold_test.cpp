@@ -20,7 +20,7 @@ TEST(MetricFieldManifold, ItsOwnChartShowsAPointWhereTheCertificateHasIt) {
       EXPECT_NEAR((*own)[axis], approximate_double(certificate.points[label][axis]), 1e-12);
   }
   EXPECT_FALSE(manifold.has_isometric_charts());
-  EXPECT_FALSE(manifold.squared_edge(0, 0, 1, 0).has_value());
+  EXPECT_FALSE(manifold.squared_edges({0, {0, 1, 2}, {0, 0, 0}}).has_value());
 }
 
 TEST(MetricFieldManifold, WithoutAChartIsRefused) {
