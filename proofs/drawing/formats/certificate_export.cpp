@@ -7,7 +7,9 @@ namespace delcert {
 namespace {
 
 ExportedText with_coordinates(const ExportRequest& request, ExportContent content) {
-  const Drawing drawing = drawing_of(content.certificate, request.drawing);
+  DrawingOptions options = request.drawing;
+  options.is_measured = request.format->has_measures;
+  const Drawing drawing = drawing_of(content.certificate, options);
   content.drawing = &drawing;
   return {request.format->text(content),
           fmt::format("{} vertices, {} simplices of dimension {}, approximate", drawing.vertex_count(),

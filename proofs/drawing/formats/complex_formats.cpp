@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "kernel/topology/components.hpp"
 #include "proofs/drawing/formats/cell_data.hpp"
 #include "proofs/drawing/formats/gluings.hpp"
 #include "proofs/drawing/formats/isomorphism_signature.hpp"
+#include "proofs/drawing/formats/number_text.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
@@ -48,9 +48,11 @@ std::string simplex_tree_text(const ExportContent& content) {
   std::string out;
   for (int k = 0; k <= faces.dimension(); ++k) {
     for (std::size_t face = 0; face < faces.count(k); ++face) {
-      fmt::format_to(std::back_inserter(out), "{}", k);
-      for (const std::uint32_t vertex : faces.vertices(k, face))
-        fmt::format_to(std::back_inserter(out), " {}", complex.labels[vertex]);
+      append_number(out, k);
+      for (const std::uint32_t vertex : faces.vertices(k, face)) {
+        out += ' ';
+        append_number(out, complex.labels[vertex]);
+      }
       out += " 0\n";
     }
   }
@@ -70,7 +72,10 @@ std::string regina_text(const ExportContent& content) {
       if (gluing.simplex == Gluings::boundary) {
         out += " -1 -1";
       } else {
-        fmt::format_to(std::back_inserter(out), " {} {}", gluing.simplex, alternating_index(gluing.vertices, size));
+        out += ' ';
+        append_number(out, gluing.simplex);
+        out += ' ';
+        append_number(out, alternating_index(gluing.vertices, size));
       }
     }
     out += " </simplex>\n";
@@ -101,13 +106,14 @@ std::string snappea_text(const ExportContent& content) {
                                 name, gluings.count());
   constexpr std::size_t size = 4;
   for (std::size_t simplex = 0; simplex < gluings.count(); ++simplex) {
-    for (std::size_t facet = 0; facet < size; ++facet)
-      fmt::format_to(std::back_inserter(out), " {}", gluings.at(simplex, facet).simplex);
+    for (std::size_t facet = 0; facet < size; ++facet) {
+      out += ' ';
+      append_number(out, gluings.at(simplex, facet).simplex);
+    }
     out += '\n';
     for (std::size_t facet = 0; facet < size; ++facet) {
       out += ' ';
-      for (std::size_t k = 0; k < size; ++k)
-        fmt::format_to(std::back_inserter(out), "{}", gluings.at(simplex, facet).vertices[k]);
+      for (std::size_t k = 0; k < size; ++k) append_number(out, gluings.at(simplex, facet).vertices[k]);
     }
     // Finite vertices; no peripheral curves; no shape.
     out += "\n -1 -1 -1 -1\n";

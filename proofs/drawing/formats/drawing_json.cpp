@@ -8,6 +8,7 @@
 
 #include "kernel/number/exact_text.hpp"
 #include "proofs/certificate/summary_json.hpp"
+#include "proofs/drawing/formats/number_text.hpp"
 
 namespace delcert {
 
@@ -32,7 +33,7 @@ class DrawingText {
   }
   void integers(const char* name, const std::vector<std::uint32_t>& numbers) {
     key(name);
-    list(numbers, [this](std::uint32_t x) { fmt::format_to(std::back_inserter(text), "{}", x); });
+    list(numbers, [this](std::uint32_t x) { append_number(text, x); });
   }
   /// By the positions of simplices; null where there is none.
   void measure(const char* name, const std::vector<double>& values, const std::vector<std::uint32_t>& positions) {
@@ -44,7 +45,7 @@ class DrawingText {
     list(positions, [&](std::uint32_t position) {
       const double x = values[position];
       if (std::isfinite(x)) {
-        fmt::format_to(std::back_inserter(text), "{:.9g}", x);
+        append_measure(text, x);
       } else {
         text += "null";
       }
@@ -128,9 +129,15 @@ std::string drawing_json(const CertificateSummary& certificate, const Drawing& d
   bounds["circumradius"] = bound_json(drawing.bounds.circumradius);
   bounds["hinge"] = bound_json(drawing.bounds.hinge);
   out.json("bounds", bounds);
-  DrawingJson faces = DrawingJson::array();
-  for (const MatchingFaces& pair : drawing.matching_faces) faces.push_back({pair.first, pair.second, pair.step});
-  out.json("matching_faces", faces);
+  out.key("matching_faces");
+  out.list(drawing.matching_faces, [&out](const MatchingFaces& pair) {
+    const auto number = [&out](std::uint32_t vertex) { append_number(out.text, vertex); };
+    out.text += '[';
+    out.list(pair.first, number);
+    out.text += ',';
+    out.list(pair.second, number);
+    out.text += ',' + ascii_text(pair.step) + ']';
+  });
   out.key("domain");
   if (drawing.domain.empty()) {
     out.text += "null";

@@ -28,6 +28,7 @@ struct ExportFormat {
   std::string_view name;
   std::string_view description;  ///< for a list of formats: a line
   bool has_coordinates;
+  bool has_measures;
   /// Throws InputError, before anything is computed, for what the format cannot hold.
   void (*check)(const CertificateSummary&);
   /// The bytes of the file. Throws InputError for what the format cannot hold.

@@ -15,7 +15,7 @@ char character_of(std::uint32_t value) {
   return "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789+-"[value];
 }
 
-void append_number(std::string& text, std::uint64_t value, std::size_t characters) {
+void append_characters(std::string& text, std::uint64_t value, std::size_t characters) {
   for (; characters > 0; --characters, value >>= 6U) text += character_of(static_cast<std::uint32_t>(value & 63U));
 }
 
@@ -84,21 +84,21 @@ class SignatureWalk {
     const std::size_t count = order_.size();
     std::size_t characters = 1;
     if (count < 63) {
-      append_number(text, count, 1);
+      append_characters(text, count, 1);
     } else {
       characters = 0;
       for (std::size_t rest = count; rest > 0; rest >>= 6U) ++characters;
-      append_number(text, 63, 1);
-      append_number(text, characters, 1);
-      append_number(text, count, characters);
+      append_characters(text, 63, 1);
+      append_characters(text, characters, 1);
+      append_characters(text, count, characters);
     }
     for (std::size_t at = 0; at < kinds_.size(); at += 3) {
       std::uint32_t value = 0;
       for (std::size_t k = 0; k < 3 && at + k < kinds_.size(); ++k) value |= std::uint32_t{kinds_[at + k]} << (2 * k);
       text += character_of(value);
     }
-    for (const std::uint32_t target : targets_) append_number(text, target, characters);
-    for (const std::uint32_t permutation : permutations_) append_number(text, permutation, size_ == 5 ? 2 : 1);
+    for (const std::uint32_t target : targets_) append_characters(text, target, characters);
+    for (const std::uint32_t permutation : permutations_) append_characters(text, permutation, size_ == 5 ? 2 : 1);
     return text;
   }
 

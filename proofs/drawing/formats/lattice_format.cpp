@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "kernel/number/exact_text.hpp"
+#include "proofs/drawing/formats/number_text.hpp"
 #include "proofs/drawing/manifold/manifold_json.hpp"
 #include "support/error.hpp"
 
@@ -69,9 +70,12 @@ std::string lattice_text(const ExportContent& content) {
     for (std::size_t k = 0; k <= m; ++k) {
       // m + 1 labels, then the numbers of m elements: of the first vertex it is 0, the identity.
       const std::uint32_t element = k == 0 ? 0 : row.at(m + k);
-      fmt::format_to(out, "{}{}", k > 0 ? "  " : "", row.at(k));
-      for (std::size_t axis = 0; axis < m; ++axis)
-        fmt::format_to(out, " {}", element == 0 ? 0 : certificate.elements.at(element - 1).at(axis));
+      if (k > 0) text += "  ";
+      append_number(text, row.at(k));
+      for (std::size_t axis = 0; axis < m; ++axis) {
+        text += ' ';
+        append_number(text, element == 0 ? 0 : certificate.elements.at(element - 1).at(axis));
+      }
     }
     text += '\n';
   }

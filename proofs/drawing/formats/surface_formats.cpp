@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
-
 #include "proofs/drawing/formats/cell_data.hpp"
+#include "proofs/drawing/formats/number_text.hpp"
 
 namespace delcert {
 
@@ -12,14 +11,22 @@ namespace {
 
 void append_point(std::string& out, std::string_view before, const Drawing& drawing, std::size_t vertex) {
   const auto [x, y, z] = space_point(drawing, vertex);
-  fmt::format_to(std::back_inserter(out), "{}{} {} {}", before, x, y, z);
+  out += before;
+  append_number(out, x);
+  out += ' ';
+  append_number(out, y);
+  out += ' ';
+  append_number(out, z);
 }
 
 void append_triangle(std::string& out, std::string_view before, const Drawing& drawing, std::size_t simplex,
                      std::uint32_t first) {
   const std::uint32_t* corners = &drawing.simplices[3 * simplex];
-  fmt::format_to(std::back_inserter(out), "{}{} {} {}", before, corners[0] + first, corners[1] + first,
-                 corners[2] + first);
+  out += before;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (k > 0) out += ' ';
+    append_number(out, corners[k] + first);
+  }
 }
 
 }  // namespace
@@ -66,12 +73,18 @@ std::string ply_text(const ExportContent& content) {
   out += "end_header\n";
   for (std::size_t vertex = 0; vertex < drawing.vertex_count(); ++vertex) {
     append_point(out, "", drawing, vertex);
-    fmt::format_to(std::back_inserter(out), " {} {}\n", drawing.labels[vertex], drawing.lifts[vertex]);
+    out += ' ';
+    append_number(out, drawing.labels[vertex]);
+    out += ' ';
+    append_number(out, drawing.lifts[vertex]);
+    out += '\n';
   }
   for (std::size_t simplex = 0; simplex < drawing.simplex_count(); ++simplex) {
     append_triangle(out, "3 ", drawing, simplex, 0);
-    for (const NamedMeasure& measure : measures)
-      fmt::format_to(std::back_inserter(out), " {:.9g}", measure.values[simplex]);
+    for (const NamedMeasure& measure : measures) {
+      out += ' ';
+      append_measure(out, measure.values[simplex]);
+    }
     out += '\n';
   }
   return out;

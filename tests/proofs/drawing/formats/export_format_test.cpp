@@ -27,5 +27,25 @@ TEST(ExportFormat, OneThatIsNotThereIsRefusedWithAGuess) {
   }
 }
 
+// What is not written is not measured, and what is measured is written.
+TEST(ExportFormat, HasMeasuresIfItsTextDependsOnThem) {
+  const CertificateSummary& certificate = test::drawn_certificates().at("flat-torus");
+  const Drawing measured = drawing_of(certificate, {});
+  DrawingOptions options;
+  options.is_measured = false;
+  const Drawing unmeasured = drawing_of(certificate, options);
+  EXPECT_TRUE(unmeasured.measures.protection.empty() && unmeasured.measures.hinge.empty());
+  for (const ExportFormat& format : export_formats()) {
+    if (!format.has_coordinates) {
+      EXPECT_FALSE(format.has_measures);
+      continue;
+    }
+    ExportContent with{certificate}, without{certificate};
+    with.drawing = &measured;
+    without.drawing = &unmeasured;
+    EXPECT_EQ(format.text(with) != format.text(without), format.has_measures) << format.name;
+  }
+}
+
 }  // namespace DELCERT_THIS_FILE
 }  // namespace delcert
