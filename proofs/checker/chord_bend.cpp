@@ -22,6 +22,19 @@ Matrix<Interval> second_of(const FormulaValues<Interval>& values, std::size_t N)
 
 }  // namespace
 
+double ChartBend::excess(double d) const {
+  const double spread = rate * d / low_root + size;
+  return d * spread * spread / 2;
+}
+
+Distance ChartBend::distance(const Interval& squared, bool are_shown) const {
+  if (!are_shown) return {infinity, {}};
+  const double in_chart = upper_root(squared);
+  Distance result{stretch * in_chart, {}};
+  result.excess.most = std::min((of_double(result.chord) - square_root(squared)).upper(), excess(in_chart));
+  return result;
+}
+
 ChordExcess ChordBend::excess(const Matrix<Interval>& chord) const {
   ChordExcess result;
   const Interval c = square_root(squared_norm(chord));

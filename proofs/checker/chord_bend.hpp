@@ -27,6 +27,20 @@ inline double least_lead(const Distance& p, const ChordExcess& q) {
   return e * (2 * p.chord + e);
 }
 
+/// What a chart knows of distances between points of M that it shows.
+struct ChartBend {
+  double stretch;             // M is no steeper than L: the root of 1 + L^2, from above
+  double rate = 0, size = 0;  // along segments of the chart slopes of M change by a function with this Lipschitz
+                              // constant and one that is nowhere greater than this
+
+  /// d (rate d / sqrt 12 + size)^2 / 2: by how much the curve over a segment of the length d is longer than its chord,
+  /// at most. Precondition: rounding upwards.
+  double excess(double d) const;
+  /// Of two points, from the square of their distance in the chart. Lemma 1 is about points that it shows: of others
+  /// nothing is known. Precondition: rounding upwards.
+  Distance distance(const Interval& squared, bool are_shown) const;
+};
+
 /// How a function f on R^N bends about some chords: what Lemma 3 of docs/levels/submanifolds.md asks for.
 struct ChordBend {
   Matrix<Interval> gradient;  // Df at a place about the middle of the chords

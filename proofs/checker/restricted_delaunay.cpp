@@ -74,7 +74,7 @@ class CoveredDisc {
         values_(values),
         radius_(c_.at(i, c_.density).filter),
         slope_(charts.manifold().slope.filter.upper()),
-        stretch_(upper_root(Interval(1) + square(charts.manifold().slope.filter))),
+        bend_{upper_root(Interval(1) + square(charts.manifold().slope.filter))},
         height_(transposed_times(charts.chart(i).normal, charts.point(i) - charts.chart(i).centre)),
         home_(upper_root(
             squared_norm(transposed_times(charts.chart(i).tangent, charts.point(i) - charts.chart(i).centre)))),
@@ -117,7 +117,7 @@ class CoveredDisc {
     const TangentChart<Interval>& chart = charts_.chart(i_);
     const TangentPatch& patch = charts_.patch(i_);
     // All points over the disc are so far from p'_i, along M as well.
-    const double reach = stretch_ * radius_.upper();
+    const double reach = bend_.stretch * radius_.upper();
     const Interval home = square_root(squared_norm(transposed_times(chart.tangent, charts_.point(i_) - chart.centre)));
     const bool is_wide = (patch.radius.filter - home - radius_).lower() > reach;
     charts_.points().visit(charts_.point(i_), 2 * reach, [&](Label k) {
@@ -149,16 +149,15 @@ class CoveredDisc {
     });
   }
 
-  /// Slopes of M change, along segments of the chart as far from p'_i as labels are said to be near, by a function with
-  /// the Lipschitz constant rate_ and one that is nowhere greater than size_.
+  /// How slopes of M change, along segments of the chart as far from p'_i as labels are said to be near.
   void bound_changes() {
     if (charts_.polyhedron() != nullptr) {
       const auto change = charts_.polyhedron()->slope_change(i_, charts_.point(i_), wide_);
-      rate_ = change.rate;
-      size_ = change.size;
+      bend_.rate = change.rate;
+      bend_.size = change.size;
       return;
     }
-    rate_ = bend_about(charts_.point(i_), 0, wide_, slope_within(charts_, i_, home_ + wide_).upper());
+    bend_.rate = bend_about(charts_.point(i_), 0, wide_, slope_within(charts_, i_, home_ + wide_).upper());
   }
 
   /// The same for a zero set, cell by cell of the square around; once some box asks for it.
@@ -197,7 +196,7 @@ class CoveredDisc {
       rate = std::max(rate, bend_about(charts_.point(i_) + chart.tangent * place + chart.normal * z, anchor.error,
                                        reach, slope_within(charts_, i_, home_ + farthest).upper()));
     }
-    rate_ = std::min(rate_, rate);
+    bend_.rate = std::min(bend_.rate, rate);
   }
 
   /// A bound of the second derivative of the heights of M over the places within a distance of that of a point; over
@@ -252,13 +251,6 @@ class CoveredDisc {
     return result + Interval::between(-error, error);
   }
 
-  /// d (a d / sqrt 12 + b)^2 / 2, rounded upwards: by how much a curve over a segment of this length d is longer than
-  /// its chord, at most.
-  double excess_at(double d) const {
-    const double spread = rate_ * d / 3.4641016 + size_;
-    return d * spread * spread / 2;
-  }
-
   /// From p'_i to the points of M over the box, in R^N.
   Matrix<Interval> offset(const DiscBox& box) const {
     Matrix<Interval> along(m_, 1), up(q_, 1);
@@ -277,11 +269,7 @@ class CoveredDisc {
     Interval squared(0);
     for (std::size_t a = 0; a < m_; ++a)
       squared = squared + square(rival == nullptr ? box.place[a] : box.place[a] - rival->along[a]);
-    const double in_chart = upper_root(squared);
-    const bool is_shown = rival == nullptr || rival->shown;  // Lemma 1 is about points that are
-    Distance result{is_shown ? stretch_ * in_chart : std::numeric_limits<double>::infinity(), {}};
-    if (is_shown)
-      result.excess.most = std::min((exactly_at(result.chord) - square_root(squared)).upper(), excess_at(in_chart));
+    Distance result = bend_.distance(squared, rival == nullptr || rival->shown);
     if (!box.bends) return result;
     for (const Bend& bend : *box.bends) {
       if (bend.to != rival || !bend.chords) continue;
@@ -307,7 +295,7 @@ class CoveredDisc {
 
   bool are_bends_due(const DiscBox& box) const {
     if (!c_.intrinsic || charts_.polyhedron() != nullptr || q_ != 1) return false;
-    const bool is_change_known = !is_sharp_ || excess_at(radius_.upper()) < radius_.upper();
+    const bool is_change_known = !is_sharp_ || bend_.excess(radius_.upper()) < radius_.upper();
     return box.halvings == halvings_of_bends || (!is_change_known && box.halvings == halvings_of_first_bends);
   }
   /// By the chords to p'_i, then by those to labels that are still open.
@@ -449,12 +437,12 @@ class CoveredDisc {
   std::size_t m_, q_;
   FormulaValues<Interval>& values_;
   Interval radius_;
-  double slope_, stretch_;
+  double slope_;
+  ChartBend bend_;
   Matrix<Interval> height_;  // of p'_i
   std::vector<Rival> rivals_;
   double home_;  // how far p'_i is from the origin of the chart
   double wide_;  // in the intrinsic case labels that are farther in the chart are not said to be near
-  double rate_ = 0, size_ = 0;
   bool is_sharp_ = false;
 };
 

@@ -189,6 +189,40 @@ TEST_F(ChordBendOfChecker, compares_distances_by_their_chords) {
   EXPECT_EQ(least_lead({p, {}}, {q_least, 1}), std::numeric_limits<double>::infinity());
 }
 
+TEST_F(ChordBendOfChecker, knows_distances_of_what_a_chart_shows) {
+  // A circle of radius 1 over [-0.5, 0.5], which is as steep as 1/sqrt 3 at the ends; its slopes have a rate of 1.54.
+  const ChartBend chart{std::sqrt(4.0 / 3) + 1e-15, 1.5396008};
+  for (const double a : {-0.5, -0.1, 0.3}) {
+    for (const double b : {-0.4, 0.0, 0.5}) {
+      const double turned = std::abs(std::asin(b) - std::asin(a)), chord = 2 * std::sin(turned / 2);
+      const Distance known = chart.distance(around((b - a) * (b - a), 1e-15), true);
+      EXPECT_GE(known.chord, chord);
+      EXPECT_LE(known.chord, 1.16 * std::abs(b - a) + 1e-6);
+      EXPECT_EQ(known.excess.least, 0);
+      EXPECT_GE(known.excess.most, turned - chord - 1e-13);
+      EXPECT_LE(known.excess.most, std::min(0.16 * std::abs(b - a), chart.excess(std::abs(b - a))) + 1e-6);
+    }
+  }
+  EXPECT_NEAR(chart.excess(0.5), 0.25 / 2 * 0.5 * 1.5396008 * 1.5396008 / 12, 1e-7);
+  EXPECT_NEAR((ChartBend{1.25, 0, 0.5}.excess(0.5)), 0.0625, 1e-12);
+  // Where slopes are said not to change there is no excess; of slopes that change much, what the stretch says.
+  EXPECT_NEAR((ChartBend{1.25}.distance(Interval(4), true).excess.most), 0, 1e-12);
+  EXPECT_NEAR((ChartBend{1.25, 100}.distance(Interval(4), true).excess.most), 0.5, 1e-12);
+}
+
+TEST_F(ChordBendOfChecker, knows_nothing_of_distances_to_what_a_chart_does_not_show) {
+  // Another sheet may be over the same place, as far away as it likes.
+  const ChartBend chart{1.25, 1, 1};
+  for (const double place : {0.0, 0.01, 1.0}) {
+    const Distance unknown = chart.distance(Interval::between(place, place), false);
+    EXPECT_EQ(unknown.chord, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(unknown.excess.most, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(unknown.excess.least, 0);
+    EXPECT_EQ(least_lead(unknown, {0, 0}), std::numeric_limits<double>::infinity());
+    EXPECT_LT(chart.distance(Interval::between(place, place), true).chord, 1.26);
+  }
+}
+
 TEST_F(ChordBendOfChecker, says_nothing_where_a_curve_might_leave) {
   const auto says = [](const KnownBend& known) {
     return known.bend.excess(known.chord).most < std::numeric_limits<double>::infinity();
