@@ -153,7 +153,7 @@ def of_zero_set(report, document):
     five, isotopy, metric = levels["5"], levels.get("5i"), levels.get("6")
     return {"zero set": {"contraction": five["contraction"]["value"],
                          "displacement": five["displacement"]["in_sampling_radii"],
-                         "isotopy": isotopy and isotopy["margin"]["in_sampling_radii"],
+                         "isotopy": isotopy and isotopy.get("margin", {}).get("in_sampling_radii"),
                          "delaunay": levels.get("4", {}).get("metric"),
                          "normal": metric and metric["normal"]["value"],
                          "homology": levels["2"]["homology"],

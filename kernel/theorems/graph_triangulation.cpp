@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "kernel/chart/ambient_grid.hpp"
 #include "kernel/number/rounding_guard.hpp"
 #include "kernel/number/scalar.hpp"
 #include "kernel/parallel/parts.hpp"
-#include "kernel/theorems/simplex_pairs.hpp"
 #include "kernel/topology/components.hpp"
 #include "support/error.hpp"
 
@@ -18,7 +16,6 @@ namespace {
 constexpr std::size_t simplices_at_a_time = 256;
 constexpr long digits_of_bounds = 12;
 constexpr int most_rounds = 6;
-constexpr double small_room = 0x1p-6;  // of 5i, as a part of ℓ + ω
 
 /// A number of few digits above x, with room for readers whose enclosures are wider.
 Rational with_room_above(double x) {
@@ -169,129 +166,6 @@ std::vector<Label> unclear_components(const GraphVertices& vertices, const std::
   return result;
 }
 
-/// Which labels are roomy, for level 5i: (embedded), its margin, and (lid), label by label.
-template <int m>
-class RoomyLabels {
- public:
-  RoomyLabels(const GraphVertices& vertices, const std::vector<LabelSimplex<m>>& simplices,
-              const std::vector<GraphSimplex<m>>& measures, const Rational& displacement, const Rational& contraction)
-      : vertices_(vertices),
-        displacement_(scalar_from<Interval>(displacement)),
-        reach_(reach_of(vertices, simplices, measures, displacement)),
-        rest_(scalar_from<Interval>((Rational(1) - contraction) / Rational(m + 1))),
-        grid_(vertices.manifold.ambient(), 2 * reach_ * middle_unit(vertices.units)),
-        shifts_(vertices.charts.size()),
-        altitudes_(vertices.charts.size(), std::numeric_limits<double>::infinity()),
-        below_lid_(altitudes_) {
-    for (const double unit : vertices.units) greatest_unit_ = std::max(greatest_unit_, unit);
-    for (std::uint32_t label = 0; label < shifts_.size(); ++label) grid_.insert(place(label).data());
-    for (std::size_t at = 0; at < simplices.size(); ++at) {
-      for (std::size_t v = 0; v <= m; ++v) {
-        const std::uint32_t label = simplices[at][v];
-        shifts_[label] = std::max(shifts_[label], measures[at].shift);
-        altitudes_[label] = std::min(altitudes_[label], measures[at].altitudes[v]);
-        below_lid_[label] = std::min(below_lid_[label], measures[at].below_lid[v]);
-      }
-    }
-  }
-
-  /// ℓ + ω, in units, and a little more: places are rounded.
-  [[nodiscard]] double reach() const { return reach_; }
-
-  /// Of label i, in units, a lower bound: the margin of (embedded), or, unless (lid) holds too, minus infinity.
-  [[nodiscard]] double room(const GraphSimplexCheck<m>& check, std::uint32_t i) const {
-    double side = 0;
-    const Interval unit = Interval::exactly(vertices_.unit(i));
-    Interval around(0);  // the greatest unit of labels near
-    grid_.visit(place(i).data(), reach_ * (vertices_.unit(i) + greatest_unit_), [&](std::uint32_t v, double squared) {
-      const double reach = reach_ * (vertices_.unit(i) + vertices_.unit(v));
-      if (squared > reach * reach * (1 + 0x1p-20)) return false;
-      side = std::max(side, (Interval::exactly(check.lateral(i, v)) * Interval::exactly(shifts_[v])).upper());
-      around = maximum(around, Interval::exactly(vertices_.unit(v)));
-      return false;
-    });
-    const Interval moved = displacement_ * (Interval(2) * unit + around);
-    if (!is_proved(less(moved, Interval::exactly(below_lid_[i])))) return -std::numeric_limits<double>::infinity();
-    return ((rest_ * Interval::exactly(altitudes_[i]) - Interval(2) * Interval::exactly(side)) / unit).lower();
-  }
-
- private:
-  /// ℓ + ω, in units, and a little more: places are rounded.
-  static double reach_of(const GraphVertices& vertices, const std::vector<LabelSimplex<m>>& simplices,
-                         const std::vector<GraphSimplex<m>>& measures, const Rational& displacement) {
-    double edge = 0;
-    for (std::size_t at = 0; at < measures.size(); ++at) {
-      const Interval unit = Interval::exactly(vertices.unit(simplices[at]));
-      edge = std::max(edge, (Interval::exactly(measures[at].edge) / unit).upper());
-    }
-    return ((Interval::exactly(edge) + scalar_from<Interval>(displacement)) * Interval::exactly(1 + 0x1p-20)).upper();
-  }
-  [[nodiscard]] std::array<double, 9> place(std::uint32_t label) const {
-    std::array<double, 9> result{};
-    for (std::size_t axis = 0; axis < vertices_.manifold.ambient(); ++axis)
-      result[axis] = vertices_.position(label)[axis].lower();
-    return result;
-  }
-
-  const GraphVertices& vertices_;
-  Interval displacement_;
-  double reach_;
-  double greatest_unit_ = 1;
-  Interval rest_;  // (1 − γ)/(m + 1)
-  AmbientGrid grid_;
-  std::vector<double> shifts_;     // the greatest s_τ of the simplices at each label
-  std::vector<double> altitudes_;  // a_i
-  std::vector<double> below_lid_;  // how far the star is below the lid of its label
-};
-
-/// Of labels that are not roomy: rules 5i.star and 5i.apart. First with those that would make the margin small.
-template <int m>
-void measure_pairs(const GraphVertices& vertices, const std::vector<LabelSimplex<m>>& simplices,
-                   const std::vector<double>& rooms, double small, GraphTriangulation<m>& result,
-                   const Progress& progress) {
-  const double displacement = approximate_double(result.displacement);
-  for (const double least : {small, 0.0}) {
-    double margin = std::numeric_limits<double>::infinity();
-    std::vector<bool> is_tight;
-    for (const double room : rooms) {
-      is_tight.push_back(!(room > least));
-      if (room > least) margin = std::min(margin, room);
-    }
-    if (!(margin < std::numeric_limits<double>::infinity())) margin = displacement;
-    const SimplexPairs pairs =
-        check_simplex_pairs<m>(vertices, simplices, result.simplices, is_tight, displacement, margin, progress);
-    result.margin = pairs.margin;
-    result.tightest = pairs.tightest;
-    result.crowded = pairs.crowded;
-    if (result.crowded.empty()) return;
-  }
-}
-
-template <int m>
-void measure_isotopy(const GraphVertices& vertices, const std::vector<LabelSimplex<m>>& simplices,
-                     GraphTriangulation<m>& result, const Progress& progress) {
-  std::optional<RoomyLabels<m>> labels;
-  {
-    const RoundingGuard guard;
-    labels.emplace(vertices, simplices, result.simplices, result.displacement, result.contraction);
-  }
-  std::vector<double> rooms;
-  in_parts<simplices_at_a_time>(
-      "isotopy", vertices.charts.size(), progress,
-      [&](std::size_t first, std::size_t last) {
-        const RoundingGuard guard;
-        const GraphSimplexCheck<m> check(vertices);
-        std::vector<double> part;
-        for (std::size_t i = first; i < last; ++i) part.push_back(labels->room(check, static_cast<std::uint32_t>(i)));
-        return part;
-      },
-      [&](const std::vector<double>& part) { rooms.insert(rooms.end(), part.begin(), part.end()); });
-  const auto least = std::min_element(rooms.begin(), rooms.end());
-  result.margin = *least;
-  result.tightest = Label(static_cast<std::uint32_t>(least - rooms.begin()));
-  if (!(result.margin > 0)) measure_pairs(vertices, simplices, rooms, labels->reach() * small_room, result, progress);
-}
-
 }  // namespace
 
 template <int m>
@@ -367,7 +241,6 @@ GraphTriangulation<m> check_graph_triangulation(const GraphVertices& vertices,
   result.simplices = std::move(found.simplices);
   result.unclear = unclear_components<m>(vertices, simplices, result.simplices, result.component,
                                          approximate_double(result.displacement));
-  if (result.triangulates()) measure_isotopy<m>(vertices, simplices, result, progress);
   return result;
 }
 

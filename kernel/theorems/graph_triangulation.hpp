@@ -14,8 +14,8 @@ struct GraphSimplexFailure {
   GraphCause cause;
 };
 
-/// Levels 5 and 5i of a submanifold (docs/levels/submanifolds.md): whether the straight simplices, moved along fibres,
-/// triangulate M, and whether the complex is embedded and isotopic to M.
+/// Level 5 of a submanifold (docs/levels/submanifolds.md): whether the straight simplices, moved along fibres,
+/// triangulate M.
 template <int m>
 struct GraphTriangulation {
   std::vector<GraphSimplexFailure<m>> failures;  ///< of 5.fibre and 5.contract, in the order of the simplices
@@ -24,14 +24,10 @@ struct GraphTriangulation {
   /// ω: no point of a simplex is moved by more, times the least unit of its vertices; few binary digits, with a margin.
   Rational displacement{};
   Rational contraction{};  ///< γ < 1: how far the map is from the identity in charts; few binary digits, with a margin
-  std::vector<Label> crowded;              ///< labels at which 5i fails
-  Label tightest{0};                       ///< where the margin of 5i is least
-  double margin = 0;                       ///< of 5i, in units, a lower bound; 5i holds if it is above 0
   std::vector<GraphSimplex<m>> simplices;  ///< what was measured of each
   std::vector<std::uint32_t> component;    ///< of each label: the least label of its component
 
   [[nodiscard]] bool triangulates() const { return failures.empty() && unclear.empty(); }
-  [[nodiscard]] bool is_isotopic() const { return triangulates() && margin > 0; }
 };
 
 /// Where these points of the atlas are. Throws Undecided, with the label, if one cannot be enclosed. Precondition:

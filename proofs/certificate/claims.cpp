@@ -84,7 +84,10 @@ Entries entries_of(const TriangulationClaim& claim) {
   return result;
 }
 
-Entries entries_of(const IsotopyClaim& claim) { return {at_least("margin", claim.margin)}; }
+Entries entries_of(const IsotopyClaim& claim) {
+  if (claim.cosine) return {at_least("cosine", *claim.cosine, Unit::one)};
+  return {at_least("margin", *claim.margin)};
+}
 
 Entries entries_of(const FullStarsClaim&) { return {}; }
 

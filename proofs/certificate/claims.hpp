@@ -74,9 +74,10 @@ struct TriangulationClaim {
   std::optional<Graph> graph = {};                     ///< of submanifolds and atlases
 };
 
-/// Level 5i: the complex is embedded, and isotopic to M.
+/// Level 5i: the complex is embedded, and isotopic to M. It states one of these.
 struct IsotopyClaim {
-  Rational margin;  ///< by so much stars are wider than what points are moved sideways
+  std::optional<Rational> margin;       ///< by so much stars are wider than what points are moved sideways
+  std::optional<Rational> cosine = {};  ///< of the angle between normals of simplices and gradients along them
 };
 
 /// Level 1f: stars are embedded and full, whether or not they are Delaunay.

@@ -24,7 +24,7 @@ constexpr auto at_least_here = Margin::Side::lower;
 constexpr auto at_most_here = Margin::Side::upper;
 
 /// `bilipschitz`, which is two bounds or none, is not among them.
-constexpr std::array<KindOfBound, 19> kinds_of_bounds{{{"0", "density", at_most_here, Margin::Unit::length},
+constexpr std::array<KindOfBound, 20> kinds_of_bounds{{{"0", "density", at_most_here, Margin::Unit::length},
                                                        {"0", "distortion", at_most_here, Margin::Unit::one},
                                                        {"0", "metric_distortion", at_most_here, Margin::Unit::one},
                                                        {"1", "protection", at_least_here, Margin::Unit::length},
@@ -41,6 +41,7 @@ constexpr std::array<KindOfBound, 19> kinds_of_bounds{{{"0", "density", at_most_
                                                        {"5", "contraction", at_most_here, Margin::Unit::one},
                                                        {"5", "displacement", at_most_here, Margin::Unit::length},
                                                        {"5i", "margin", at_least_here, Margin::Unit::length},
+                                                       {"5i", "cosine", at_least_here, Margin::Unit::one},
                                                        {"6", "weight", at_least_here, Margin::Unit::one},
                                                        {"6", "normal", at_most_here, Margin::Unit::one}}};
 

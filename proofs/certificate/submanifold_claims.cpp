@@ -123,11 +123,13 @@ SubmanifoldMeasures<m> measure_submanifold(const SubmanifoldAtlas<m>& atlas, con
                                            const Progress& progress) {
   const GraphVertices vertices = graph_vertices<m>(atlas, run.points);
   const std::vector<LabelSimplex<m>> simplices = run.complex.simplices();
-  SubmanifoldMeasures<m> result{{}, check_graph_triangulation<m>(vertices, simplices, progress), {}, {}};
+  SubmanifoldMeasures<m> result{{}, check_graph_triangulation<m>(vertices, simplices, progress), {}, {}, {}};
   if (selects(selection, "2s"))
     result.stability =
         run.stability ? *run.stability : check_stability<m>(atlas, run.points, geometry, run.complex, progress);
   if (!result.triangulation.triangulates()) return result;
+  if (selects(selection, "5i"))
+    result.isotopy = check_graph_isotopy<m>(vertices, simplices, result.triangulation, progress);
   if (selects(selection, "4")) {
     const Rational density = graph_density<m>(vertices, simplices, result.triangulation, atlas.slope());
     const auto check = [&](GraphMetric metric) {
@@ -146,8 +148,9 @@ SubmanifoldMeasures<m> measure_submanifold(const SubmanifoldAtlas<m>& atlas, con
 }
 
 template <int m>
-void claim_graph(const GraphTriangulation<m>& triangulation, const Rational& unit, const LevelSelection& selection,
-                 Claims& claims, std::vector<std::string>& reasons) {
+void claim_graph(const GraphTriangulation<m>& triangulation, const std::optional<GraphIsotopy>& isotopy,
+                 const Rational& unit, const LevelSelection& selection, Claims& claims,
+                 std::vector<std::string>& reasons) {
   if (!claims.manifold || !(selects(selection, "5") || selects(selection, "5i"))) return;
   if (!triangulation.triangulates()) {
     reasons.push_back(reason_of(triangulation));
@@ -155,14 +158,16 @@ void claim_graph(const GraphTriangulation<m>& triangulation, const Rational& uni
   }
   claims.triangulation =
       TriangulationClaim{"graph", {}, TriangulationClaim::Graph{triangulation.contraction, triangulation.displacement}};
-  if (!selects(selection, "5i")) return;
-  if (triangulation.is_isotopic()) {
-    claims.isotopy = IsotopyClaim{stated_below(triangulation.margin)};
+  if (!isotopy || !selects(selection, "5i")) return;
+  if (isotopy->margin > 0) {
+    claims.isotopy = IsotopyClaim{stated_below(isotopy->margin)};
+  } else if (isotopy->cosine) {
+    const Rational room = Rational::power_of_two(-6);
+    claims.isotopy = IsotopyClaim{{}, stated_below(Rational::exactly(*isotopy->cosine) * (Rational(1) - room))};
   } else {
-    reasons.push_back(
-        fmt::format("level 5i: simplices may meet on their way to the manifold: margin ≥ {} ε, at label {}",
-                    decimal_lower(Rational::exactly(triangulation.margin) / unit, digits_of_reasons),
-                    triangulation.tightest.value));
+    reasons.push_back(fmt::format(
+        "level 5i: simplices may meet on their way to the manifold: margin ≥ {} ε, at label {}",
+        decimal_lower(Rational::exactly(isotopy->margin) / unit, digits_of_reasons), isotopy->tightest.value));
   }
 }
 
@@ -173,7 +178,7 @@ Claims derive_claims(const SubmanifoldAtlas<m>& atlas, const RunParameters& para
   const Rational shift = parameters.algorithm.perturbation * atlas.sampling_radius();
   Derivation derivation = derivation_in_patches<m>(atlas, run, measures.stability, shift, selection, reasons);
   Claims& claims = derivation.claims;
-  claim_graph<m>(measures.triangulation, atlas.sampling_radius(), selection, claims, reasons);
+  claim_graph<m>(measures.triangulation, measures.isotopy, atlas.sampling_radius(), selection, claims, reasons);
   if (claims.triangulation) {
     if (selects(selection, "4")) claim_delaunay<m>(measures, claims, reasons);
     if (selects(selection, "6")) claim_metric<m>(measures, claims, reasons);
@@ -186,8 +191,8 @@ Claims derive_claims(const SubmanifoldAtlas<m>& atlas, const RunParameters& para
       const SubmanifoldAtlas<m>&, const ChartRun<m>&, const ModelGeometry&, const LevelSelection&, const Progress&); \
   template Claims derive_claims<m>(const SubmanifoldAtlas<m>&, const RunParameters&, const ChartRun<m>&,             \
                                    const SubmanifoldMeasures<m>&, const LevelSelection&, std::vector<std::string>&); \
-  template void claim_graph<m>(const GraphTriangulation<m>&, const Rational&, const LevelSelection&, Claims&,        \
-                               std::vector<std::string>&);
+  template void claim_graph<m>(const GraphTriangulation<m>&, const std::optional<GraphIsotopy>&, const Rational&,    \
+                               const LevelSelection&, Claims&, std::vector<std::string>&);
 DELCERT_INSTANTIATE(1)
 DELCERT_INSTANTIATE(2)
 DELCERT_INSTANTIATE(3)

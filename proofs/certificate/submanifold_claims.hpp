@@ -7,7 +7,7 @@
 #include "kernel/manifold/submanifold/submanifold_atlas.hpp"
 #include "kernel/run/chart_run.hpp"
 #include "kernel/stars/stable_stars.hpp"
-#include "kernel/theorems/graph_triangulation.hpp"
+#include "kernel/theorems/graph_isotopy.hpp"
 #include "kernel/theorems/reach_bound.hpp"
 #include "kernel/theorems/restricted_delaunay.hpp"
 #include "proofs/certificate/claims.hpp"
@@ -19,7 +19,8 @@ namespace delcert {
 template <int m>
 struct SubmanifoldMeasures {
   std::optional<StarStability> stability;  ///< level 2s, if that is selected
-  GraphTriangulation<m> triangulation;     ///< levels 5 and 5i
+  GraphTriangulation<m> triangulation;     ///< level 5
+  std::optional<GraphIsotopy> isotopy;     ///< level 5i, if that is selected and level 5 holds
   /// Level 4, if level 5 holds.
   struct Delaunay {
     Rational density;
@@ -44,9 +45,11 @@ template <int m>
                                    const ChartRun<m>& run, const SubmanifoldMeasures<m>& measures,
                                    const LevelSelection& selection, std::vector<std::string>& reasons);
 
-/// Levels 5 and 5i, of vertices that are on M or given; without the level below nothing is claimed.
+/// Levels 5 and, if it was measured, 5i, of vertices that are on M or given; without the level below nothing is
+/// claimed.
 template <int m>
-void claim_graph(const GraphTriangulation<m>& triangulation, const Rational& unit, const LevelSelection& selection,
-                 Claims& claims, std::vector<std::string>& reasons);
+void claim_graph(const GraphTriangulation<m>& triangulation, const std::optional<GraphIsotopy>& isotopy,
+                 const Rational& unit, const LevelSelection& selection, Claims& claims,
+                 std::vector<std::string>& reasons);
 
 }  // namespace delcert

@@ -75,6 +75,14 @@ std::string triangulation_line(const Claims& claims, const Rational& unit) {
   return "triangulation: by geodesic simplices";
 }
 
+std::string isotopy_line(const IsotopyClaim& isotopy, const Rational& unit) {
+  const char* says = "isotopy: the complex is embedded, ";
+  if (isotopy.cosine)
+    return fmt::format("{}cosine of the angle between its normals and gradients ≥ {}", says,
+                       decimal_lower(*isotopy.cosine));
+  return fmt::format("{}margin ≥ {} ε", says, beyond(*isotopy.margin, unit));
+}
+
 std::string metric_line(const MetricClaim& metric) {
   const std::string how = metric.self_delaunay ? "self-Delaunay, " : "";
   if (metric.least_stretch == Rational(1) && metric.greatest_stretch == Rational(1))
@@ -96,8 +104,7 @@ std::string level_line(const Claims& claims, const std::string& level, const Rat
   if (level == "3") return "no forbidden configuration: " + *claims.no_forbidden;
   if (level == "4") return delaunay_line(*claims.delaunay, unit);
   if (level == "5") return triangulation_line(claims, unit);
-  if (level == "5i")
-    return fmt::format("isotopy: the complex is embedded, margin ≥ {} ε", beyond(claims.isotopy->margin, unit));
+  if (level == "5i") return isotopy_line(*claims.isotopy, unit);
   return metric_line(*claims.metric);
 }
 

@@ -70,11 +70,15 @@ class MeshFamily final : public Family {
     for (const LabelSimplex<2>& triangle : simplices_) labels.insert(labels.end(), triangle.begin(), triangle.end());
     report.claims.manifold = manifold_claim(PureComplex(Dimension(2), labels), simplices_.size(), true);
     if (!selects(selection, "5") && !selects(selection, "5i")) return;
-    const auto triangulation =
-        check_graph_triangulation<2>(given_vertices(zero_set_, charts_.charts), simplices_, progress);
-    claim_graph<2>(triangulation, report.sampling_radius, selection, report.claims, report.reasons);
+    const GraphVertices vertices = given_vertices(zero_set_, charts_.charts);
+    const auto triangulation = check_graph_triangulation<2>(vertices, simplices_, progress);
+    std::optional<GraphIsotopy> isotopy;
+    if (selects(selection, "5i") && triangulation.triangulates()) {
+      isotopy = check_graph_isotopy<2>(vertices, simplices_, triangulation, progress);
+      report.graphs->margin = isotopy->margin;
+    }
+    claim_graph<2>(triangulation, isotopy, report.sampling_radius, selection, report.claims, report.reasons);
     if (!triangulation.triangulates()) throw Rejection(refusal(triangulation));
-    report.graphs->margin = triangulation.margin;
   }
 
   void write(const std::string& path, const Progress& progress) const override {

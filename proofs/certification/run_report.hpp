@@ -45,7 +45,7 @@ struct RunReport {
     Rational slope;                   ///< of the manifold in its charts, an upper bound
     Rational distortion;              ///< of the transitions, an upper bound
     std::uint64_t cover_parts = 0;    ///< of the box, to show that the charts are all of it
-    std::optional<double> margin;     ///< of level 5i, a lower bound; once level 5 is reached
+    std::optional<double> margin;     ///< of level 5i, a lower bound; if 5i is asked for and level 5 is reached
     std::optional<ReachBound> reach;  ///< of a zero set; once its complex has been looked at for level 4
   };
   /// Of sampling radii that vary.

@@ -66,10 +66,12 @@ class SubmanifoldFamily final : public ChartFamily<m, SubmanifoldAtlas<m>> {
       for (const std::uint32_t label : failure.simplex) failed_.push_back(place_of(Label(label)));
     }
     fails_at_level_5_ = !failed_.empty();
-    if (selects(selection, "5i")) {
-      for (const Label label : measures.triangulation.crowded) failed_.push_back(place_of(label));
+    if (measures.isotopy) {
+      report.graphs->margin = measures.isotopy->margin;
+      if (!measures.isotopy->holds()) {
+        for (const Label label : measures.isotopy->crowded) failed_.push_back(place_of(label));
+      }
     }
-    if (measures.triangulation.triangulates()) report.graphs->margin = measures.triangulation.margin;
     this->require_homology(manifold_->homology());
     is_too_coarse_ = selects(selection, "5") && !measures.triangulation.triangulates();
   }

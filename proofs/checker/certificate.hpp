@@ -81,6 +81,8 @@ struct Certificate {
   Quantity empty_margin, ball_radius;                    // level 4 on a space form
   Quantity edge, stability_margin;                       // level 4 on a metric field
   Quantity contraction, displacement, embedding_margin;  // levels 5 and 5i on a submanifold, 5 on an atlas
+  bool isotopic_by_normals = false;                      // level 5i: then, in place of the margin,
+  Quantity cosine;                                       // of the angles between normals and gradients
   bool riemannian_simplices = false;                     // level 5: whether the two that follow are there
   Quantity riemannian_thickness, riemannian_radius;
   bool self_delaunay = true;  // level 6

@@ -2,6 +2,7 @@
 #include <iterator>
 #include <limits>
 
+#include "proofs/checker/core/frame.hpp"
 #include "proofs/checker/tangent_charts.hpp"
 
 namespace delcert::checker {
@@ -134,6 +135,50 @@ bool GraphTriangulation::are_apart(const Straight& a, const Straight& b) const {
 }
 
 std::string GraphTriangulation::check_embedding(Report& report) {
+  return "the complex is embedded, and isotopic to the manifold; " +
+         (c_.isotopic_by_normals ? check_normals(report) : check_pairs(report));
+}
+
+/// Of the angles between the normal of a simplex and Df at its points, on the side of W, a lower bound, for one
+/// equation.
+double GraphTriangulation::least_cosine(std::size_t s) {
+  const std::size_t m = c_.m_size(), N = charts_.manifold().N;
+  const Label* labels = c_.simplex(s);
+  core::Columns<Interval> edges{};  // and a place for what their form is of
+  for (std::size_t k = 0; k < m; ++k) {
+    for (std::size_t a = 0; a < N; ++a) edges[k][a] = charts_.point(labels[k + 1])[a] - charts_.point(labels[0])[a];
+  }
+  const Vector<Interval> form = core::cofactors(edges, N, m);
+  Matrix<Interval> normal(N, 1);
+  for (std::size_t a = 0; a < N; ++a) normal[a] = form[a];
+  Interval side = transposed_times(normal, charts_.chart(labels[0]).W)[0];
+  if (side.upper() < 0) {
+    normal = Interval(-1) * normal;
+    side = -side;
+  }
+  double result = side.lower() > 0 ? 1 : -1;
+  for (const Matrix<Interval>& gradient : estimate(s).slopes) {
+    const Interval across = (gradient * normal)[0];
+    result = std::min(result, (across / square_root(squared_norm(gradient) * squared_norm(normal))).lower());
+  }
+  return result;
+}
+
+/// Rule 5i.normal: lines of steepest ascent cross all simplices, from the same side.
+std::string GraphTriangulation::check_normals(Report& report) {
+  for (std::size_t s = 0; s < c_.simplex_count(); ++s) {
+    const double cosine = least_cosine(s);
+    if (cosine >= c_.cosine.filter.upper()) continue;
+    report.reject("5i.normal", [&] {
+      const Label* labels = c_.simplex(s);
+      return "the normal of simplex " + label_set(labels, labels + c_.m + 1) + " may be at an angle of cosine " +
+             about(interval_of(cosine)) + " to a gradient";
+    });
+  }
+  return "normals are at angles of cosine >= " + rounded_down(c_.cosine.exact) + " to gradients";
+}
+
+std::string GraphTriangulation::check_pairs(Report& report) {
   const std::vector<bool> roomy = roomy_labels(), wide = wide_stars();
   std::vector<Straight> all;
   std::vector<Matrix<Interval>> middles;
@@ -163,8 +208,7 @@ std::string GraphTriangulation::check_embedding(Report& report) {
       }
     });
   }
-  return "the complex is embedded, and isotopic to the manifold; margin >= " + rounded_down(c_.embedding_margin.exact) +
-         c_.of_lengths();
+  return "margin >= " + rounded_down(c_.embedding_margin.exact) + c_.of_lengths();
 }
 
 }  // namespace delcert::checker

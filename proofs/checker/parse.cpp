@@ -189,7 +189,11 @@ void Certificate::parse_submanifold_level(Cursor& cursor, std::size_t level) {
     number("{\"route\":\"graph\",\"contraction\":", contraction);
     number(",\"displacement\":", displacement);
   } else if (level == level_5i) {
-    number("{\"margin\":", embedding_margin);
+    isotopic_by_normals = cursor.accept("{\"cosine\":");
+    if (isotopic_by_normals)
+      cosine = parse_quantity(cursor);
+    else
+      number("{\"margin\":", embedding_margin);
   } else if (level == level_4) {
     cursor.expect("{\"metric\":");
     const std::size_t metric_word = parse_word(cursor, {"extrinsic", "intrinsic", "both"});

@@ -139,7 +139,9 @@ void Certificate::require_submanifold() const {
       !claimed[level_5] || (contraction.exact.sign() > 0 && less(contraction.exact, Rational(1)) == Verdict::proved),
       "contraction is not in (0, 1)");
   require(!claimed[level_5] || displacement.exact.sign() >= 0, "displacement is negative");
-  require(!claimed[level_5i] || embedding_margin.exact.sign() > 0, "the margin of level 5i is not positive");
+  require(!claimed[level_5i] || isotopic_by_normals || embedding_margin.exact.sign() > 0,
+          "the margin of level 5i is not positive");
+  require(!isotopic_by_normals || cosine.exact.sign() > 0, "the cosine of level 5i is not positive");
   require(!claimed[level_4] || density.exact.sign() > 0, "density is not positive");
   require(weight.exact.sign() >= 0, "weight is negative");
   require(!claimed[level_6] || (least_stretch.exact.sign() > 0 && greatest_stretch.exact.sign() > 0),
@@ -148,6 +150,8 @@ void Certificate::require_submanifold() const {
           "normal is not in (0, 1)");
   Report::require("form.family", !claimed[level_6] || !self_delaunay || m == 2, "self_delaunay is for surfaces");
   Report::require("form.family", !theory, "the mode theory is not for submanifolds");
+  Report::require("form.family", !isotopic_by_normals || (submanifold->q == 1 && !submanifold->is_mesh()),
+                  "level 5i by normals is for zero sets of one equation");
   Report::require("form.family", !claimed[level_1f] || submanifold->given, "level 1f is for vertices that are given");
   if (claimed[level_0] || claimed[level_3]) throw Malformed("form.family", "levels 0 and 3 are not for submanifolds");
   if (claimed[level_4] && submanifold->given) throw Malformed("form.family", "level 4 is for vertices on the manifold");

@@ -123,6 +123,9 @@ class GraphTriangulation {
   };
   Extent extent(const Matrix<Interval>& normal, const Matrix<Interval>& base, const Straight& one) const;
   bool are_apart_along(const Matrix<Interval>& normal, const Straight& a, const Straight& b) const;
+  std::string check_pairs(Report& report);
+  std::string check_normals(Report& report);
+  double least_cosine(std::size_t s);
   void check_stretch(std::size_t s, Report& report);
   void check_cotangents(Report& report) const;
   /// |N_i^T (p'_v - c_i)|_inf + margin < height, certainly.

@@ -25,7 +25,7 @@ export const levels = {
     rules: ["4.ball", "4.clear", "4.cover", "4.density", "4.edge", "4.empty", "4.patch", "4.stability"], page: "docs/levels/4-delaunay.md" },
   "5": { says: "The complex triangulates the manifold.",
     rules: ["5.blend", "5.clear", "5.components", "5.contract", "5.fibre", "5.radius", "5.thickness"], page: "docs/levels/5-triangulation.md" },
-  "5i": { says: "The straight simplices are embedded, and ambient isotopic to the manifold.", rules: ["5i.apart", "5i.star"], page: "docs/levels/submanifolds.md" },
+  "5i": { says: "The straight simplices are embedded, and ambient isotopic to the manifold.", rules: ["5i.apart", "5i.normal", "5i.star"], page: "docs/levels/submanifolds.md" },
   "6": { says: "The piecewise flat metric of the complex is near that of the manifold, with these bounds; on surfaces, where claimed, it is Delaunay itself.",
     rules: ["6.bilipschitz", "6.normal", "6.self-delaunay", "core.hinges"], page: "docs/levels/6-metric.md" },
 };

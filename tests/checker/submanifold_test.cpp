@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 
 #include "tests/checker/merge.hpp"
@@ -138,6 +139,38 @@ TEST(Submanifold, a_star_is_not_wide_if_its_edges_swing_too_far) {
   const CheckerRun run = run_checker(sealed(document));
   EXPECT_EQ(run.status, 1);
   EXPECT_NE(run.output.find("5i.star"), std::string::npos) << run.output;
+}
+
+/// Claims level 5i by normals.
+Json by_normals(Json document, const std::string& cosine) {
+  document["levels"]["5i"] = {{"cosine", cosine}};
+  return document;
+}
+
+TEST(Submanifold, is_embedded_where_its_normals_are_those_of_the_manifold) {
+  for (const Json& document : {circle_document(), sphere_document()}) {
+    expect_verified(by_normals(document, "63/64"));
+    const CheckerRun run = run_checker(sealed(by_normals(document, "1")));
+    EXPECT_EQ(run.status, 1);
+    EXPECT_NE(run.output.find("5i.normal"), std::string::npos) << run.output;
+  }
+}
+
+TEST(Submanifold, is_embedded_by_normals_where_edges_are_too_short_for_a_margin) {
+  // One more vertex, very near to vertex 0: the edges to both sides of the short edge nearly meet.
+  SubmanifoldModel model = given(circle_model(40, 1));
+  const double turn = 0x1p-16;
+  model.points.push_back({std::sqrt(1 - turn * turn), turn});
+  model.simplices.erase(std::find(model.simplices.begin(), model.simplices.end(), std::vector<int>{0, 1}));
+  model.simplices.push_back({0, 40});
+  model.simplices.push_back({1, 40});
+  std::sort(model.simplices.begin(), model.simplices.end());
+  model.margin = turn / 8;
+  const Json document = certificate(model, {"1f", "2", "5", "5i"});
+  const CheckerRun run = run_checker(sealed(document));
+  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(run.rules, std::set<std::string>{"5i.apart"}) << run.output;
+  expect_verified(by_normals(document, "63/64"));
 }
 
 /// Twelve points on a circle; what may be within density of one of them reaches to the other side.
@@ -329,6 +362,7 @@ TEST(Submanifold, the_document_has_its_form) {
   malformed("form.ranges", [](Json& j) { j["levels"]["5"]["contraction"] = "1"; });
   malformed("form.ranges", [](Json& j) { j["levels"]["5"]["displacement"] = "-1"; });
   malformed("form.ranges", [](Json& j) { j["levels"]["5i"]["margin"] = "0"; });
+  malformed("form.ranges", [](Json& j) { j = by_normals(j, "0"); });
   malformed("form.ranges", [](Json& j) { j["levels"]["2s"]["reach"] = "0"; });
   malformed("form.ranges", [](Json& j) { j["parameters"]["distortion"] = "1"; });
   malformed("form.ranges", [](Json& j) { j["parameters"]["radius_variation"] = "1/16"; });
@@ -378,6 +412,9 @@ TEST(Submanifold, the_document_has_its_form) {
     j["levels"]["6"]["self_delaunay"] = true;
   });
   malformed("form.levels", [](Json& j) { j["levels"].erase("5"); });
+  // Gradients are normals of M where there is one equation, and facets have none.
+  for (const Json& document : {certificate(flat_torus_model(20), {"1", "2", "5", "5i"}), remeshed_document()})
+    EXPECT_EQ(run_checker(sealed(by_normals(document, "1/2"))).rules, std::set<std::string>{"form.family"});
   Json flat = polygon_document();
   flat["levels"] = {{"1f", flat["levels"]["1f"]},
                     {"2", flat["levels"]["2"]},
@@ -645,6 +682,8 @@ std::vector<Forgery> submanifold_forgeries() {
       forged("a mesh stretched more than stated", "6.bilipschitz", meshed,
              [](Json& j) { j["levels"]["6"]["bilipschitz"][0] = "1"; }),
       forged("a margin too large", "5i.star", round, claim("5i", "margin", "309/2000")),
+      forged("normals that are nearer to gradients than they are", "5i.normal", round,
+             [](Json& j) { j = by_normals(j, "1"); }),
       forged("two circles nearer to each other than stated", "5i.apart", certificate(close, {"1", "2", "5", "5i"}),
              [](Json& j) { j["levels"]["5i"]["margin"] = text_of(apart_unmoved); }),
       forged("radii that differ by more than stated", "sub.radii", round,

@@ -36,7 +36,9 @@ std::vector<Claims> samples() {
   submanifold.full_stars.emplace();
   submanifold.triangulation = TriangulationClaim{"graph", {}, TriangulationClaim::Graph{x, Rational(2) * x}};
   submanifold.isotopy = IsotopyClaim{x};
-  return {flat, curved, field, submanifold};
+  Claims with_slivers = submanifold;
+  with_slivers.isotopy = IsotopyClaim{{}, x};
+  return {flat, curved, field, submanifold, with_slivers};
 }
 
 std::string text_of(const Claims& claims) {
@@ -80,6 +82,7 @@ TEST(Claims, are_stated_by_the_keys_of_the_format) {
   EXPECT_NE(
       text_of(all[3]).find("5: route=\"graph\" contraction=\"1/10\" displacement=\"1/5\"\n5i: margin=\"1/10\"\n6: "),
       std::string::npos);
+  EXPECT_NE(text_of(all[4]).find("\n5i: cosine=\"1/10\"\n6: "), std::string::npos);
   EXPECT_NE(text_of(all[2]).find("4: edge=\"1/10\" margin=\"1/10\"\n"), std::string::npos);
 }
 
@@ -102,7 +105,7 @@ TEST(Claims, are_bounds_from_the_side_and_in_the_unit_of_the_theorem) {
       {"4.margin", {Side::lower, Unit::squared_length}}, {"5.thickness", {Side::lower, Unit::one}},
       {"5.radius", {Side::upper, Unit::length}},         {"6.weight", {Side::lower, Unit::one}},
       {"5.contraction", {Side::upper, Unit::one}},       {"5.displacement", {Side::upper, Unit::length}},
-      {"5i.margin", {Side::lower, Unit::length}}};
+      {"5i.margin", {Side::lower, Unit::length}},        {"5i.cosine", {Side::lower, Unit::one}}};
   EXPECT_EQ(found, expected);
   const auto stretch = claimed_levels(samples()[1]).back().entries.back().margins;
   ASSERT_EQ(stretch.size(), 2U);

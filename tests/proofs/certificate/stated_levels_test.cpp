@@ -51,11 +51,12 @@ Claims all_claims() {
 
 TEST(StatedLevels, are_read_as_they_were_claimed) {
   const test::TemporaryFolder folder;
-  std::vector<Claims> all(4, all_claims());
+  std::vector<Claims> all(5, all_claims());
   all[0].delaunay = DelaunayClaim{DelaunayClaim::Balls{Rational(1) / Rational(7), Rational(3)}, {}};
   all[1].delaunay = DelaunayClaim{{}, DelaunayClaim::Stability{Rational(1) / Rational(7), Rational(3)}};
   all[2].delaunay = DelaunayClaim{{}, {}, DelaunayClaim::Restricted{true, true, Rational(1) / Rational(7)}};
   all[3] = small_run().claims();
+  all[4].isotopy = IsotopyClaim{{}, Rational(1) / Rational(7)};
   for (const Claims& claims : all) {
     small_run().write(folder / "c.json", claims, small_run().manifold);
     expect_same(stated_levels(read_certificate(folder / "c.json")), claimed_levels(claims));

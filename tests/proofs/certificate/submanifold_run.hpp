@@ -29,6 +29,9 @@ struct SubmanifoldSample {
   [[nodiscard]] Claims claims(std::vector<std::string>& reasons, const LevelSelection& levels = all_levels()) const {
     return derive_claims<m>(atlas, parameters, run, measures, levels, reasons);
   }
+  [[nodiscard]] SubmanifoldMeasures<m> measured(const LevelSelection& levels) const {
+    return measure_submanifold<m>(atlas, run, geometry_of<m>(atlas), levels, no_progress());
+  }
   void write(const std::filesystem::path& path, const Claims& some) const {
     write_certificate<m>(path, content_of<m>(atlas, parameters, run, some));
   }

@@ -115,6 +115,12 @@ TEST(RunReport, of_a_submanifold_says_how_steep_charts_are_and_how_far_points_mo
   EXPECT_TRUE(mentions(report_text(of_atlas), "1.250e-01 ε, volumes kept to (1 − γ)^m, γ ≤ 1.250e-01\n"));
   EXPECT_FALSE(mentions(report_text(of_atlas), "contraction"));
   EXPECT_TRUE(mentions(text, "  5i  isotopy: the complex is embedded, margin ≥ 1.000e-01 ε\n")) << text;
+  RunReport by_normals = report;
+  by_normals.claims.isotopy = IsotopyClaim{{}, Rational(3) / Rational(4)};
+  EXPECT_TRUE(
+      mentions(report_text(by_normals),
+               "  5i  isotopy: the complex is embedded, cosine of the angle between its normals and gradients ≥ "
+               "7.500e-01\n"));
   const Json json = Json::parse(report_json(report));
   EXPECT_EQ(json["manifold"]["ambient_dimension"], 3);
   EXPECT_EQ(json["measures"]["graphs"]["isotopy_margin"]["value"], -0.5);
