@@ -24,7 +24,7 @@ FAMILIES = {
     "piecewise linear transitions": [r"piecewise_", r"map_piece", r"blended_", r"cone-torus"],
     "atlases by formulas": [r"gluing/(?!metric_field|affine|periodic|growing|interval_matrix|chart_distortion)", r"atlas_(file|net|claims|family|test|run)", r"glued", r"checker/gluing",
                             r"rational_function", r"manifolds/atlases/", r"docs/.*atlases", r"torus_by_charts", r"affine_triangulation"],
-    "zero sets": [r"submanifold(?!s-to-come)", r"kernel/formula/formula_(map|functions)", r"checker/(formula_map|tangent_|graph_|chord_|restricted_)", r"graph_(simplex|triangulation)",
+    "zero sets": [r"submanifold(?!s-to-come)", r"kernel/formula/formula_(map|functions)", r"checker/(formula_map|tangent_|graph_|chord_|restricted_)", r"graph_(simplex|triangulation|isotopy)",
                   r"restricted_delaunay", r"reach_bound",
                   r"examples/own/", r"bring-your-own", r"wrong_manifolds", r"wrong-files", r"oracles/(projection|critical|trefoil|flat_clifford)"],
 }
