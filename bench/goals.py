@@ -107,6 +107,19 @@ def check_beside_certify(*run):
     return once
 
 
+EXPORTED = ["json", "vtu", "medit", "gmsh", "csv", "simplex-tree", "regina"]
+
+
+def export_beside_certify(*run):
+    """Of formats of all dimensions the one that takes longest."""
+    def once(build):
+        with tempfile.TemporaryDirectory() as folder:
+            certificate, took, _ = certified(costs.Run(*run), build, folder)
+            return max(costs.timed([build / "apps/delcert", "export", certificate, "--format", form])[1]["user"]
+                       for form in EXPORTED) / took["user"]
+    return once
+
+
 def check_a_point(*run):
     def once(build):
         with tempfile.TemporaryDirectory() as folder:
@@ -180,6 +193,8 @@ LINES = [
       for title, manifold, radius in (("𝕊²", "sphere-2", "1/84"), ("𝕊³", "sphere-3", "1/10"), ("bolza-surface", "bolza-surface", "1/10"))),
     *(Line(f"check {manifold}", f"{manifold}, ε = {radius}: check : certify", 0.25, check_beside_certify(manifold, radius, 1))
       for manifold, radius in CHECKED),
+    *(Line(f"export {manifold}", f"{manifold}, ε = {radius}: export, the slowest format : certify", 0.1,
+           export_beside_certify(manifold, radius, 1)) for manifold, radius in CHECKED),
     Line("check a point 2", "check, 𝕊², ε = 1/84", 15, check_a_point("sphere-2", "1/84", 1), " µs a point"),
     Line("check a point 3", "check, 𝕊³, ε = 1/10", 100, check_a_point("sphere-3", "1/10", 1), " µs a point"),
     Line("check a point torus", "check, 𝕋³, ε = 1/24", 80, check_a_point("torus-3", "1/24", 1), " µs a point"),

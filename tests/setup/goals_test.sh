@@ -80,4 +80,15 @@ grep -q "100 points, with doubles 101" "$work/log" || fail "other points: it say
 says curved_plain certified 100 1
 ratio >/dev/null && fail "intervals pass for doubles"
 
+# Export : certify is that of the slowest format.
+slowest() {
+  PYTHONPATH=$project/bench python3 -c '
+import pathlib
+import costs, goals
+seconds = {"certify": 2.0, "gmsh": 0.5}
+costs.timed = lambda command: ("{\"points\": 5}", {"user": next((seconds[word] for word in command if word in seconds), 0.25)})
+print(goals.export_beside_certify("torus-2", "1/100", 1)(pathlib.Path("build")))'
+}
+[[ $(slowest) == 0.25 ]] || fail "half a second to two is $(slowest)"
+
 finish
