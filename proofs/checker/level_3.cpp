@@ -28,7 +28,7 @@ class Search {
     grid_.visit(c_.points.position<Interval>(first_), upper_root(longest_squared), [&](const Vertex& q) {
       if (q.label > first) near_.add(q);
     });
-    near_.sort();
+    near_.close();
     find_pairs();
     extend(near_, 0);
   }
@@ -39,19 +39,11 @@ class Search {
  private:
   void find_pairs() {
     const std::size_t n = near_.size();
-    row_ = (n + 63) / 64;
-    pairs_.assign(n * row_, 0);
-    for (std::size_t b = 0; b < n; ++b) {
-      for (std::size_t a = 0; a < b; ++a) {
-        if (near_.vertex(a).label != near_.vertex(b).label && !near_.are_apart(a, b))
-          pairs_[a * row_ + b / 64] |= std::uint64_t{1} << b % 64;
-      }
+    pairs_.assign(n * n, 0);
+    for (std::size_t a = 0; a < n; ++a) {
+      for (std::size_t b = a + 1; b < n; ++b)
+        pairs_[a * n + b] = near_.vertex(a).label != near_.vertex(b).label && !near_.are_apart(a, b) ? 1 : 0;
     }
-  }
-  template <class Seen>
-  bool is_pair(const Seen& seen, std::size_t i, std::size_t k) const {
-    const std::size_t a = seen.number(i), b = seen.number(k);
-    return (pairs_[a * row_ + b / 64] >> b % 64 & 1) != 0;
   }
 
   /// Looks at all sets that contain the vertices of the simplex from which the points are seen, and some of these. The
@@ -61,25 +53,21 @@ class Search {
   void extend(const Seen& seen, std::size_t dimension) {
     SeenFromSimplex& next = seen_[dimension];
     for (std::size_t i = 0; i < seen.size(); ++i) {
-      std::size_t k = i + 1;
-      while (k < seen.size() && !is_pair(seen, i, k)) ++k;
-      if (k >= seen.size()) continue;
+      const std::uint32_t* is_pair = &pairs_[seen.number(i) * near_.size()];
+      next.choose(i, seen.size(), [&](std::size_t k) { return is_pair[seen.number(k)]; });
+      if (next.size() == 0) continue;
       const AddedVertex<Seen> vertex(seen, i);
       if (vertex.least_radius_squared() >= four_epsilon_squared_) continue;
+      sets += next.size();
+      Budget::spend(10 * next.size());
       chosen_[dimension] = seen.number(i);
-      const double narrow = narrow_for(vertex.greatest_radius_squared());
-      next.clear();
-      std::uint64_t number = 0;
-      for (; k < seen.size(); ++k) {
-        if (!is_pair(seen, i, k)) continue;
-        ++number;
-        next.add(k);
-        if (!vertex.is_far(k, narrow)) look_at(dimension + 1, seen.number(k));
-      }
-      sets += number;
-      Budget::spend(10 * number);
-      if (dimension + 1 == m_) continue;
       next.see(seen, vertex);
+      const double narrow = narrow_for(vertex.greatest_radius_squared());
+      for (std::size_t k = 0; !next.are_far(narrow) && k < next.size(); ++k) {
+        if (!vertex.is_far(next.place(k), narrow)) look_at(dimension + 1, next.number(k));
+      }
+      if (dimension + 1 == m_) continue;
+      next.multiply(seen, vertex);
       extend(next, dimension + 1);
     }
   }
@@ -127,8 +115,7 @@ class Search {
   SeenFromVertex near_;
   std::array<SeenFromSimplex, 4> seen_;  // from simplices of dimension 1 to m, while they are looked at
   std::array<std::size_t, 4> chosen_{};  // their vertices other than the first, as numbers of what is near
-  std::size_t row_ = 0;
-  std::vector<std::uint64_t> pairs_;  // rows of bits: whether two have different labels and are not too far apart
+  std::vector<std::uint32_t> pairs_;     // rows: 1 if two have different labels and are not too far apart
 };
 
 }  // namespace

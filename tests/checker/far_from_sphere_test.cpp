@@ -71,7 +71,7 @@ class Comparison {
     if (vertices.size() > m_) return;
     for (std::size_t i = 0; i < seen.size(); ++i) {
       SeenFromSimplex next;
-      for (std::size_t k = i + 1; k < seen.size(); ++k) next.add(k);
+      next.choose(i, seen.size(), [](std::size_t) { return true; });
       Vertices longer = vertices;
       longer.push_back(near.vertex(seen.number(i)));
       const Simplex<Rational> exact_simplex(points_.metric, points_.set.positions<Rational>(longer));
@@ -83,10 +83,10 @@ class Comparison {
         continue;
       }
       next.see(seen, vertex);
+      next.multiply(seen, vertex);
       for (std::size_t k = 0; k < next.size(); ++k) {
         // The bound for one point is not greater than that for all.
-        for (const double small : {0.0, 0x1p-50})
-          EXPECT_TRUE(vertex.is_far(i + 1 + k, small) || !next.is_far(k, small));
+        for (const double small : {0.0, 0x1p-50}) EXPECT_TRUE(vertex.is_far(i + 1 + k, small) || !next.are_far(small));
       }
       if (exact_simplex.complete != Verdict::proved) {
         EXPECT_TRUE(std::isinf(next.error()));
@@ -96,12 +96,13 @@ class Comparison {
         compare(next, exact_simplex, near, longer[0],
                 [&](std::size_t k, double small) { return vertex.is_far(i + 1 + k, small); });
       }
-      for (std::size_t k = 0; k < next.size(); ++k) EXPECT_TRUE(!next.is_far(k, 0) || std::isfinite(next.error()));
+      EXPECT_TRUE(next.size() == 0 || !next.are_far(0) || std::isfinite(next.error()));
       go_on(next, longer, near);
     }
   }
 
-  int too_large_or_degenerate = 0, degenerate = 0, far = 0, open = 0, needed = 0;
+  int too_large_or_degenerate = 0, degenerate = 0, far = 0, open = 0, needed = 0, all_far = 0,
+      all_but_for_the_bound = 0;
 
  private:
   template <class IsFar>
@@ -119,7 +120,9 @@ class Comparison {
       }
       for (const double small : {0.0, 0x1p-50, enclosure(absolute(power)).upper()}) {
         const bool is_far = less(exact(small), absolute(power)) == Verdict::proved, found = is_seen_far(k, small);
-        EXPECT_TRUE(is_far || !(found || seen.is_far(k, small)));
+        EXPECT_TRUE(is_far || !(found || seen.are_far(small)));
+        all_far += seen.are_far(small) ? 1 : 0;
+        all_but_for_the_bound += !is_far && seen.are_far(small - seen.error()) ? 1 : 0;
         far += found ? 1 : 0;
         open += is_far && !found ? 1 : 0;
         needed += !is_far && std::fabs(seen.power(k)) > small ? 1 : 0;
@@ -134,13 +137,14 @@ class Comparison {
 
 TEST_F(FarFromSphereOfChecker, calls_no_point_far_that_is_not) {
   std::mt19937_64 random(1);
-  int too_large_or_degenerate = 0, degenerate = 0, far = 0, open = 0, needed = 0;
+  int too_large_or_degenerate = 0, degenerate = 0, far = 0, open = 0, needed = 0, all_far = 0, all_but = 0;
   for (int k = 0; k < 600; ++k) {
     const std::size_t m = 1 + random() % 4;
     const Points points(random, m, m == 4 ? 7 : 6, random() % 2 == 0);
     SeenFromVertex near(points.set);
     near.open({0, {}}, 0x1p10);
     for (Label i = 1; i < points.set.size(); ++i) near.add({i, {}});
+    near.close();
     ASSERT_EQ(near.size(), points.set.size() - 1);
     Comparison comparison(points, m, k % 2 == 0 ? 100 : 0x1p30);
     comparison.go_on(near, {{0, {}}}, near);
@@ -149,14 +153,18 @@ TEST_F(FarFromSphereOfChecker, calls_no_point_far_that_is_not) {
     far += comparison.far;
     open += comparison.open;
     needed += comparison.needed;
+    all_far += comparison.all_far;
+    all_but += comparison.all_but_for_the_bound;
   }
-  std::printf("%d too large, %d degenerate; %d far, %d left open, %d only by the bound\n", too_large_or_degenerate,
-              degenerate, far, open, needed);
+  std::printf("%d too large, %d degenerate; %d far, %d left open, %d only by the bound; %d all, %d all but for it\n",
+              too_large_or_degenerate, degenerate, far, open, needed, all_far, all_but);
   EXPECT_GT(too_large_or_degenerate, 100);
   EXPECT_GT(degenerate, 20);
   EXPECT_GT(far, 10000);
   EXPECT_GT(open, 100);
   EXPECT_GT(needed, 100) << "the bound is never needed";
+  EXPECT_GT(all_far, 1000);
+  EXPECT_GT(all_but, 10) << "the bound for all is never needed";
 }
 
 TEST_F(FarFromSphereOfChecker, leaves_out_only_what_is_too_far) {
@@ -179,6 +187,7 @@ TEST_F(FarFromSphereOfChecker, leaves_out_only_what_is_too_far) {
       left_out += near.size() == before ? 1 : 0;
       nearly += is_too_far && near.size() > before ? 1 : 0;
     }
+    near.close();
     for (std::size_t i = 0; i < near.size(); ++i) {
       for (std::size_t j = i + 1; j < near.size(); ++j) {
         const Rational distance = points.set.between<Rational>(near.vertex(i), near.vertex(j));
@@ -205,6 +214,7 @@ TEST_F(FarFromSphereOfChecker, leaves_open_what_is_not_bounded) {
       for (Label i = 0; i < 4; ++i) {
         if (i != first) near.add({i, {}});
       }
+      near.close();
       if (first == 1 && near.error() < 1) {  // here what is far has no part in it
         EXPECT_EQ(near.size(), 2);
         continue;
@@ -215,6 +225,10 @@ TEST_F(FarFromSphereOfChecker, leaves_open_what_is_not_bounded) {
       EXPECT_FALSE(vertex.least_radius_squared() >= 1);
       EXPECT_FALSE(vertex.is_far(1, 0));
       EXPECT_FALSE(vertex.is_far(2, 0));
+      SeenFromSimplex others;
+      others.choose(0, 3, [](std::size_t) { return true; });
+      others.see(near, vertex);
+      EXPECT_FALSE(others.are_far(0));
     }
   }
 }
