@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cmath>
 
+#include "proofs/checker/core/frame.hpp"
 #include "proofs/checker/parts.hpp"
 #include "proofs/checker/run.hpp"
 #include "proofs/checker/simplex.hpp"
@@ -11,23 +13,35 @@ std::size_t net_simplex_count(const Certificate& c) {
   return c.net_simplices.size() / (static_cast<std::size_t>(c.m) + 1);
 }
 
+/// The lift of the label at distance < 2 epsilon from the first vertex: there is at most one, by 0.patch. Where it
+/// should be, a guess is enough.
+bool find_lift(const Certificate& c, const Vertex& first, Label label, const Quantity& reach, Lift& lift) {
+  const Vector<Interval> offset = c.net.position<Interval>(first) - c.net.position<Interval>({label, {}});
+  for (std::size_t k = 0; c.torus && k < c.m_size(); ++k) {
+    const double x = offset[k].upper() + 0.5;
+    if (!(std::fabs(x) < 0x1p30)) break;
+    lift[k] = static_cast<std::int32_t>(x) - (x < 0 ? 1 : 0);
+  }
+  const Interval squared = c.net.between<Interval>(first, {label, lift});
+  if (is_decided(less(squared, square(reach.filter)) == Verdict::proved)) return true;
+  const std::vector<Lift> found = c.net.lifts_within(first, label, reach, false);
+  if (found.size() == 1) lift = found[0];
+  return found.size() == 1;
+}
+
 /// Calls f for the labels and the vertices of net simplices number begin ... end - 1: the first vertex as it stands,
 /// the others at their only lifts at distance < 2 epsilon; nothing instead of the vertices if these do not exist.
 template <class F>
 void for_net_simplices(const Certificate& c, std::size_t begin, std::size_t end, const F& f) {
   const Quantity reach(Rational(2) * c.epsilon.exact);
   const auto size = static_cast<std::size_t>(c.m) + 1;
-  Vertices vertices;
+  Vertices vertices(size);
   for (std::size_t s = begin; s < end; ++s) {
     const Label* labels = &c.net_simplices[s * size];
-    vertices.assign(1, {labels[0], {}});
     bool is_known = true;
-    for (std::size_t k = 1; k < size && is_known; ++k) {
-      int number = 0;
-      c.net.for_lifts_within({labels[0], {}}, labels[k], reach, false, [&](const Lift& lift) {
-        if (number++ == 0) vertices.push_back({labels[k], lift});
-      });
-      is_known = number == 1;
+    for (std::size_t k = 0; k < size && is_known; ++k) {
+      vertices[k] = {labels[k], {}};
+      is_known = k == 0 || find_lift(c, vertices[0], labels[k], reach, vertices[k].lift);
     }
     f(labels, is_known ? &vertices : nullptr);
   }
@@ -53,8 +67,45 @@ Verdict in_ball_about(const Certificate& c, const Vertices& vertices, const Vert
   return result;
 }
 
+/// The vertices as seen from the first one, the columns from the second one on.
+template <class N>
+core::Columns<N> edges(const Certificate& c, const Vertices& vertices) {
+  const Vector<N> first = c.net.position<N>(vertices[0]);
+  core::Columns<N> result{};
+  for (std::size_t k = 1; k < vertices.size(); ++k) result[k - 1] = c.net.position<N>(vertices[k]) - first;
+  return result;
+}
+
+/// All vertices are at distance < radius from a point that is nearly the circumcentre, by doubles: any point would do.
+bool is_in_ball_about_middle(const Certificate& c, const Vertices& vertices, const Quantity& radius) {
+  const std::size_t m = c.m_size();
+  const core::Columns<Interval> edge = edges<Interval>(c, vertices);
+  core::Columns<double> columns{};
+  std::array<double, 4> half_square{};
+  for (std::size_t k = 0; k < m; ++k) {
+    const Vector<Interval> covector = c.metric.covector(edge[k]);
+    for (std::size_t i = 0; i < m; ++i) columns[k][i] = covector[i].upper();
+    half_square[k] = dot(edge[k], covector, m).upper() / 2;
+  }
+  Vector<double> sum{};
+  for (std::size_t k = 0; k < m; ++k) sum = add(sum, half_square[k], core::cofactors(columns, m, k));
+  const double determinant = dot(core::cofactors(columns, m, 0), columns[0], m);
+  Vector<Interval> centre{};
+  for (std::size_t i = 0; i < m; ++i) {
+    const double x = sum[i] / determinant;
+    if (!(std::fabs(x) < 0x1p500)) return false;
+    centre[i] = Interval::between(x, x);
+  }
+  const Interval bound = square(radius.filter);
+  Verdict result = less(c.metric.squared_length(centre), bound);
+  for (std::size_t k = 0; k < m; ++k)
+    result = conjunction(result, less(c.metric.squared_length(edge[k] - centre), bound));
+  return result == Verdict::proved;
+}
+
 /// For some face, the simplex itself first.
 bool is_in_open_ball(const Certificate& c, const Vertices& vertices, const Quantity& radius) {
+  if (is_decided(is_in_ball_about_middle(c, vertices, radius))) return true;
   for (unsigned subset = (1u << vertices.size()) - 1; subset > 0; --subset) {
     Vertices face;
     for (std::size_t k = 0; k < vertices.size(); ++k) {
@@ -65,27 +116,11 @@ bool is_in_open_ball(const Certificate& c, const Vertices& vertices, const Quant
   return false;
 }
 
-/// The determinant of the rows from `row` on in the given columns (bits), by expansion along the first of them.
-template <class N>
-N determinant(const std::vector<Vector<N>>& rows, std::size_t row, unsigned columns) {
-  if (row == rows.size()) return N(1);
-  N sum(0);
-  bool even = true;
-  for (std::size_t k = 0; k < 4; ++k) {
-    if ((columns >> k & 1) == 0) continue;
-    const N term = rows[row][k] * determinant(rows, row + 1, columns & ~(1u << k));
-    sum = even ? sum + term : sum - term;
-    even = !even;
-  }
-  return sum;
-}
-
 /// Of the edge vectors from the first vertex, in the order of the vertices, in frame coordinates.
 template <class N>
 N determinant(const Certificate& c, const Vertices& vertices) {
-  std::vector<Vector<N>> rows = c.net.positions<N>(vertices);
-  for (std::size_t k = 1; k < rows.size(); ++k) rows[k] = rows[k] - rows[0];
-  return determinant(rows, 1, (1u << c.m) - 1);
+  const core::Columns<N> columns = edges<N>(c, vertices);
+  return dot(core::cofactors(columns, c.m_size(), 0), columns[0], c.m_size());
 }
 
 template <class N>
