@@ -1,6 +1,8 @@
 #include "proofs/checker/homology.hpp"
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 #include "proofs/checker/abelian_group.hpp"
 #include "proofs/checker/smith_form.hpp"
@@ -8,48 +10,69 @@
 namespace delcert::checker {
 namespace {
 
-LabelSet without(LabelSet face, std::size_t omitted) {
-  const auto place = face.begin() + static_cast<std::ptrdiff_t>(omitted);
-  std::copy(place + 1, face.end(), place);
-  face.back() = 0;
-  return face;
-}
-
-/// Where the faces of each first label begin; one more at the end. Faces that begin alike stand together.
-std::vector<std::size_t> beginnings(const std::vector<LabelSet>& faces, std::size_t labels) {
-  std::vector<std::size_t> result(labels + 1, 0);
-  for (const LabelSet& face : faces) ++result[face[0] + 1];
-  for (std::size_t label = 0; label < labels; ++label) result[label + 1] += result[label];
-  return result;
-}
-
 /// In order, each once.
-void sort(std::vector<LabelSet>& faces, std::size_t labels) {
-  std::vector<std::size_t> next = beginnings(faces, labels);
-  const std::vector<std::size_t> begin = next;
-  std::vector<LabelSet> sorted(faces.size());
-  for (const LabelSet& face : faces) sorted[next[face[0]]++] = face;
-  for (std::size_t label = 0; label < labels; ++label)
-    std::sort(sorted.begin() + std::ptrdiff_t(begin[label]), sorted.begin() + std::ptrdiff_t(begin[label + 1]));
-  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-  faces = std::move(sorted);
+void sort(std::vector<LabelSet>& faces) {
+  if (!std::is_sorted(faces.begin(), faces.end())) std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+}
+
+/// A facet of a face, but for its first label; number k of face number f comes from the place f (k + 1) + k.
+struct Facet {
+  std::uint64_t second_and_third;
+  Label fourth;
+  std::uint32_t place;
+};
+
+/// The facets of these faces of dimension k, in order; in `boundary`, of each place, which one it is.
+std::vector<LabelSet> facets_of(const std::vector<LabelSet>& faces, std::size_t k,
+                                std::vector<std::uint32_t>& boundary) {
+  boundary.resize(faces.size() * (k + 1));
+  // Those of each first label together.
+  std::vector<std::size_t> next;
+  for (const LabelSet& face : faces) {
+    if (face[1] >= next.size()) next.resize(face[1] + std::size_t{1}, 0);
+    next[face[0]] += k;
+    ++next[face[1]];
+  }
+  std::size_t sum = 0;
+  for (std::size_t& begin : next) sum += std::exchange(begin, sum);
+  std::vector<Facet> facets(boundary.size());
+  for (std::size_t place = 0; place < boundary.size(); ++place) {
+    LabelSet face = faces[place / (k + 1)];
+    const auto omitted = face.begin() + static_cast<std::ptrdiff_t>(place % (k + 1));
+    std::copy(omitted + 1, face.end(), omitted);
+    facets[next[face[0]]++] = {std::uint64_t{face[1]} << 32 | face[2], face[3], static_cast<std::uint32_t>(place)};
+  }
+  std::vector<LabelSet> result;
+  std::size_t begin = 0;
+  for (std::size_t label = 0; label < next.size(); ++label) {
+    const auto first = facets.begin() + std::ptrdiff_t(begin), last = facets.begin() + std::ptrdiff_t(next[label]);
+    std::sort(first, last, [](const Facet& a, const Facet& b) {
+      return std::tie(a.second_and_third, a.fourth) < std::tie(b.second_and_third, b.fourth);
+    });
+    for (auto at = first; at != last; ++at) {
+      const bool is_new = at == first || at[-1].second_and_third != at->second_and_third || at[-1].fourth != at->fourth;
+      if (is_new) {
+        result.push_back({static_cast<Label>(label), static_cast<Label>(at->second_and_third >> 32),
+                          static_cast<Label>(at->second_and_third & UINT32_MAX), at->fourth});
+      }
+      boundary[at->place] = static_cast<std::uint32_t>(result.size() - 1);
+    }
+    begin = next[label];
+  }
+  return result;
 }
 
 }  // namespace
 
-FaceComplex::FaceComplex(int m, std::vector<LabelSet> simplices) : m_(m), faces_(static_cast<std::size_t>(m) + 1) {
-  for (const LabelSet& simplex : simplices)
-    labels_ = std::max<std::size_t>(labels_, *std::max_element(simplex.begin(), simplex.end()) + 1);
-  const auto dimension = static_cast<std::size_t>(m);
-  faces_[dimension] = std::move(simplices);
-  for (std::size_t k = dimension + 1; k-- > 0;) {
-    std::vector<LabelSet>& faces = faces_[k];
-    sort(faces, labels_);
-    if (k > 0) faces_[k - 1].reserve((k + 1) * faces.size());
-    for (std::size_t omitted = 0; k > 0 && omitted <= k; ++omitted) {
-      for (const LabelSet& face : faces) faces_[k - 1].push_back(without(face, omitted));
-    }
+FaceComplex::FaceComplex(int m, std::vector<LabelSet> simplices)
+    : m_(static_cast<std::size_t>(m)), size_(m_ + 1), boundary_(m_ + 1) {
+  sort(simplices);
+  for (std::size_t k = m_; k > 0; --k) {
+    size_[k] = simplices.size();
+    simplices = facets_of(simplices, k, boundary_[k]);
   }
+  size_[0] = simplices.size();
 }
 
 FaceCount count_faces(std::size_t m, const std::vector<Label>& labels, Label begin, Label end) {
@@ -97,42 +120,51 @@ FaceCount count_faces(std::size_t m, const std::vector<Label>& labels, Label beg
 
 /// A face that owns a row or a column of one boundary matrix can be left out of the next one (docs/homology.md).
 std::vector<std::string> FaceComplex::homology() const {
-  const auto m = static_cast<std::size_t>(m_);
   std::vector<std::vector<bool>> used;
-  for (const auto& faces : faces_) used.emplace_back(faces.size(), false);
-  std::vector<SmithForm> forms(m + 2);  // number k: the boundary of k-faces; the first and the last are 0
+  for (const std::size_t size : size_) used.emplace_back(size, false);
+  std::vector<SmithForm> forms(m_ + 2);  // number k: the boundary of k-faces; the first and the last are 0
   const auto find = [&](std::size_t k) {
-    // A facet of a manifold is in two simplices: transposed, the matrix for k = m has columns of two entries, and keeps
-    // them so. So has the matrix for k = 1 as it is.
-    const bool transposed = k == m;
-    std::vector<Column> columns(faces_[transposed ? k - 1 : k].size());
-    const std::size_t most = transposed ? 2 : k + 1;
-    const std::vector<std::size_t> begin = beginnings(faces_[k - 1], labels_);
-    const auto number_of = [&](const LabelSet& face) {
-      const auto first = faces_[k - 1].begin();
-      const auto place =
-          std::lower_bound(first + std::ptrdiff_t(begin[face[0]]), first + std::ptrdiff_t(begin[face[0] + 1]), face);
-      return static_cast<std::uint32_t>(place - first);
-    };
-    for (std::size_t face = faces_[k].size(); face-- > 0;) {
-      if (used[k][face]) continue;
-      for (std::size_t omitted = 0; omitted <= k; ++omitted) {
-        const std::uint32_t at = number_of(without(faces_[k][face], omitted));
-        if (used[k - 1][at]) continue;
-        const std::int64_t sign = omitted % 2 == 0 ? 1 : -1;
-        Column& column = columns[transposed ? at : face];
-        if (column.empty()) column.reserve(most);
-        column.push_back({transposed ? static_cast<std::uint32_t>(face) : at, sign});
+    // A facet of a manifold is in two simplices: transposed, the matrix for k = m has columns of two entries. So has
+    // the matrix for k = 1 as it is.
+    const bool transposed = k == m_;
+    std::vector<bool>&used_rows = used[transposed ? k : k - 1], &used_columns = used[transposed ? k - 1 : k];
+    const std::size_t rows = used_rows.size(), columns = used_columns.size();
+    const auto for_entries = [&](const auto& f) {
+      for (auto face = static_cast<std::uint32_t>(size_[k]); face-- > 0;) {
+        for (std::size_t omitted = 0; omitted <= k; ++omitted) {
+          const std::uint32_t facet = boundary_[k][face * (k + 1) + omitted];
+          if (!used[k][face] && !used[k - 1][facet])
+            f(transposed ? facet : face, Entry{transposed ? face : facet, omitted % 2 == 0 ? 1 : -1});
+        }
       }
+    };
+    std::vector<std::uint8_t> number(columns, 0);
+    for_entries([&](std::uint32_t column, const Entry&) {
+      if (number[column] < 3) ++number[column];
+    });
+    if (std::all_of(number.begin(), number.end(), [](std::uint8_t of) { return of == 0 || of == 2; })) {
+      std::vector<Link> links(columns);
+      for_entries([&](std::uint32_t column, const Entry& entry) {
+        Link& link = links[column];
+        link.sign = --number[column] == 1 ? entry.coefficient : link.sign * entry.coefficient;
+        link.row[number[column]] = entry.face;
+      });
+      // The last facets first: what then is left of dimension 2 is reduced several times faster.
+      forms[k] = reduce_links(links, transposed, rows, used_rows, used_columns);
+    } else {
+      std::vector<Column> list(columns);
+      for_entries([&](std::uint32_t column, const Entry& entry) {
+        if (list[column].empty()) list[column].reserve(transposed ? 2 : k + 1);
+        list[column].push_back(entry);
+      });
+      forms[k] = reduce(std::move(list), rows, used_rows, used_columns);
     }
-    forms[k] = transposed ? reduce(std::move(columns), faces_[k].size(), used[k], used[k - 1])
-                          : reduce(std::move(columns), faces_[k - 1].size(), used[k - 1], used[k]);
   };
-  find(m);
-  for (std::size_t k = 1; k < m; ++k) find(k);
+  find(m_);
+  for (std::size_t k = 1; k < m_; ++k) find(k);
   std::vector<std::string> result;
-  for (std::size_t k = 0; k <= m; ++k)
-    result.push_back(group_text(faces_[k].size() - forms[k].rank - forms[k + 1].rank, forms[k + 1].torsion));
+  for (std::size_t k = 0; k <= m_; ++k)
+    result.push_back(group_text(size_[k] - forms[k].rank - forms[k + 1].rank, forms[k + 1].torsion));
   return result;
 }
 

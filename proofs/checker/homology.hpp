@@ -28,9 +28,9 @@ class FaceComplex {
   std::vector<std::string> homology() const;
 
  private:
-  int m_;
-  std::size_t labels_ = 0;                    // all are less
-  std::vector<std::vector<LabelSet>> faces_;  // by dimension, sorted
+  std::size_t m_;
+  std::vector<std::size_t> size_;                     // how many faces, by dimension
+  std::vector<std::vector<std::uint32_t>> boundary_;  // by dimension k: for each face, its facets without label 0 ... k
 };
 
 }  // namespace delcert::checker

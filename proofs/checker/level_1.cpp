@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <map>
-#include <optional>
 
 #include "proofs/checker/all_charts.hpp"
 #include "proofs/checker/core/core.hpp"
@@ -15,22 +14,16 @@ namespace {
 /// One simplex of a star after the other; what they share is kept.
 class StarChecker {
  public:
-  /// `complex`: where the lemmas on neighbours hold, else none.
-  StarChecker(const Certificate& certificate, const Grid& grid, core::Complex* complex, Report& report)
-      : c_(certificate),
-        report_(report),
-        grid_(grid),
-        complex_(complex),
-        chart_(0, c_.m_size(), Quantity(Rational(1))) {
-    if (complex != nullptr) in_space_.emplace(*complex);
-  }
+  /// `core`: where the lemmas on neighbours hold, else none.
+  StarChecker(const Certificate& certificate, const Grid& grid, core::Core* core, Report& report)
+      : c_(certificate), report_(report), grid_(grid), core_(core), chart_(0, c_.m_size(), Quantity(Rational(1))) {}
 
   void check(Label i) {
     ++stars;
     lifts_.clear();
     reach_ = c_.at(i, Quantity(Rational(2) * c_.circumradius.exact));
     if (c_.has_boundary()) check_facets(c_, i, report_);  // else core.facets
-    if (complex_ != nullptr) return check_by_neighbours(i);
+    if (core_ != nullptr) return check_by_neighbours(i);
     for (std::size_t s = 0; s < c_.star_size(i); ++s) {
       const Label* labels = c_.star_simplex(i, s);
       // A simplex is looked at from its smallest interior label; it is in the star of each of its interior labels.
@@ -45,15 +38,18 @@ class StarChecker {
   /// The nearest points to a circumcentre are neighbours of the vertices. With 1.patch the lifts that the core knows of
   /// are the only ones within 2 circumradius.
   void check_by_neighbours(Label i) {
-    for (std::size_t at = 0; at < complex_->star.size(i); ++at) {
-      const auto [s, place] = complex_->star.of(i)[at];
+    const auto& star = core_->complex().star;
+    for (std::size_t at = 0; at < star.size(i); ++at) {
+      const auto [s, place] = star.of(i)[at];
       if (place != 0) continue;
       ++simplices;
       const Label* labels = c_.simplex(s);
       const Label* end = labels + c_.m + 1;
       std::array<Quantity, 2> memory;
-      const bool fits = chart_.fits(in_space_->of(s), c_.at_least(labels, end, c_.circumradius, memory[0]),
-                                    c_.thickness, c_.at_least(labels, end, c_.protection, memory[1]));
+      const core::FlatSimplex& found = core_->flat()->of(s);
+      const SimplexInSpace simplex{{}, found.radius, found.nearest, 1, found.altitude, found.longest};
+      const bool fits = chart_.fits(simplex, c_.at_least(labels, end, c_.circumradius, memory[0]), c_.thickness,
+                                    c_.at_least(labels, end, c_.protection, memory[1]));
       if (!is_decided(fits)) check_simplex(i, labels + 1);
     }
   }
@@ -125,9 +121,8 @@ class StarChecker {
   const Certificate& c_;
   Report& report_;
   const Grid& grid_;
-  core::Complex* complex_;
+  core::Core* core_;
   const AllCharts chart_;
-  std::optional<SimplicesInSpace> in_space_;
   Quantity reach_;
   std::map<Label, std::vector<Lift>> lifts_;  // within 2 circumradius of the centre of the star at hand
 };
@@ -172,11 +167,10 @@ void check_facets(const Certificate& c, Label i, Report& report, const char* rul
 std::string check_level_1(const Certificate& c, core::Core* core, Report& report) {
   check_patch(c, report);
   if (!report.findings.empty()) return "";  // of lifts there may be any number
-  const bool has_bounds = core != nullptr && (c.m == 2 || c.m == 3) && core->is_delaunay_quotient();
-  core::Complex* complex = has_bounds ? &core->complex() : nullptr;
+  const bool has_bounds = core != nullptr && core->is_delaunay_quotient() && core->flat() != nullptr;
   const Grid grid(c.points);
   const auto check = [&](std::size_t begin, std::size_t end, Report& found) {
-    StarChecker checker(c, grid, complex, found);
+    StarChecker checker(c, grid, has_bounds ? core : nullptr, found);
     for (auto i = static_cast<Label>(begin); i < end; ++i) {
       if (c.interior[i]) checker.check(i);
     }

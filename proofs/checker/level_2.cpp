@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
 
+#include "proofs/checker/core/core.hpp"
+#include "proofs/checker/core/rules.hpp"
 #include "proofs/checker/homology.hpp"
 #include "proofs/checker/parts.hpp"
 #include "proofs/checker/run.hpp"
@@ -22,10 +24,12 @@ std::string listed(const std::vector<std::string>& groups) {
 
 }  // namespace
 
-std::string check_count(const Certificate& c, Report& report) {
-  const auto count = [&](std::size_t begin, std::size_t end, Report&) {
-    const FaceCount found =
-        count_faces(c.m_size(), c.simplex_labels, static_cast<Label>(begin), static_cast<Label>(end));
+std::string check_count(const Certificate& c, core::Core* core, Report& report) {
+  const core::Complex* complex = core != nullptr && (c.m == 2 || c.m == 3) ? core->with_facets() : nullptr;
+  const auto count = [&](std::size_t from, std::size_t to, Report&) {
+    const auto begin = static_cast<Label>(from), end = static_cast<Label>(to);
+    const FaceCount found = complex != nullptr ? core::count_faces(*complex, begin, end)
+                                               : count_faces(c.m_size(), c.simplex_labels, begin, end);
     return Counts{found.simplices, found.euler_characteristic};
   };
   const auto [simplices, euler] =

@@ -168,7 +168,7 @@ class Run {
   std::string check(std::size_t level, Report& report) {
     if (level == level_2 && has_core(c_.kind())) return check_manifold(report);
     if (level == level_2) {
-      const std::string text = check_count(c_, report);
+      const std::string text = check_count(c_, nullptr, report);
       const bool is_next = holds_[level_of_stars(c_.kind())] && report.findings.empty() && owes_homology(report);
       return is_next ? text + check_homology(c_, report) : text;
     }
@@ -222,7 +222,7 @@ class Run {
     const bool owed = owes_homology(report);
     if (owed && most_parts > 1) homology.emplace([this](Report& found) { return check_homology(c_, found); });
     core_.emplace(c_).check_manifold(report);
-    const std::string text = check_count(c_, report);
+    const std::string text = check_count(c_, &*core_, report);
     if (!owed || !report.findings.empty()) return text;
     return text + (homology ? homology->result(report) : check_homology(c_, report));
   }

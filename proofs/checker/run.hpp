@@ -23,7 +23,8 @@ std::string check_level_0(const Certificate& c, Report& report);
 /// `core`: of a torus, else none.
 std::string check_level_1(const Certificate& c, core::Core* core, Report& report);
 /// The rules of level 2 but those that make the complex a manifold: 2.count, and 2.homology, which presumes them.
-std::string check_count(const Certificate& c, Report& report);
+/// `core`: where it has looked at the rules of level 2, else none.
+std::string check_count(const Certificate& c, core::Core* core, Report& report);
 std::string check_homology(const Certificate& c, Report& report);
 std::string check_level_2s(const Certificate& c, Report& report);
 std::string check_level_3(const Certificate& c, Report& report);

@@ -121,4 +121,48 @@ SmithForm reduce(std::vector<Column> columns, std::size_t rows, std::vector<bool
   return {form.rank + of_rest.rank, of_rest.torsion};
 }
 
+// The links that join two trees make larger trees, whose rows but one, the root, they own. Modulo them every row is its
+// root times 1 or -1, so that another link is 0 or twice its root.
+SmithForm reduce_links(const std::vector<Link>& links, bool last_first, std::size_t rows, std::vector<bool>& used_rows,
+                       std::vector<bool>& used_columns) {
+  struct Node {
+    std::uint32_t parent;
+    std::int64_t sign;  // the row is this times that of its parent
+  };
+  std::vector<Node> nodes(rows);
+  for (std::size_t row = 0; row < rows; ++row) nodes[row] = {static_cast<std::uint32_t>(row), 1};
+  const auto root_of = [&](std::uint32_t row) {
+    Node way{row, 1};
+    while (nodes[way.parent].parent != way.parent) {
+      Node& node = nodes[way.parent];
+      const Node& above = nodes[node.parent];
+      node = {above.parent, node.sign * above.sign};  // half as long a way for the next one
+      way = {node.parent, way.sign * node.sign};
+    }
+    return way;
+  };
+  SmithForm form;
+  std::vector<std::uint32_t> doubled;
+  for (std::size_t number = 0; number < links.size(); ++number) {
+    const std::size_t c = last_first ? links.size() - 1 - number : number;
+    const Node first = root_of(links[c].row[0]), second = root_of(links[c].row[1]);
+    const std::int64_t sign = links[c].sign * first.sign * second.sign;
+    if (first.parent != second.parent) {
+      nodes[first.parent] = {second.parent, -sign};
+      used_rows[first.parent] = used_columns[c] = true;
+      ++form.rank;
+    } else if (sign == 1) {
+      doubled.push_back(first.parent);
+    }
+  }
+  // Of each root one column is enough.
+  for (std::uint32_t& row : doubled) row = root_of(row).parent;
+  std::sort(doubled.begin(), doubled.end());
+  doubled.erase(std::unique(doubled.begin(), doubled.end()), doubled.end());
+  std::vector<Column> rest;
+  for (const std::uint32_t row : doubled) rest.push_back({{row, 2}});
+  SmithForm of_rest = smith_form(rest);
+  return {form.rank + of_rest.rank, of_rest.torsion};
+}
+
 }  // namespace delcert::checker

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -24,5 +25,14 @@ struct SmithForm {
 /// entries are left for FLINT.
 SmithForm reduce(std::vector<Column> columns, std::size_t rows, std::vector<bool>& used_rows,
                  std::vector<bool>& used_columns);
+
+/// A column that is the sum of a 1 in one row and `sign`, which is 1 or -1, in another. It is 0 if it is not set.
+struct Link {
+  std::array<std::uint32_t, 2> row{0, 0};
+  std::int64_t sign = -1;
+};
+/// The same of a matrix of links, the last ones first or the first ones.
+SmithForm reduce_links(const std::vector<Link>& links, bool last_first, std::size_t rows, std::vector<bool>& used_rows,
+                       std::vector<bool>& used_columns);
 
 }  // namespace delcert::checker

@@ -526,7 +526,7 @@ std::vector<std::string> broken_rules(const CoreSample& sample, const std::strin
       Complex complex(sample.data);
       core::check_manifold(complex, report);
       core::check_quotient(complex, report);
-      core::check_hinges(complex, report);
+      core::check_hinges(complex, nullptr, report);
       if (!circumradius.empty()) {
         core::check_margins(complex, Quantity(exact_value(circumradius)), Quantity(exact_value(protection)), report);
       }

@@ -339,6 +339,29 @@ TEST_F(Core, knows_the_circumballs_of_polytopes) {
   EXPECT_EQ(broken_rules(icosahedron(false), "652/1000", "18/25"), Rules{"4.ball"});
 }
 
+/// That of all faces, from the lists of the core, with whatever is wrong with them.
+TEST_F(Core, counts_faces_as_they_are_counted_without_it) {
+  CoreSample pinched = grid_torus(2, 4), open = grid_torus(3, 3);
+  pinched.add({0, 1, 2}, {0, 0});
+  open.remove(5);
+  open.remove(17);
+  for (const CoreSample& sample : {grid_torus(2, 3), grid_torus(3, 3), icosahedron(false), cell_600(true),
+                                   klein_bottle(), bolza_surface(), pinched, open}) {
+    checker::Report report;
+    checker::core::Complex complex(sample.data);
+    checker::core::check_manifold(complex, report);
+    for (const Label length : {1U, 5U, 1000U}) {
+      for (Label begin = 0; begin < complex.size(); begin += length) {
+        const Label end = std::min<Label>(begin + length, complex.size());
+        const checker::FaceCount found = checker::core::count_faces(complex, begin, end),
+                                 known = checker::count_faces(sample.m(), sample.data.labels, begin, end);
+        EXPECT_EQ(found.simplices, known.simplices);
+        EXPECT_EQ(found.euler_characteristic, known.euler_characteristic) << begin << " to " << end;
+      }
+    }
+  }
+}
+
 /// What a check of margins says is broken.
 template <class Check>
 Rules broken_by(const CoreSample& sample, const Check& check) {

@@ -31,6 +31,25 @@ Reduction reduction(const test::NaiveMatrix& matrix, std::size_t columns) {
   return result;
 }
 
+/// Compares it with elimination by hand.
+void expect_right(const Reduction& found, const test::NaiveMatrix& matrix) {
+  const auto diagonal = test::naive_diagonal(matrix);
+  EXPECT_EQ(found.form.rank, diagonal.size());
+  std::vector<std::string> torsion;
+  for (const long long order : test::naive_invariant_factors(diagonal)) torsion.push_back(std::to_string(order));
+  EXPECT_EQ(found.form.torsion, torsion);
+  // The rows and columns that are used have an invertible submatrix.
+  test::NaiveMatrix used;
+  for (std::size_t row = 0; row < matrix.size(); ++row) {
+    if (!found.used_rows[row]) continue;
+    used.emplace_back();
+    for (std::size_t column = 0; column < found.used_columns.size(); ++column) {
+      if (found.used_columns[column]) used.back().push_back(matrix[row][column]);
+    }
+  }
+  EXPECT_EQ(test::naive_diagonal(used), std::vector<long long>(used.size(), 1));
+}
+
 TEST(SmithForm, of_a_matrix_with_and_without_units) {
   const auto two = reduction({{2, 0}, {0, 6}}, 2);
   EXPECT_EQ(two.form.rank, 2U);
@@ -54,23 +73,35 @@ TEST(SmithForm, is_the_one_that_elimination_by_hand_finds) {
       for (long long& entry : row)
         entry = static_cast<long long>(random() % (2 * range - 1)) - static_cast<long long>(range - 1);
     }
-    const auto found = reduction(matrix, columns);
-    const auto diagonal = test::naive_diagonal(matrix);
-    EXPECT_EQ(found.form.rank, diagonal.size());
-    std::vector<std::string> torsion;
-    for (const long long order : test::naive_invariant_factors(diagonal)) torsion.push_back(std::to_string(order));
-    EXPECT_EQ(found.form.torsion, torsion);
-    // The rows and columns that are used have an invertible submatrix.
-    test::NaiveMatrix used;
-    for (std::size_t row = 0; row < rows; ++row) {
-      if (!found.used_rows[row]) continue;
-      used.emplace_back();
-      for (std::size_t column = 0; column < columns; ++column) {
-        if (found.used_columns[column]) used.back().push_back(matrix[row][column]);
-      }
-    }
-    EXPECT_EQ(test::naive_diagonal(used), std::vector<long long>(used.size(), 1));
+    expect_right(reduction(matrix, columns), matrix);
   }
+}
+
+/// Of links that make several components, some with an odd way around, and of links that are 0.
+TEST(SmithForm, of_links_is_that_of_the_matrix) {
+  std::mt19937_64 random(2);
+  int doubled = 0;
+  for (int round = 0; round < 400; ++round) {
+    const std::size_t rows = 2 + random() % 6, columns = 1 + random() % 8;
+    const bool one_sided = random() % 3 == 0;
+    std::vector<checker::Link> links(columns);
+    test::NaiveMatrix matrix(rows, std::vector<long long>(columns, 0));
+    for (std::size_t column = 0; column < columns; ++column) {
+      const auto first = static_cast<std::uint32_t>(random() % rows),
+                 second = static_cast<std::uint32_t>(random() % rows);
+      if (first == second) continue;
+      links[column] = {{first, second}, one_sided || random() % 4 == 0 ? 1 : -1};
+      matrix[first][column] = 1;
+      matrix[second][column] = links[column].sign;
+    }
+    for (const bool last_first : {false, true}) {
+      Reduction found{{}, std::vector<bool>(rows), std::vector<bool>(columns)};
+      found.form = checker::reduce_links(links, last_first, rows, found.used_rows, found.used_columns);
+      expect_right(found, matrix);
+      doubled += found.form.torsion.empty() ? 0 : 1;
+    }
+  }
+  EXPECT_GT(doubled, 100);
 }
 
 TEST(SmithForm, of_coefficients_beyond_64_bits_is_left_undecided) {

@@ -31,6 +31,8 @@ class Form {
   }
   /// Of K = 0.
   const SquareMatrix<N>& gram() const { return gram_; }
+  /// The form y -> <x, y>. K = 0.
+  Vector<N> covector(const Vector<N>& x) const { return times(gram_, x); }
   /// The vector u with form(x) = <u, x>. K = 0.
   Vector<N> vector(const Vector<N>& form) const { return times(inverse_, form); }
   /// |u|^2 of this vector. K = 0.

@@ -40,6 +40,7 @@ class Complex {
   std::vector<std::int8_t> sign;  // of each simplex: of the determinant of its lifts
   Lists<Neighbour> neighbours;
   std::vector<Hinge> hinges;
+  std::vector<std::uint32_t> facets;  // of each label, how many have it as the least one
   /// The simplices with a label, each with the place that it has there.
   struct Place {
     std::uint32_t simplex = 0, vertex = 0;

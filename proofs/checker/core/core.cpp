@@ -43,13 +43,18 @@ void Core::check_quotient(Report& report) {
   report.add(*quotient_);
 }
 
+FlatSimplices* Core::flat() {
+  if (!flat_ && FlatSimplices::are(data_)) flat_.emplace(*complex_);
+  return flat_ ? &*flat_ : nullptr;
+}
+
 bool Core::is_delaunay() {
   if (!hinges_) {
     Report found;
     if (c_.chunk != nullptr && !c_.claimed[level_4]) return false;
     std::optional<Undivided> undivided;
     if (!c_.claimed[level_4]) undivided.emplace();  // no level says in which parts it holds
-    check_hinges(*complex_, found);
+    check_hinges(*complex_, flat(), found);
     hinges_ = std::move(found);
   }
   return hinges_->findings.empty();

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "proofs/checker/certificate.hpp"
-#include "proofs/checker/core/complex.hpp"
+#include "proofs/checker/core/flat_simplices.hpp"
 
 namespace delcert::checker::core {
 
@@ -28,11 +28,16 @@ class Core {
 
   /// Precondition: check_manifold() has found that the generators are isometries.
   Complex& complex() { return *complex_; }
+  /// With all of its edges and facets; none if the generators are no isometries or only a chunk has been read.
+  const Complex* with_facets() const { return complex_ && c_.chunk == nullptr ? &*complex_ : nullptr; }
+  /// Of a flat torus of dimension 2 or 3, else none. Precondition: core.edges holds.
+  FlatSimplices* flat();
 
  private:
   const Certificate& c_;
   const Data data_;
   std::optional<Complex> complex_;
+  std::optional<FlatSimplices> flat_;
   std::optional<Report> quotient_, hinges_;
 };
 

@@ -86,7 +86,7 @@ bool is_below_quarter(int K, const Quantity& circumradius, const Quantity& prote
 
 }  // namespace
 
-void check_hinges(Complex& complex, Report& report) {
+void check_hinges(Complex& complex, FlatSimplices* flat, Report& report) {
   Circumballs balls(complex);
   const auto check_ball = [&](std::size_t s, Report& found) {
     if (complex.sign[s] == 0) return;  // core.sign
@@ -97,6 +97,8 @@ void check_hinges(Complex& complex, Report& report) {
   const auto check = [&](const Hinge& hinge, Report& found) {
     const auto [s, t] = hinge.simplex;
     if (complex.sign[s] == 0 || complex.sign[t] == 0) return;
+    // The vertex beyond the hinge is a neighbour of vertices.
+    if (flat != nullptr && is_decided(flat->of(s).power > 0)) return;
     const bool convex = balls.decide(s, balls.kept(s), [&]<class N>(const Circumball<N>& ball) {
       return less(N(0), ball.power(complex.beyond<N>(hinge)));
     });

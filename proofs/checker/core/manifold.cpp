@@ -105,6 +105,7 @@ void check_facet(Complex& complex, std::vector<Facet>::const_iterator begin, std
 void check_facets(Complex& complex, Report& report) {
   std::vector<Facet> facets;
   complex.hinges.reserve(complex.data.labels.size() / 2);
+  complex.facets.assign(complex.size(), 0);
   for (Label i = 0; i < complex.size(); ++i) {
     if (!is_own(i)) continue;
     facets.clear();
@@ -121,7 +122,7 @@ void check_facets(Complex& complex, Report& report) {
     std::sort(facets.begin(), facets.end(), [](const Facet& x, const Facet& y) {
       return std::tie(x.labels, x.simplex) < std::tie(y.labels, y.simplex);
     });
-    for (auto begin = facets.begin(), end = begin; begin != facets.end(); begin = end) {
+    for (auto begin = facets.begin(), end = begin; begin != facets.end(); begin = end, ++complex.facets[i]) {
       while (end != facets.end() && end->labels == begin->labels) ++end;
       check_facet(complex, begin, end, report);
     }
@@ -179,6 +180,25 @@ void check_star(Complex& complex, Label i, Report& report) {
 }
 
 }  // namespace
+
+FaceCount count_faces(const Complex& complex, Label begin, Label end) {
+  FaceCount count;
+  for (Label i = begin; i < end; ++i) {
+    const auto* const star = complex.star.of(i);
+    const auto simplices = std::count_if(star, star + complex.star.size(i), [](auto at) { return at.vertex == 0; });
+    std::int64_t edges = 0;
+    Label before = i;
+    for (std::size_t at = 0; at < complex.neighbours.size(i); ++at) {
+      const Label j = complex.neighbours.of(i)[at].label;
+      if (j > before) ++edges;
+      before = std::max(before, j);
+    }
+    const std::int64_t vertices = complex.star.size(i) > 0 ? 1 : 0;
+    count.simplices += simplices;
+    count.euler_characteristic += vertices - edges + (complex.data.m == 2 ? simplices : complex.facets[i] - simplices);
+  }
+  return count;
+}
 
 void check_manifold(Complex& complex, Report& report) {
   check_signs(complex, report);

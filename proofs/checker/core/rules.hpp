@@ -1,6 +1,7 @@
 #pragma once
 
-#include "proofs/checker/core/complex.hpp"
+#include "proofs/checker/core/flat_simplices.hpp"
+#include "proofs/checker/homology.hpp"
 
 namespace delcert::checker::core {
 
@@ -11,10 +12,13 @@ bool are_isometries(const Data& data, Report& report);
 
 /// core.sign, core.edges, core.facets, core.stars: Theorem C2.
 void check_manifold(Complex& complex, Report& report);
+/// Of all faces of the simplices, as checker::count_faces: those whose least label is in a range. Precondition: m is 2
+/// or 3, check_manifold() has been called, whatever it has found, and the whole certificate has been read.
+FaceCount count_faces(const Complex& complex, Label begin, Label end);
 /// core.group, core.connected: Theorem C5.
 void check_quotient(Complex& complex, Report& report);
-/// core.hinges: Theorem C4.
-void check_hinges(Complex& complex, Report& report);
+/// core.hinges: Theorem C4. `flat`: of a flat torus, else none.
+void check_hinges(Complex& complex, FlatSimplices* flat, Report& report);
 /// 4.ball, 4.empty.
 void check_margins(Complex& complex, const Quantity& circumradius, const Quantity& protection, Report& report);
 /// 6.self-delaunay (surfaces).
