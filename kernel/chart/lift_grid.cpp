@@ -97,26 +97,43 @@ void LiftGrid<m>::insert(const Lift<m>& lift, const ModelPoint<Interval, m>& x) 
 }
 
 template <int m>
-template <class Visit>
-void LiftGrid<m>::visit_near(const ModelPoint<Interval, m>& x, double distance, const Visit& visit) const {
-  double error = 0;
-  const Place place = embedded(x, error);
-  error += error_;
-  const double chord = chord_of(curvature_, distance);
-  const double reach = (embedded_distance(place, error, distance, chord) + error) * (1 + rounding_slack);
-  const double most = most_chord(distance);
+typename LiftGrid<m>::Distance LiftGrid<m>::measured(double distance) const {
+  return {distance, chord_of(curvature_, distance)};
+}
+
+template <int m>
+double LiftGrid<m>::most_chord(const Distance& distance) const {
+  return distance.chord * distance.chord * (1 + 2 * rounding_slack);
+}
+
+template <int m>
+typename LiftGrid<m>::Query LiftGrid<m>::query(const ModelPoint<Interval, m>& x, const Distance& distance) const {
+  Query result;
+  result.place = embedded(x, result.error);
+  result.error += error_;
+  result.reach = (embedded_distance(result.place, result.error, distance.length, distance.chord) + result.error) *
+                 (1 + rounding_slack);
   // The exact points are `error` closer at most than the stored ones are, and |e(x) − e(y)| is at most `reach`:
   // (|e| − error)² ≥ |e|² − 2·error·reach.
-  const double relief = 2 * error * reach * (1 + rounding_slack);
-  double found = 0;  // the chord of the last place, as `near` tells it
+  result.relief = 2 * result.error * result.reach * (1 + rounding_slack);
+  return result;
+}
+
+template <int m>
+double LiftGrid<m>::least_chord(const Query& query, const Place& other, double squared_gap) const {
+  return (squared_gap * (1 - rounding_slack) - query.relief) * (query.place.weight * other.weight);
+}
+
+template <int m>
+template <class Visit>
+void LiftGrid<m>::visit_near(const ModelPoint<Interval, m>& x, const Distance& distance, const Visit& visit) const {
+  const Query asked = query(x, distance);
+  const Place& place = asked.place;
+  const double reach = asked.reach;
+  const double most = most_chord(distance);
   const auto is_near = [&](const Place& other) {
-    double squared = 0;
-    for (std::size_t axis = 0; axis < axes_; ++axis) {
-      const double step = other.at[axis] - place.at[axis];
-      squared += step * step;
-    }
-    found = (squared * (1 - rounding_slack) - relief) * (place.weight * other.weight);
-    return squared <= reach * reach * (1 + 2 * rounding_slack) && found <= most;
+    const double squared = asked.squared_gap(other, axes_);
+    return squared <= reach * reach * (1 + 2 * rounding_slack) && least_chord(asked, other, squared) <= most;
   };
   Cell first{};
   Cell last{};
@@ -129,15 +146,15 @@ void LiftGrid<m>::visit_near(const ModelPoint<Interval, m>& x, double distance, 
     count *= static_cast<double>(last[axis] - first[axis] + 1);
   }
   if (count > static_cast<double>(places_.size())) {
-    for (const Place& other : places_) {
-      if (is_near(other) && visit(other, found)) return;
+    for (std::uint32_t at = 0; at < places_.size(); ++at) {
+      if (is_near(places_[at]) && visit(at)) return;
     }
     return;
   }
   Cell cell = first;
   while (true) {
     for (std::uint32_t at = cells_.find(key_of(cell)); at != none; at = places_[at].next) {
-      if (is_near(places_[at]) && visit(places_[at], found)) return;
+      if (is_near(places_[at]) && visit(at)) return;
     }
     std::size_t axis = axes_;
     while (axis > 0 && ++cell[axis - 1] > last[axis - 1]) {
@@ -150,31 +167,43 @@ void LiftGrid<m>::visit_near(const ModelPoint<Interval, m>& x, double distance, 
 
 template <int m>
 void LiftGrid<m>::near(const ModelPoint<Interval, m>& x, double distance, std::vector<Lift<m>>& out) const {
-  visit_near(x, distance, [&out](const Place& place, double) {
-    out.push_back(place.lift);
+  visit_near(x, measured(distance), [&](std::uint32_t number) {
+    out.push_back(places_[number].lift);
     return false;
   });
 }
 
 template <int m>
-void LiftGrid<m>::near(const ModelPoint<Interval, m>& x, double distance,
-                       std::vector<std::pair<Lift<m>, double>>& out) const {
-  visit_near(x, distance, [&out](const Place& place, double chord) {
-    out.emplace_back(place.lift, chord);
+std::vector<std::uint32_t> LiftGrid<m>::list_near(const ModelPoint<Interval, m>& x, const Distance& distance) const {
+  thread_local std::vector<std::pair<Lift<m>, std::uint32_t>> found;
+  found.clear();
+  visit_near(x, distance, [&](std::uint32_t number) {
+    found.emplace_back(places_[number].lift, number);
     return false;
   });
+  std::sort(found.begin(), found.end());
+  std::vector<std::uint32_t> result;
+  result.reserve(found.size());
+  for (const auto& [lift, number] : found) result.push_back(number);
+  return result;
 }
 
 template <int m>
-double LiftGrid<m>::most_chord(double distance) const {
-  const double chord = chord_of(curvature_, distance);
-  return chord * chord * (1 + 2 * rounding_slack);
+void LiftGrid<m>::near_in_list(const ModelPoint<Interval, m>& x, const Distance& listed,
+                               const std::vector<std::uint32_t>& list, double distance,
+                               std::vector<Lift<m>>& out) const {
+  const Query asked = query(x, listed);
+  const double most = most_chord(measured(distance));
+  for (const std::uint32_t number : list) {
+    const Place& place = places_[number];
+    if (least_chord(asked, place, asked.squared_gap(place, axes_)) <= most) out.push_back(place.lift);
+  }
 }
 
 template <int m>
 bool LiftGrid<m>::approximately_occupied(const ModelPoint<Interval, m>& x, double distance) const {
   bool occupied = false;
-  visit_near(x, distance, [&occupied](const Place&, double) { return occupied = true; });
+  visit_near(x, measured(distance), [&occupied](std::uint32_t) { return occupied = true; });
   return occupied;
 }
 

@@ -34,10 +34,21 @@ class LiftGrid {
   /// which order.
   void near(const ModelPoint<Interval, m>& x, double distance, std::vector<Lift<m>>& out) const;
 
-  /// The same, to ask for less than this distance later: lists of what is found need be made once only. A lift belongs
-  /// to the answer for a distance d up to the one given if its chord is at most `most_chord(d)`.
-  void near(const ModelPoint<Interval, m>& x, double distance, std::vector<std::pair<Lift<m>, double>>& out) const;
-  [[nodiscard]] double most_chord(double distance) const;
+  /// A distance, with an upper bound of the chord of points so far from each other.
+  struct Distance {
+    double length = 0;
+    double chord = 0;
+  };
+  [[nodiscard]] Distance measured(double distance) const;
+
+  /// The numbers of what `near` finds, in the order of the lifts: a list that can be asked for less than this distance
+  /// later.
+  [[nodiscard]] std::vector<std::uint32_t> list_near(const ModelPoint<Interval, m>& x, const Distance& distance) const;
+  /// Appends to `out` what `near` would find within `distance`, and possibly lifts that are farther by what is rounded,
+  /// in the order of the lifts. Precondition: the list is of this point and of the distance `listed`, which is not
+  /// less.
+  void near_in_list(const ModelPoint<Interval, m>& x, const Distance& listed, const std::vector<std::uint32_t>& list,
+                    double distance, std::vector<Lift<m>>& out) const;
 
   /// Whether some lift is closer to x than `distance`, or by a relative 2⁻³⁰ farther.
   [[nodiscard]] bool approximately_occupied(const ModelPoint<Interval, m>& x, double distance) const;
@@ -59,8 +70,30 @@ class LiftGrid {
   /// A bound of |e(x) − e(y)| for all y within the distance of x, whose place has this error.
   [[nodiscard]] double embedded_distance(const Place& x, double error, double distance, double chord) const;
 
+  /// What is compared with the place of a lift to see whether it is near a point.
+  struct Query {
+    Place place;
+    double error;   // of both places
+    double reach;   // of the embedding
+    double relief;  // of a squared chord
+    [[nodiscard]] double squared_gap(const Place& other, std::size_t axes) const {
+      double squared = 0;
+      for (std::size_t axis = 0; axis < axes; ++axis) {
+        const double step = other.at[axis] - place.at[axis];
+        squared += step * step;
+      }
+      return squared;
+    }
+  };
+  [[nodiscard]] Query query(const ModelPoint<Interval, m>& x, const Distance& distance) const;
+  /// A lower bound of the squared chord of the point and a lift, by the gap between their places.
+  [[nodiscard]] double least_chord(const Query& query, const Place& other, double squared_gap) const;
+  /// The upper bound of squared chords that are compared with those.
+  [[nodiscard]] double most_chord(const Distance& distance) const;
+
+  /// visit(number): whether that is enough.
   template <class Visit>
-  void visit_near(const ModelPoint<Interval, m>& x, double distance, const Visit& visit) const;
+  void visit_near(const ModelPoint<Interval, m>& x, const Distance& distance, const Visit& visit) const;
   [[nodiscard]] std::int64_t cell_coordinate(double coordinate) const;
   [[nodiscard]] std::uint64_t key_of(const Cell& cell) const;
 

@@ -9,16 +9,9 @@
 
 namespace delcert {
 
-/// A lift near another point: which one, and a lower bound of the squared chord to compare with `LiftGrid::most_chord`.
-struct NearLift {
-  std::uint32_t index = 0;
-  std::uint32_t element = 0;
-  double chord = 0;
-};
-
 /// For each label, once somebody has asked for it, a list of the lifts near its point. Of lists that several threads
 /// make at the same time any will do; the first is kept. When there are too many entries, no more lists are kept.
-template <class List = std::vector<NearLift>>
+template <class List>
 class NearLists {
  public:
   /// `most_entries`: about how many entries are kept in all.

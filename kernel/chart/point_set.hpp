@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "kernel/number/filter.hpp"
@@ -9,25 +11,29 @@
 
 namespace delcert {
 
-/// Points known exactly, each in the home patch of its label, with their enclosures for the filter.
+/// Points known exactly, each in the home patch of its label, with their enclosures for the filter. Of a point whose
+/// coordinates are doubles nothing else is kept: a rational number takes several times as much memory.
 template <int m>
 class PointSet {
  public:
   PointSet() = default;
-  explicit PointSet(std::vector<Vector<Rational, m>> points) : exact_(std::move(points)), enclosure_(exact_.size()) {
+  explicit PointSet(std::vector<Vector<Rational, m>> points) : enclosure_(points.size()), apart_(points.size()) {
     const FilterGuard guard;
-    for (std::size_t index = 0; index < exact_.size(); ++index) enclose(index);
+    for (std::size_t index = 0; index < points.size(); ++index) keep(index, std::move(points[index]));
   }
 
-  [[nodiscard]] std::size_t size() const { return exact_.size(); }
-  [[nodiscard]] const Vector<Rational, m>& exact(Label label) const { return exact_[label.value]; }
+  [[nodiscard]] std::size_t size() const { return enclosure_.size(); }
+  [[nodiscard]] Vector<Rational, m> exact(Label label) const {
+    if (const Exact* apart = apart_[label.value].get()) return *apart;
+    Exact result;
+    for (std::size_t axis = 0; axis < m; ++axis)
+      result[axis] = Rational::exactly(enclosure_[label.value][axis].lower());
+    return result;
+  }
   [[nodiscard]] const Vector<Filter, m>& enclosure(Label label) const { return enclosure_[label.value]; }
 
   /// Precondition: a `FilterGuard` is alive.
-  void place(Label label, Vector<Rational, m> point) {
-    exact_[label.value] = std::move(point);
-    enclose(label.value);
-  }
+  void place(Label label, Vector<Rational, m> point) { keep(label.value, std::move(point)); }
 
   /// The coordinates on a rung of the ladder.
   template <class S>
@@ -37,8 +43,9 @@ class PointSet {
     } else if constexpr (std::same_as<S, Rational>) {
       return exact(label);
     } else {
+      const Exact point = exact(label);
       Vector<S, m> result;
-      for (std::size_t axis = 0; axis < m; ++axis) result[axis] = scalar_from<S>(exact(label)[axis]);
+      for (std::size_t axis = 0; axis < m; ++axis) result[axis] = scalar_from<S>(point[axis]);
       return result;
     }
   }
@@ -57,12 +64,39 @@ class PointSet {
   }
 
  private:
-  void enclose(std::size_t index) {
-    for (std::size_t axis = 0; axis < m; ++axis) enclosure_[index][axis] = scalar_from<Filter>(exact_[index][axis]);
+  using Exact = Vector<Rational, m>;
+
+  /// What is there at most once, and copied with what has it.
+  class Apart {
+   public:
+    Apart() = default;
+    explicit Apart(Exact point) : point_(std::make_unique<const Exact>(std::move(point))) {}
+    Apart(const Apart& other) : point_(other.point_ ? std::make_unique<const Exact>(*other.point_) : nullptr) {}
+    Apart(Apart&&) noexcept = default;
+    Apart& operator=(const Apart& other) { return *this = Apart(other); }
+    Apart& operator=(Apart&&) noexcept = default;
+    ~Apart() = default;
+    [[nodiscard]] const Exact* get() const { return point_.get(); }
+
+   private:
+    std::unique_ptr<const Exact> point_;
+  };
+
+  void keep(std::size_t index, Exact point) {
+    bool are_doubles = true;
+    for (std::size_t axis = 0; axis < m; ++axis) {
+      const Filter enclosure = scalar_from<Filter>(point[axis]);
+      enclosure_[index][axis] = enclosure;
+      are_doubles = are_doubles && is_exactly(enclosure, point[axis]);
+    }
+    apart_[index] = are_doubles ? Apart() : Apart(std::move(point));
+  }
+  static bool is_exactly(const Filter& enclosure, const Rational& x) {
+    return filter_is_rigorous ? enclosure.lower() == enclosure.upper() : Rational::exactly(enclosure.lower()) == x;
   }
 
-  std::vector<Vector<Rational, m>> exact_;
   std::vector<Vector<Filter, m>> enclosure_;
+  std::vector<Apart> apart_;  // the points that have other coordinates than doubles
 };
 
 }  // namespace delcert

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "kernel/perturb/placement.hpp"
@@ -31,6 +32,8 @@ class Perturbation {
 
   /// Placed points where they were placed, others where they were originally.
   [[nodiscard]] const PointSet<m>& points() const { return state_.points; }
+  /// The same, for good: nothing is placed anew afterwards.
+  [[nodiscard]] PointSet<m> take_points() { return std::move(state_.points); }
   [[nodiscard]] const PerturbationStatistics& statistics() const { return statistics_; }
   /// The grid of the perturbed points has steps of 2^this in every frame coordinate.
   [[nodiscard]] long grid_exponent() const { return state_.grid_exponent; }

@@ -32,7 +32,7 @@ RunResult<m> run_algorithm(const FlatAtlas<m>& atlas, const PerturbationParamete
     std::vector<StarFailure> combinatorial = complex.combinatorial_failures();
     const bool certified = protection.margins && combinatorial.empty();
     if (certified || !request.perturb || round == request.most_repair_rounds) {
-      return {perturbation.points(),
+      return {perturbation.take_points(),
               std::move(complex),
               std::move(protection),
               std::move(combinatorial),

@@ -26,7 +26,7 @@ class AffineAtlas : public Atlas<m> {
 
   [[nodiscard]] const AffineChart<m>& chart(Label i) const { return charts_[i.value]; }
   /// p_i.
-  [[nodiscard]] const Vector<Rational, m>& centre(Label i) const { return centres_.exact(i); }
+  [[nodiscard]] Vector<Rational, m> centre(Label i) const { return centres_.exact(i); }
   [[nodiscard]] const Rational& sampling_radius() const { return sampling_radius_; }
   [[nodiscard]] int patch_factor() const { return patch_factor_; }
   [[nodiscard]] Rational patch_radius() const { return Rational(patch_factor_) * sampling_radius_; }

@@ -148,7 +148,7 @@ void FormulaAtlas<m>::choose_patches() {
     return this->fit_patch_factor(
         [&](Label i, std::size_t axis) {
           const auto& side = gluing_->chart(home_[i.value]).domain[axis];
-          const Rational& centre = this->centre(i)[axis];
+          const Rational centre = this->centre(i)[axis];
           return scalar_from<Interval>(minimum(centre - side[0], side[1] - centre)).lower();
         },
         where);

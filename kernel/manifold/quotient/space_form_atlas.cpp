@@ -20,8 +20,8 @@ constexpr double cell_factor = 2;
 
 /// Lists have the lifts within so many sampling radii: what perturbation and stars of usual nets ask for.
 constexpr double listed_radii = 4.5 * (1 + 0x1p-20);
-/// Of entries, in all: half a gigabyte.
-constexpr std::size_t most_listed = std::size_t{1} << 25U;
+/// Of entries, in all: a gigabyte.
+constexpr std::size_t most_listed = std::size_t{1} << 28U;
 
 /// Another one for each atlas.
 std::uint64_t next_number() {
@@ -36,23 +36,17 @@ std::array<To, n> converted(const std::array<From, n>& x) {
   return result;
 }
 
-template <class S, std::size_t n>
-std::array<S, n> on_rung(const std::array<Rational, n>& x) {
-  std::array<S, n> result;
-  for (std::size_t axis = 0; axis < n; ++axis) result[axis] = scalar_from<S>(x[axis]);
-  return result;
-}
-
 template <int m>
-std::vector<Frame<Interval, m>> frames_of(Curvature curvature, const std::vector<Vector<Rational, m>>& centres) {
+std::vector<Frame<Interval, m>> frames_of(Curvature curvature, const PointSet<m>& centres) {
   const RoundingGuard guard;
   std::vector<Frame<Interval, m>> result;
   result.reserve(centres.size());
-  for (std::size_t label = 0; label < centres.size(); ++label) {
-    if (curvature == Curvature::negative && detail::sum_of_squares(centres[label]) >= Rational(4))
-      throw InputError("label " + std::to_string(label) +
+  for (std::uint32_t index = 0; index < centres.size(); ++index) {
+    const Label label(index);
+    if (curvature == Curvature::negative && detail::sum_of_squares(centres.exact(label)) >= Rational(4))
+      throw InputError("label " + std::to_string(index) +
                        ": the conformal coordinates of a point of hyperbolic space are less than 2 from 0");
-    result.emplace_back(curvature, on_rung<Interval>(centres[label]));
+    result.emplace_back(curvature, centres.template coordinates<Interval>(label));
   }
   return result;
 }
@@ -91,8 +85,11 @@ SpaceFormAtlas<m>::SpaceFormAtlas(SpaceForm form, std::vector<Vector<Rational, m
       grid_(empty_grid<m>(form_, sampling_radius_)),
       net_(std::vector<Vector<Rational, m>>(centres_.size())),
       number_(next_number()),
-      listed_distance_(std::min(greatest_distance(), listed_radii * approximate_double(sampling_radius_))),
-      near_(std::make_unique<NearLists<>>(centres_.size(), most_listed)) {
+      listed_distance_([this] {
+        const RoundingGuard guard;
+        return grid_.measured(std::min(greatest_distance(), listed_radii * approximate_double(sampling_radius_)));
+      }()),
+      near_(std::make_unique<NearLists<NearNumbers>>(centres_.size(), most_listed)) {
   fill_grid();
 }
 
@@ -112,7 +109,8 @@ void SpaceFormAtlas<m>::fill_grid() {
     lifts_.for_each_lift(frames_[label].point(), [&](std::uint32_t number, const ModelPoint<Interval, m>& x) {
       grid_.insert({label, {}, number}, x);
       if (curvature() != Curvature::negative) return;
-      const auto frame = model_frame<BigInterval, m>(curvature(), on_rung<BigInterval>(centres_[label]));
+      const auto frame =
+          model_frame<BigInterval, m>(curvature(), centres_.template coordinates<BigInterval>(Label(label)));
       lift_frames_.push_back({number, in_doubles<m>(delcert::product(table.big_matrix(number), frame))});
     });
   }
@@ -181,7 +179,7 @@ ModelPoint<S, m> SpaceFormAtlas<m>::lift(const Sighting<m>& seen, const Vector<S
     return converted<Filter>(enclosed_lift(seen, converted<Interval>(home)));
   } else {
     const auto x = exponential<S, m>(curvature(), home);
-    const auto moved = Frame<S, m>(curvature(), on_rung<S>(centres_[seen.index])).applied(x);
+    const auto moved = Frame<S, m>(curvature(), centres_.template coordinates<S>(label_of<m>(seen))).applied(x);
     const std::uint32_t number = seen.element;
     return number == 0 ? moved : applied(lifts_.table().big_matrix(number), moved);
   }
@@ -193,7 +191,7 @@ Vector<S, m> SpaceFormAtlas<m>::in_chart(Label i, const ModelPoint<S, m>& x) con
   if constexpr (std::same_as<S, Filter>) {
     return converted<Filter>(enclosed_in_chart(i, converted<Interval>(x)));
   } else {
-    const Frame<S, m> frame(curvature(), on_rung<S>(centres_[i.value]));
+    const Frame<S, m> frame(curvature(), centres_.template coordinates<S>(i));
     return logarithm_of_conformal<S, m>(curvature(), frame.conformal_seen(x));
   }
 }
@@ -217,35 +215,23 @@ void SpaceFormAtlas<m>::find_near(const ModelPoint<Interval, m>& x, double dista
 }
 
 template <int m>
-const std::vector<NearLift>* SpaceFormAtlas<m>::listed_about(Label i) const {
+const typename SpaceFormAtlas<m>::NearNumbers* SpaceFormAtlas<m>::listed_about(Label i) const {
   return near_->of(i.value, [&] {
     const RoundingGuard guard;
-    thread_local std::vector<std::pair<Lift<m>, double>> found;
-    found.clear();
-    grid_.near(frames_[i.value].point(), listed_distance_, found);
-    std::sort(found.begin(), found.end());
-    std::vector<NearLift> result;
-    result.reserve(found.size());
-    for (const auto& [lift, chord] : found) result.push_back({lift.index, lift.element, chord});
-    return result;
+    return grid_.list_near(frames_[i.value].point(), listed_distance_);
   });
 }
 
 template <int m>
 void SpaceFormAtlas<m>::sightings(Label i, double distance, std::vector<Sighting<m>>& out) const {
-  const std::vector<NearLift>* list = distance <= listed_distance_ ? listed_about(i) : nullptr;
+  const NearNumbers* list = distance <= listed_distance_.length ? listed_about(i) : nullptr;
   if (list == nullptr) {
     find_near(frames_[i.value].point(), distance, out);
     return;
   }
-  const double most = [&] {
-    const RoundingGuard guard;
-    return grid_.most_chord(distance);
-  }();
+  const RoundingGuard guard;
   out.clear();
-  for (const NearLift& lift : *list) {
-    if (lift.chord <= most) out.push_back({lift.index, {}, lift.element});
-  }
+  grid_.near_in_list(frames_[i.value].point(), listed_distance_, *list, distance, out);
 }
 
 template <int m>
@@ -269,10 +255,11 @@ template <int m>
 Vector<Rational, m> SpaceFormAtlas<m>::exactly_carried(Label i, const Sighting<m>& seen,
                                                        const Vector<Rational, m>& home) const {
   const FieldMatrix& element = elements()[seen.element];
-  const auto x = sum(centres_[seen.index], home);
+  const auto x = sum(centre(label_of<m>(seen)), home);
+  const auto centre_here = centre(i);
   Vector<Rational, m> result;
   for (std::size_t row = 0; row < m; ++row) {
-    result[row] = element(row + 1, 0).rational() - centres_[i.value][row];
+    result[row] = element(row + 1, 0).rational() - centre_here[row];
     for (std::size_t column = 0; column < m; ++column)
       result[row] += element(row + 1, column + 1).rational() * x[column];
   }

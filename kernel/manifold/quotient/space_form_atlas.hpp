@@ -41,7 +41,7 @@ class SpaceFormAtlas final : public Atlas<m> {
   /// Of every U_i.
   [[nodiscard]] const Rational& patch_radius() const { return patch_radius_; }
   /// The conformal coordinates of p̂_i.
-  [[nodiscard]] const Vector<Rational, m>& centre(Label i) const { return centres_[i.value]; }
+  [[nodiscard]] Vector<Rational, m> centre(Label i) const { return centres_.exact(i); }
   /// The group elements that sightings name, the identity first.
   [[nodiscard]] const std::vector<FieldMatrix>& elements() const { return lifts_.table().elements(); }
   /// The number of this element; throws std::out_of_range if no sighting names it.
@@ -82,8 +82,9 @@ class SpaceFormAtlas final : public Atlas<m> {
   struct Moved;
   /// The point with these home coordinates, in the linear model.
   [[nodiscard]] const Moved& moved(std::uint32_t label, const Vector<Interval, m>& home) const;
-  /// The lifts within `listed_distance_` of p̂_i, sorted; none if there are too many.
-  [[nodiscard]] const std::vector<NearLift>* listed_about(Label i) const;
+  using NearNumbers = std::vector<std::uint32_t>;  // of lifts in the grid
+  /// Of the lifts within `listed_distance_` of p̂_i; none if there are too many.
+  [[nodiscard]] const NearNumbers* listed_about(Label i) const;
   void fill_grid();
   [[nodiscard]] double greatest_distance() const;
   void find_near(const ModelPoint<Interval, m>& x, double distance, std::vector<Sighting<m>>& out) const;
@@ -95,7 +96,7 @@ class SpaceFormAtlas final : public Atlas<m> {
 
   SpaceForm form_;
   FrameMetric<m> metric_;
-  std::vector<Vector<Rational, m>> centres_;
+  PointSet<m> centres_;
   Rational sampling_radius_;
   Rational patch_radius_;
   std::vector<Frame<Interval, m>> frames_;
@@ -109,8 +110,8 @@ class SpaceFormAtlas final : public Atlas<m> {
     ModelMatrix<Interval, m> matrix;
   };
   std::uint64_t number_;  // of this atlas
-  double listed_distance_ = 0;
-  std::unique_ptr<NearLists<>> near_;  // the lifts within that distance
+  typename LiftGrid<m>::Distance listed_distance_;
+  std::unique_ptr<NearLists<NearNumbers>> near_;  // the lifts within that distance
   std::vector<std::size_t> first_lift_frame_;
   std::vector<LiftFrame> lift_frames_;
 };

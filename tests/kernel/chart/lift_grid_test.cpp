@@ -48,18 +48,20 @@ void expect_all_near_and_none_far(Curvature curvature, const FrameMetric<m>& fra
   for (std::size_t centre = 0; centre < 400; centre += 5) {
     std::vector<Lift<m>> found;
     grid.near(cloud.point(curvature, centre), distance, found);
-    // What is found for more and less than this distance away by its chord is the same.
-    std::vector<std::pair<Lift<m>, double>> with_chords;
-    grid.near(cloud.point(curvature, centre), 1.5 * distance, with_chords);
-    std::vector<Lift<m>> by_chord;
-    for (const auto& [lift, chord] : with_chords) {
-      if (chord <= grid.most_chord(distance)) by_chord.push_back(lift);
-    }
-    std::sort(by_chord.begin(), by_chord.end());
+    // What is found in a list for more than this distance is the same.
+    const auto listed = grid.measured(1.5 * distance);
+    const auto list = grid.list_near(cloud.point(curvature, centre), listed);
+    std::vector<Lift<m>> in_list;
+    grid.near_in_list(cloud.point(curvature, centre), listed, list, distance, in_list);
+    EXPECT_TRUE(std::is_sorted(in_list.begin(), in_list.end()));
     auto sorted = found;
     std::sort(sorted.begin(), sorted.end());
-    EXPECT_TRUE(std::includes(by_chord.begin(), by_chord.end(), sorted.begin(), sorted.end()));
-    EXPECT_LE(by_chord.size(), sorted.size() + (width > 0 ? 40 : 0));
+    EXPECT_TRUE(std::includes(in_list.begin(), in_list.end(), sorted.begin(), sorted.end()));
+    EXPECT_LE(in_list.size(), sorted.size() + (width > 0 ? 40 : 0));
+    std::vector<Lift<m>> all, all_in_list;
+    grid.near(cloud.point(curvature, centre), listed.length, all);
+    grid.near_in_list(cloud.point(curvature, centre), listed, list, listed.length, all_in_list);
+    EXPECT_EQ(all_in_list.size(), all.size());
     std::vector<bool> is_found(400);
     for (const auto& lift : found) is_found[lift.index] = true;
     for (std::size_t label = 0; label < 400; ++label) {

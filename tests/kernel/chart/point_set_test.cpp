@@ -68,5 +68,23 @@ TEST(PointSet, replaces_one_point_and_its_enclosure) {
   EXPECT_EQ(PointSet<2>().size(), 0U);
 }
 
+TEST(PointSet, keeps_apart_what_is_no_double_and_copies_it) {
+  PointSet<2> set(points);
+  const PointSet<2> copy = set;
+  {
+    const FilterGuard guard;
+    set.place(Label(0), {Rational(1), Rational(2)});
+    set.place(Label(1), {ratio(1, 3), Rational(2)});
+  }
+  EXPECT_EQ(set.exact(Label(0)), (Vector<Rational, 2>{Rational(1), Rational(2)})) << "a double in place of a fraction";
+  EXPECT_EQ(set.exact(Label(1)), (Vector<Rational, 2>{ratio(1, 3), Rational(2)})) << "a fraction in place of a double";
+  for (std::uint32_t index = 0; index < points.size(); ++index) EXPECT_EQ(copy.exact(Label(index)), points[index]);
+  // Next to a double, and beyond the ends of their range.
+  const ExactPoints<2> close{{Rational(1) + Rational::power_of_two(-200), Rational::power_of_two(-1080)},
+                             {Rational::power_of_two(2000), Rational::power_of_two(-1074)}};
+  const PointSet<2> other(close);
+  for (std::uint32_t index = 0; index < close.size(); ++index) EXPECT_EQ(other.exact(Label(index)), close[index]);
+}
+
 }  // namespace DELCERT_THIS_FILE
 }  // namespace delcert::test
