@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "kernel/perturb/placement.hpp"
 #include "kernel/ranks/block_log.hpp"
 #include "kernel/ranks/part_of_net.hpp"
@@ -24,6 +26,8 @@ class SharedPerturbation {
 
   /// Own points where they are, those of the halo where their ranks have said that they are.
   [[nodiscard]] const PointSet<m>& points() const { return state_.points; }
+  /// The same, for good: nothing is placed anew afterwards.
+  [[nodiscard]] PointSet<m> take_points() { return std::move(state_.points); }
   /// Of what this rank did.
   [[nodiscard]] const PerturbationStatistics& statistics() const { return statistics_; }
   /// Of all ranks.

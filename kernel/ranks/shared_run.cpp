@@ -12,13 +12,17 @@ namespace {
 
 double greater(double a, double b) { return std::max(a, b); }
 
-/// Stars of own labels, with those of the labels that they name, which other ranks have.
+/// Stars of own labels, with those of the labels that they name, which other ranks have; what is known of others from
+/// an earlier round is left out.
 template <int m>
 class NamedStars {
  public:
   NamedStars(Communicator& ranks, const LabelsHere& labels, std::vector<ChartStar<m>> stars)
       : ranks_(ranks), labels_(labels), stars_(std::move(stars)), interior_(labels.size(), false) {
-    for (std::uint32_t label = labels.own.first; label < labels.own.last; ++label) interior_[label] = true;
+    for (std::uint32_t label = 0; label < labels.size(); ++label) {
+      interior_[label] = labels.own.contains(label);
+      if (!interior_[label]) stars_[label].simplices.clear();
+    }
   }
 
   ChartComplex<m> complex() {
@@ -174,7 +178,7 @@ SharedRun<m> run_shared(Communicator& ranks, const LabelsHere& labels, const Atl
     stars.set_displacement_of_the_whole(geometry.displacement_of_the_whole);
     stars.update(perturbation.points(), progress);
     stars.include_reach(combined_everywhere(ranks, stars.farthest_reach(), greater));
-    ChartComplex<m> complex = NamedStars<m>(ranks, labels, stars.stars()).complex();
+    ChartComplex<m> complex = NamedStars<m>(ranks, labels, stars.lend_stars()).complex();
     std::vector<StarFailure> failures = stars.failures();
     const auto disagreeing = complex.agreement().failures;
     failures.insert(failures.end(), disagreeing.begin(), disagreeing.end());
@@ -190,7 +194,7 @@ SharedRun<m> run_shared(Communicator& ranks, const LabelsHere& labels, const Atl
       if (all.count == 0) {
         model.check_lifts(geometry);
         if (!model.failures.empty()) refuse(ranks, {}, true, round);
-        return {perturbation.points(),
+        return {perturbation.take_points(),
                 std::move(complex),
                 geometry,
                 margins_everywhere(ranks, stars.has_margins(), stars.margins()),
@@ -204,6 +208,7 @@ SharedRun<m> run_shared(Communicator& ranks, const LabelsHere& labels, const Atl
     }
     if (all.labels.empty() || round == request.most_repair_rounds) refuse(ranks, all.labels, false, round);
     repaired += all.labels.size();
+    stars.take_back(complex.take_stars());
     perturbation.place_anew(all.labels, progress);
     stars.outdate(labels_here(labels, all.labels));
   }

@@ -28,7 +28,7 @@ ChartRun<m> run_in_charts(const Atlas<m>& atlas, const ModelGeometry& geometry,
   std::size_t repaired = 0;
   for (int round = 0;; ++round) {
     stars.update(perturbation.points(), progress);
-    ChartComplex<m> complex = stars.complex();
+    ChartComplex<m> complex = stars.lend_complex();
     auto failures = stars.failures();
     StarAgreement agreement = complex.agreement();
     if (round == 0) {
@@ -50,7 +50,7 @@ ChartRun<m> run_in_charts(const Atlas<m>& atlas, const ModelGeometry& geometry,
     }
     const auto labels = labels_concerned_by(all);
     if (labels.empty() || !request.perturb || round == request.most_repair_rounds) {
-      return {perturbation.points(),
+      return {perturbation.take_points(),
               std::move(complex),
               stars.margins(),
               std::move(agreement),
@@ -64,6 +64,7 @@ ChartRun<m> run_in_charts(const Atlas<m>& atlas, const ModelGeometry& geometry,
               std::move(stability)};
     }
     repaired += labels.size();
+    stars.take_back(complex.take_stars());
     perturbation.place_anew(labels, progress);
     stars.outdate(labels);
   }
@@ -74,7 +75,7 @@ ChartRun<m> stars_in_charts(const Atlas<m>& atlas, const ModelGeometry& geometry
                             const RunRequest& request, const Progress& progress) {
   KeptStars<m> stars(atlas, geometry, required_protection(request), all_labels_of(atlas));
   stars.update(points, progress);
-  ChartComplex<m> complex = stars.complex();
+  ChartComplex<m> complex = stars.lend_complex();
   StarAgreement agreement = complex.agreement();
   auto failures = stars.failures();
   const std::size_t failing = star_count(failures);

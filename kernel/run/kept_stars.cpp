@@ -17,10 +17,12 @@ KeptStars<m>::KeptStars(const Atlas<m>& atlas, const ModelGeometry& geometry, do
       required_protection_(required_protection),
       labels_(labels),
       stars_(atlas.size()),
+      margins_(atlas.size()),
+      reach_(atlas.size(), 0),
       outdated_(atlas.size(), true) {
   for (std::uint32_t index = 0; index < atlas.size(); ++index) {
     interior_.push_back(atlas.is_interior(Label(index)));
-    stars_[index].star.label = Label(index);
+    stars_[index].label = Label(index);
   }
 }
 
@@ -30,20 +32,33 @@ void KeptStars<m>::update(const PointSet<m>& points, const Progress& progress) {
   for (std::uint32_t index = labels_.first; index < labels_.last; ++index) {
     if (outdated_[index]) labels.emplace_back(index);
   }
-  outdated_.assign(stars_.size(), false);
+  outdated_.assign(outdated_.size(), false);
   const ChartView<m> empty_view(atlas_, points, geometry_);
+  for (const Label label : labels) failures_.erase(label.value);
+  struct Found {
+    double reach = 0;
+    std::vector<std::pair<Label, std::vector<StarFailure>>> failures;
+  };
   const auto certify = [&](std::size_t first, std::size_t last) {
     ChartView<m> view = empty_view;
-    double reach = 0;
+    Found found;
     for (std::size_t at = first; at < last; ++at) {
-      CertifiedStar<m>& star = stars_[labels[at].value];
-      if (interior_[labels[at].value])
-        star = chart_star<m>(view, labels[at], required_protection_ * units_.of(labels[at]));
-      reach = std::max(reach, star.reach);
+      const Label label = labels[at];
+      if (!interior_[label.value]) continue;
+      CertifiedStar<m> star = chart_star<m>(view, label, required_protection_ * units_.of(label));
+      star.star.simplices.shrink_to_fit();
+      stars_[label.value] = std::move(star.star);
+      margins_[label.value] = star.margins;
+      reach_[label.value] = star.reach;
+      found.reach = std::max(found.reach, star.reach);
+      if (!star.failures.empty()) found.failures.emplace_back(label, std::move(star.failures));
     }
-    return reach;
+    return found;
   };
-  in_parts("certify stars", labels.size(), progress, certify, [&](double reach) { include_reach(reach); });
+  in_parts("certify stars", labels.size(), progress, certify, [&](Found found) {
+    include_reach(found.reach);
+    for (auto& [label, failures] : found.failures) failures_.emplace(label.value, std::move(failures));
+  });
 }
 
 template <int m>
@@ -54,7 +69,7 @@ void KeptStars<m>::include_reach(double reach) {
 template <int m>
 void KeptStars<m>::outdate(const std::vector<Label>& moved) {
   std::vector<Sighting<m>> seen;
-  std::vector<bool> has_moved(stars_.size());
+  std::vector<bool> has_moved(outdated_.size());
   for (const Label label : moved) has_moved[label.value] = true;
   for (const Label label : moved) {
     // The distance of original points is the same from both sides, but for the distortion; a little more for its
@@ -68,30 +83,22 @@ void KeptStars<m>::outdate(const std::vector<Label>& moved) {
   // Of those that may see a moved point from far away most look less far.
   for (std::uint32_t index = 0; index < outdated_.size(); ++index) {
     if (!outdated_[index] || has_moved[index]) continue;
-    atlas_.sightings(Label(index), stars_[index].reach * (1 + 0x1p-20), seen);
+    atlas_.sightings(Label(index), reach_[index] * (1 + 0x1p-20), seen);
     outdated_[index] = std::any_of(seen.begin(), seen.end(), [&](const auto& other) { return has_moved[other.index]; });
   }
 }
 
 template <int m>
-std::vector<ChartStar<m>> KeptStars<m>::stars() const {
-  std::vector<ChartStar<m>> result;
-  result.reserve(stars_.size());
-  for (const auto& star : stars_) result.push_back(star.star);
-  return result;
-}
-
-template <int m>
 std::vector<StarFailure> KeptStars<m>::failures() const {
   std::vector<StarFailure> result;
-  for (const auto& star : stars_) result.insert(result.end(), star.failures.begin(), star.failures.end());
+  for (const auto& [label, failures] : failures_) result.insert(result.end(), failures.begin(), failures.end());
   return result;
 }
 
 template <int m>
 bool KeptStars<m>::has_margins() const {
   for (std::uint32_t index = labels_.first; index < labels_.last; ++index) {
-    if (interior_[index] && stars_[index].failures.empty()) return true;
+    if (interior_[index] && !failures_.contains(index)) return true;
   }
   return false;
 }
@@ -101,8 +108,8 @@ LocalMargins KeptStars<m>::margins() const {
   LocalMargins result;
   bool is_first = true;
   for (std::uint32_t index = labels_.first; index < labels_.last; ++index) {
-    if (!interior_[index] || !stars_[index].failures.empty()) continue;
-    const LocalMargins here = stars_[index].margins.as_multiples(units_, Label(index));
+    if (!interior_[index] || failures_.contains(index)) continue;
+    const LocalMargins here = margins_[index].as_multiples(units_, Label(index));
     if (is_first) result = here;
     result.include(here);
     is_first = false;

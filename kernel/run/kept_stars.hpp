@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "kernel/chart/label_range.hpp"
@@ -21,9 +23,13 @@ class KeptStars {
   void outdate(const std::vector<Label>& moved);
 
   /// Of every label, without simplices where no star is kept.
-  [[nodiscard]] std::vector<ChartStar<m>> stars() const;
-  /// These, where all are kept.
-  [[nodiscard]] ChartComplex<m> complex() const { return ChartComplex<m>(stars(), interior_); }
+  [[nodiscard]] const std::vector<ChartStar<m>>& stars() const { return stars_; }
+  /// These, for good or until they are given back, without which nothing can be brought up to date: they are most of
+  /// what a run has in memory.
+  [[nodiscard]] std::vector<ChartStar<m>> lend_stars() { return std::exchange(stars_, {}); }
+  void take_back(std::vector<ChartStar<m>> stars) { stars_ = std::move(stars); }
+  /// The complex of them, where all are kept.
+  [[nodiscard]] ChartComplex<m> lend_complex() { return ChartComplex<m>(lend_stars(), interior_); }
   [[nodiscard]] std::vector<StarFailure> failures() const;
   /// Whether some star is certified, and the margins of those that are.
   [[nodiscard]] bool has_margins() const;
@@ -42,7 +48,10 @@ class KeptStars {
   LengthUnits units_;
   double required_protection_;
   LabelRange labels_;
-  std::vector<CertifiedStar<m>> stars_;
+  std::vector<ChartStar<m>> stars_;
+  std::vector<LocalMargins> margins_;  // of stars without failures
+  std::vector<double> reach_;
+  std::map<std::uint32_t, std::vector<StarFailure>> failures_;
   std::vector<bool> interior_;
   std::vector<bool> outdated_;
   double farthest_reach_ = 0;

@@ -2,19 +2,15 @@
 
 #include <algorithm>
 
+#include "kernel/parallel/parts.hpp"
 #include "kernel/simplex/dimensions.hpp"
 
 namespace delcert {
 
 namespace {
 
-/// A simplex as a star has it.
-template <int m>
-struct Listed {
-  LabelSimplex<m> simplex;
-  std::uint32_t star;
-  friend auto operator<=>(const Listed&, const Listed&) = default;
-};
+/// What is done for a label takes less than a microsecond.
+constexpr std::size_t labels_in_a_part = 256;
 
 template <int m>
 LabelSimplex<m> simplex_of(Label label, const ChartSimplex<m>& others) {
@@ -30,15 +26,20 @@ std::vector<Label> labels_of(const LabelSimplex<m>& simplex) {
   return std::vector<Label>(simplex.begin(), simplex.end());
 }
 
-/// All simplices with all stars that have them, sorted.
+/// Whether a star has this simplex, one of whose labels is its own.
 template <int m>
-std::vector<Listed<m>> all_listed(const std::vector<ChartStar<m>>& stars) {
-  std::vector<Listed<m>> result;
-  for (const auto& star : stars) {
-    for (const auto& others : star.simplices) result.push_back({simplex_of<m>(star.label, others), star.label.value});
-  }
-  std::sort(result.begin(), result.end());
-  return result;
+bool has(const ChartStar<m>& star, const LabelSimplex<m>& simplex) {
+  std::array<std::uint32_t, static_cast<std::size_t>(m)> others{};
+  std::copy_if(simplex.begin(), simplex.end(), others.begin(),
+               [&](std::uint32_t label) { return label != star.label.value; });
+  const auto labels = [](const ChartSimplex<m>& seen) {
+    std::array<std::uint32_t, static_cast<std::size_t>(m)> result;
+    for (std::size_t at = 0; at < m; ++at) result[at] = seen[at].index;
+    return result;
+  };
+  const auto found = std::lower_bound(star.simplices.begin(), star.simplices.end(), others,
+                                      [&](const auto& seen, const auto& wanted) { return labels(seen) < wanted; });
+  return found != star.simplices.end() && labels(*found) == others;
 }
 
 }  // namespace
@@ -85,25 +86,71 @@ std::vector<ChartSimplex<m>> ChartComplex<m>::first_seen_from(Label i) const {
 
 template <int m>
 std::vector<LabelSimplex<m>> ChartComplex<m>::simplices() const {
+  const auto of_some = [this](std::size_t first, std::size_t last) {
+    std::vector<LabelSimplex<m>> found;
+    for (std::size_t at = first; at < last; ++at) {
+      const ChartStar<m>& star = stars_[at];
+      const auto begin = static_cast<std::ptrdiff_t>(found.size());
+      for (const auto& others : star.simplices) {
+        const auto simplex = simplex_of<m>(star.label, others);
+        // Listed by the first of the stars that have it.
+        const bool is_listed = std::any_of(simplex.begin(), simplex.end(), [&](std::uint32_t label) {
+          return label < star.label.value && has<m>(stars_[label], simplex);
+        });
+        if (!is_listed) found.push_back(simplex);
+      }
+      std::sort(found.begin() + begin, found.end());
+    }
+    return found;
+  };
   std::vector<LabelSimplex<m>> result;
-  for (const auto& listed : all_listed<m>(stars_)) {
-    if (result.empty() || result.back() != listed.simplex) result.push_back(listed.simplex);
-  }
+  in_parts<labels_in_a_part>("list simplices", stars_.size(), no_progress(), of_some,
+                             [&](const auto& found) { result.insert(result.end(), found.begin(), found.end()); });
+  // So it is in order already, unless a star has a simplex that those of lesser
+  // labels have not.
+  if (!std::is_sorted(result.begin(), result.end())) std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }
 
 template <int m>
 PureComplex ChartComplex<m>::label_complex() const {
+  const auto all = simplices();
   std::vector<std::uint32_t> labels;
-  for (const auto& simplex : simplices()) labels.insert(labels.end(), simplex.begin(), simplex.end());
+  labels.reserve(all.size() * (m + 1));
+  for (const auto& simplex : all) labels.insert(labels.end(), simplex.begin(), simplex.end());
   return {Dimension(m), labels};
+}
+
+template <int m>
+std::vector<typename ChartComplex<m>::Listed> ChartComplex<m>::listed_where_some_miss() const {
+  const auto of_some = [this](std::size_t first, std::size_t last) {
+    std::vector<Listed> result;
+    for (std::size_t at = first; at < last; ++at) {
+      const ChartStar<m>& star = stars_[at];
+      for (const auto& others : star.simplices) {
+        const auto simplex = simplex_of<m>(star.label, others);
+        const bool have_it = std::all_of(simplex.begin(), simplex.end(), [&](std::uint32_t label) {
+          return label == star.label.value || !interior_[label] || has<m>(stars_[label], simplex);
+        });
+        if (!have_it) result.push_back({simplex, star.label.value});
+      }
+    }
+    return result;
+  };
+  std::vector<Listed> result;
+  in_parts<labels_in_a_part>(
+      "compare stars", stars_.size(), no_progress(), of_some,
+      [&](const std::vector<Listed>& found) { result.insert(result.end(), found.begin(), found.end()); });
+  std::sort(result.begin(), result.end());
+  return result;
 }
 
 template <int m>
 StarAgreement ChartComplex<m>::agreement() const {
   StarAgreement result;
   std::vector<bool> concerned(stars_.size(), false);
-  const auto listed = all_listed<m>(stars_);
+  const std::vector<Listed> listed = listed_where_some_miss();
   for (std::size_t first = 0; first < listed.size();) {
     std::size_t last = first;
     while (last < listed.size() && listed[last].simplex == listed[first].simplex) ++last;

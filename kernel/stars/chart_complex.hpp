@@ -22,12 +22,14 @@ struct StarAgreement {
 template <int m>
 class ChartComplex {
  public:
-  /// `stars[i]` is that of label i, empty where no star is claimed.
+  /// `stars[i]` is that of label i, empty where no star is claimed; its simplices are sorted, as are their vertices.
   explicit ChartComplex(std::vector<ChartStar<m>> stars, const std::vector<bool>& interior);
 
   [[nodiscard]] std::size_t size() const { return stars_.size(); }
   [[nodiscard]] bool is_interior(Label i) const { return interior_[i.value]; }
   [[nodiscard]] const ChartStar<m>& chart_star(Label i) const { return stars_[i.value]; }
+  /// The stars, for good: nothing may be asked afterwards.
+  [[nodiscard]] std::vector<ChartStar<m>> take_stars() { return std::move(stars_); }
   /// The other labels of each simplex of star(i), sorted, in increasing order.
   [[nodiscard]] std::vector<std::array<std::uint32_t, static_cast<std::size_t>(m)>> star(Label i) const;
   /// The labels of the simplices of star(i) other than i, sorted.
@@ -48,6 +50,15 @@ class ChartComplex {
   [[nodiscard]] StarAgreement agreement() const;
 
  private:
+  /// A simplex as a star has it.
+  struct Listed {
+    LabelSimplex<m> simplex;
+    std::uint32_t star;
+    friend auto operator<=>(const Listed&, const Listed&) = default;
+  };
+  /// The simplices that some star misses, with all stars that have them, sorted.
+  [[nodiscard]] std::vector<Listed> listed_where_some_miss() const;
+
   std::vector<ChartStar<m>> stars_;
   std::vector<bool> interior_;
 };

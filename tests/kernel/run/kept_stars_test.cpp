@@ -47,7 +47,7 @@ TEST(KeptStars, are_computed_again_where_a_point_has_moved) {
   stars.update(perturbation.points(), no_progress());
   perturbation.place_all(no_progress());
   // Nobody has said that points have moved.
-  const auto before = stars.stars();
+  const std::vector<ChartStar<2>> before = stars.stars();
   stars.update(perturbation.points(), no_progress());
   for (std::uint32_t label = 0; label < atlas.size(); ++label)
     EXPECT_EQ(stars.stars()[label].simplices, before[label].simplices);
@@ -63,6 +63,38 @@ TEST(KeptStars, are_computed_again_where_a_point_has_moved) {
     different += stars.stars()[label].simplices == before[label].simplices ? 0U : 1U;
   }
   EXPECT_GT(different, 0U);
+}
+
+TEST(KeptStars, that_are_lent_and_given_back_are_what_they_were) {
+  const auto atlas = sphere(ratio(1, 4));
+  KeptStars<2> stars(atlas, round_sphere, 0, all_labels_of(atlas));
+  stars.update(atlas.net(), no_progress());
+  const std::vector<ChartStar<2>> before = stars.stars();
+  const LocalMargins margins = stars.margins();
+  ChartComplex<2> complex = stars.lend_complex();
+  EXPECT_TRUE(stars.stars().empty());
+  EXPECT_EQ(stars.margins().protection, margins.protection) << "margins are not lent";
+  stars.take_back(complex.take_stars());
+  stars.outdate({Label(3)});
+  stars.update(atlas.net(), no_progress());
+  ASSERT_EQ(stars.stars().size(), before.size());
+  for (std::uint32_t label = 0; label < atlas.size(); ++label)
+    EXPECT_EQ(stars.stars()[label].simplices, before[label].simplices);
+}
+
+TEST(KeptStars, that_are_certified_later_have_no_failures_any_more) {
+  const auto atlas = sphere(ratio(1, 4));
+  KeptStars<2> stars(atlas, round_sphere, 0, all_labels_of(atlas));
+  stars.set_displacement_of_the_whole(100);
+  stars.update(atlas.net(), no_progress());
+  EXPECT_FALSE(stars.failures().empty());
+  std::vector<Label> all;
+  for (std::uint32_t label = 0; label < atlas.size(); ++label) all.emplace_back(label);
+  stars.set_displacement_of_the_whole(0);
+  stars.outdate(all);
+  stars.update(atlas.net(), no_progress());
+  EXPECT_TRUE(stars.failures().empty());
+  EXPECT_TRUE(stars.has_margins());
 }
 
 TEST(KeptStars, rest_on_how_far_points_of_the_whole_are_moved) {

@@ -67,6 +67,22 @@ TEST(ChartComplex, names_stars_that_disagree) {
   EXPECT_EQ(other.failures.size(), 5U);
 }
 
+TEST(ChartComplex, has_simplices_that_lesser_labels_miss_in_order) {
+  auto stars = stars_of(6, octahedron);
+  stars[0].simplices.clear();
+  EXPECT_EQ(ChartComplex<2>(stars, all).simplices(), octahedron);
+  stars[1].simplices.clear();
+  stars[3].simplices.clear();
+  EXPECT_EQ(ChartComplex<2>(stars, all).simplices(), octahedron);
+  // A star that has one twice, at different places of a quotient.
+  stars[2].simplices.push_back(stars[2].simplices.back());
+  EXPECT_EQ(ChartComplex<2>(stars, all).simplices(), octahedron);
+  for (auto& star : stars) std::erase_if(star.simplices, [](const auto& others) { return others[1].index == 4; });
+  stars[4].simplices.clear();
+  EXPECT_EQ(ChartComplex<2>(stars, all).simplices(),
+            (std::vector<LabelSimplex<2>>{{0, 2, 5}, {0, 3, 5}, {1, 2, 5}, {1, 3, 5}}));
+}
+
 TEST(ChartComplex, asks_nothing_of_labels_without_a_star) {
   auto stars = stars_of(6, octahedron);
   stars[2].simplices.clear();
