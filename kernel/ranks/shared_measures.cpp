@@ -61,7 +61,7 @@ RiemannianSimplices shared_riemannian_simplices(Communicator& ranks, const Label
 template <int m>
 PiecewiseFlatReport shared_piecewise_flat(Communicator& ranks, const LabelsHere& labels, const Atlas<m>& atlas,
                                           const SharedRun<m>& run, const Progress& progress) {
-  const auto mine = measure_flat_simplices<m>(atlas, run.points, run.geometry, run.complex, labels.own, progress);
+  auto mine = measure_flat_simplices<m>(atlas, run.points, run.geometry, run.complex, labels.own, progress);
   std::vector<MessageWriter> out(ranks.size());
   for (FlatSide<m> side : mine.sides) {
     for (std::uint32_t& label : side.facet) label = labels.names[label];
@@ -77,8 +77,9 @@ PiecewiseFlatReport shared_piecewise_flat(Communicator& ranks, const LabelsHere&
     a.include(b);
     return a;
   };
-  const HingeCount hinges = combined_everywhere(ranks, count_hinges<m>(std::move(sides)), include);
-  return piecewise_flat_report(combined_everywhere(ranks, mine.stretch, include), hinges, run.geometry.curvature,
+  mine.hinges.include(count_hinges<m>(std::move(sides)));
+  return piecewise_flat_report(combined_everywhere(ranks, mine.stretch, include),
+                               combined_everywhere(ranks, mine.hinges, include), run.geometry.curvature,
                                run.model.circumradius);
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "kernel/parallel/parts.hpp"
 #include "kernel/simplex/altitude.hpp"
@@ -14,6 +15,10 @@
 namespace delcert {
 
 namespace {
+
+/// Labels of which the sides are put together by the thread that measures them: of so many near each other, most
+/// facets have both sides there.
+constexpr std::size_t labels_in_a_part = 64;
 
 // Squared bounds of stretching are looked for among 1 + s, and 1 − s or powers of two, s = 2^e, 2^e·5/4, 2^e·3/2,
 // 2^e·7/4 from 2^−30 on. All are exact, so it does not matter how they would be rounded.
@@ -138,6 +143,62 @@ class FlatMetric {
   ChartView<m> view_;
 };
 
+/// Counts the facet of these two sides. Precondition: a `FilterGuard` is alive.
+template <int m>
+void count_hinge(const FlatSide<m>& one, const FlatSide<m>& other, HingeCount& result) {
+  ++result.hinges;
+  const Filter sum = Filter::between(one.lower, one.upper) + Filter::between(other.lower, other.upper);
+  const Verdict ordered = less(Filter(0), sum);
+  if (is_refuted(ordered)) ++result.not_delaunay;
+  if (is_undecided(ordered)) ++result.undecided;
+  result.least_weight = std::min(result.least_weight, sum.lower());
+}
+
+/// Counts the facets of which both sides are there, and leaves the other sides.
+template <int m>
+HingeCount count_pairs(std::vector<FlatSide<m>>& sides) {
+  std::sort(sides.begin(), sides.end(), [](const auto& a, const auto& b) { return a.facet < b.facet; });
+  const FilterGuard guard;
+  HingeCount result;
+  std::size_t left = 0;
+  for (std::size_t at = 0; at < sides.size(); ++at) {
+    if (at + 1 < sides.size() && sides[at].facet == sides[at + 1].facet) {
+      count_hinge<m>(sides[at], sides[at + 1], result);
+      ++at;
+    } else {
+      sides[left++] = sides[at];
+    }
+  }
+  sides.resize(left);
+  return result;
+}
+
+/// Puts together what was measured part by part. Only sides that wait for the other one are kept, which are few where
+/// labels that follow each other are near each other.
+template <int m>
+class FlatParts {
+ public:
+  void include(const FlatSimplices<m>& found) {
+    const FilterGuard guard;
+    result_.stretch.include(found.stretch);
+    result_.hinges.include(found.hinges);
+    for (const FlatSide<m>& side : found.sides) {
+      const auto [other, is_first] = waiting_.try_emplace(side.facet, side);
+      if (is_first) continue;
+      count_hinge<m>(other->second, side, result_.hinges);
+      waiting_.erase(other);
+    }
+  }
+  [[nodiscard]] FlatSimplices<m> finished() && {
+    for (const auto& [facet, side] : waiting_) result_.sides.push_back(side);
+    return std::move(result_);
+  }
+
+ private:
+  FlatSimplices<m> result_;
+  std::map<std::array<std::uint32_t, static_cast<std::size_t>(m)>, FlatSide<m>> waiting_;
+};
+
 }  // namespace
 
 void FlatStretch::include(const FlatStretch& other) {
@@ -162,33 +223,18 @@ FlatSimplices<m> measure_flat_simplices(const Atlas<m>& atlas, const PointSet<m>
   const auto look = [&](std::size_t first, std::size_t last) {
     FlatMetric<m> metric(empty_view, complex);
     for (std::size_t at = first; at < last; ++at) metric.look_from(Label(labels.first + at));
+    metric.result.hinges = count_pairs<m>(metric.result.sides);
     return std::move(metric.result);
   };
-  FlatSimplices<m> all;
-  in_parts("measure the flat metric", labels.size(), progress, look, [&all](const FlatSimplices<m>& found) {
-    all.stretch.include(found.stretch);
-    all.sides.insert(all.sides.end(), found.sides.begin(), found.sides.end());
-  });
-  return all;
+  FlatParts<m> all;
+  in_parts<labels_in_a_part>("measure the flat metric", labels.size(), progress, look,
+                             [&all](const FlatSimplices<m>& found) { all.include(found); });
+  return std::move(all).finished();
 }
 
 template <int m>
 HingeCount count_hinges(std::vector<FlatSide<m>> sides) {
-  std::sort(sides.begin(), sides.end(), [](const auto& a, const auto& b) { return a.facet < b.facet; });
-  const FilterGuard guard;
-  HingeCount result;
-  for (std::size_t at = 0; at + 1 < sides.size(); ++at) {
-    if (sides[at].facet != sides[at + 1].facet) continue;
-    ++result.hinges;
-    const Filter sum =
-        Filter::between(sides[at].lower, sides[at].upper) + Filter::between(sides[at + 1].lower, sides[at + 1].upper);
-    const Verdict ordered = less(Filter(0), sum);
-    if (is_refuted(ordered)) ++result.not_delaunay;
-    if (is_undecided(ordered)) ++result.undecided;
-    result.least_weight = std::min(result.least_weight, sum.lower());
-    ++at;
-  }
-  return result;
+  return count_pairs<m>(sides);
 }
 
 PiecewiseFlatReport piecewise_flat_report(const FlatStretch& stretch, const HingeCount& hinges, Curvature curvature,
@@ -218,8 +264,8 @@ template <int m>
 PiecewiseFlatReport measure_piecewise_flat(const Atlas<m>& atlas, const PointSet<m>& points,
                                            const ModelGeometry& geometry, const ChartComplex<m>& complex,
                                            double circumradius, const Progress& progress) {
-  FlatSimplices<m> all = measure_flat_simplices<m>(atlas, points, geometry, complex, all_labels_of(complex), progress);
-  return piecewise_flat_report(all.stretch, count_hinges<m>(std::move(all.sides)), geometry.curvature, circumradius);
+  const auto all = measure_flat_simplices<m>(atlas, points, geometry, complex, all_labels_of(complex), progress);
+  return piecewise_flat_report(all.stretch, all.hinges, geometry.curvature, circumradius);
 }
 
 #define DELCERT_INSTANTIATE(m)                                                                                      \

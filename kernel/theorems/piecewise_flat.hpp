@@ -74,11 +74,12 @@ struct HingeCount {
 template <int m>
 struct FlatSimplices {
   FlatStretch stretch;
-  std::vector<FlatSide<m>> sides;  ///< in no order
+  HingeCount hinges;               ///< of the facets both of whose sides were measured
+  std::vector<FlatSide<m>> sides;  ///< of the other facets, in no order
 };
 
-/// Measures the simplices that are first seen from some labels, for several processes to put together: the sides of a
-/// facet are counted where both are. Preconditions as above.
+/// Measures the simplices that are first seen from some labels, for several processes to put together: facets between
+/// simplices of two of them are counted by one that has the sides of both. Preconditions as above.
 template <int m>
 [[nodiscard]] FlatSimplices<m> measure_flat_simplices(const Atlas<m>& atlas, const PointSet<m>& points,
                                                       const ModelGeometry& geometry, const ChartComplex<m>& complex,

@@ -77,6 +77,7 @@ TEST(MeasurePiecewiseFlat, counts_a_flipped_edge) {
   }
   add({first[0], first[2], across});
   add({first[1], first[2], across});
+  for (auto& star : stars) std::sort(star.simplices.begin(), star.simplices.end());
   const ChartComplex<2> flipped(std::move(stars), std::vector<bool>(sample.atlas.size(), true));
   ASSERT_TRUE(flipped.agreement().failures.empty());
   const auto report = report_of(sample, flipped);
@@ -153,12 +154,36 @@ TEST(MeasurePiecewiseFlat, bounds_chords_by_the_first_step_of_its_list_that_is_o
   const auto measured = measure_flat_simplices<2>(sample.atlas, sample.run.points, unit_sphere, sample.run.complex,
                                                   all_labels_of(sample.run.complex), no_progress());
   // With balls so small that nothing else counts.
-  const auto report =
-      piecewise_flat_report(measured.stretch, count_hinges<2>(measured.sides), Curvature::positive, 0x1p-40);
+  const auto report = piecewise_flat_report(measured.stretch, measured.hinges, Curvature::positive, 0x1p-40);
   const double squared = report.lower * report.lower;
   EXPECT_LE(squared, least + 1e-12);
   // Steps are at most a quarter wide.
   EXPECT_GE(squared, 1 - 1.26 * (1 - least));
+}
+
+TEST(MeasurePiecewiseFlat, by_parts_leaves_sides_between_them) {
+  const auto sample = perturbed_sphere();
+  const auto measured = [&](LabelRange labels) {
+    return measure_flat_simplices<2>(sample.atlas, sample.run.points, unit_sphere, sample.run.complex, labels,
+                                     no_progress());
+  };
+  const LabelRange all = all_labels_of(sample.run.complex);
+  const auto whole = measured(all);
+  EXPECT_TRUE(whole.sides.empty());
+  EXPECT_EQ(2 * whole.hinges.hinges, 3 * sample.run.complex.simplices().size());
+  HingeCount hinges;
+  std::vector<FlatSide<2>> sides;
+  for (const LabelRange part : {LabelRange{0, all.last / 3}, LabelRange{all.last / 3, all.last}}) {
+    const auto found = measured(part);
+    EXPECT_FALSE(found.sides.empty());
+    hinges.include(found.hinges);
+    sides.insert(sides.end(), found.sides.begin(), found.sides.end());
+  }
+  EXPECT_LT(hinges.hinges, whole.hinges.hinges) << "without those between them";
+  hinges.include(count_hinges<2>(std::move(sides)));
+  EXPECT_EQ(hinges.hinges, whole.hinges.hinges);
+  EXPECT_EQ(hinges.not_delaunay + hinges.undecided, 0U);
+  EXPECT_EQ(hinges.least_weight, whole.hinges.least_weight);
 }
 
 TEST(MeasurePiecewiseFlat, of_a_flat_torus_is_the_metric_itself) {
