@@ -37,16 +37,34 @@ DifferentKeys different_keys(std::size_t count, std::size_t length, std::size_t 
   return result;
 }
 
+/// The labels that there are, in increasing order.
+std::vector<std::uint32_t> different_labels(const std::vector<std::uint32_t>& labels) {
+  if (labels.empty()) return {};
+  const std::uint32_t greatest = *std::max_element(labels.begin(), labels.end());
+  std::vector<std::uint32_t> result;
+  if (greatest >= labels.size()) {
+    result = labels;
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+  std::vector<bool> is_there(std::size_t{greatest} + 1, false);
+  for (const std::uint32_t label : labels) is_there[label] = true;
+  for (std::uint32_t label = 0; label <= greatest; ++label) {
+    if (is_there[label]) result.push_back(label);
+  }
+  return result;
+}
+
 /// The labels replaced by their places among the different ones, each simplex in increasing order.
 std::vector<std::uint32_t> sorted_vertices(const std::vector<std::uint32_t>& labels, std::size_t corners) {
-  std::vector<std::uint32_t> different = labels;
-  std::sort(different.begin(), different.end());
-  different.erase(std::unique(different.begin(), different.end()), different.end());
-  std::vector<std::uint32_t> result;
-  result.reserve(labels.size());
-  for (const std::uint32_t label : labels) {
-    const auto place = std::lower_bound(different.begin(), different.end(), label) - different.begin();
-    result.push_back(static_cast<std::uint32_t>(place));
+  const std::vector<std::uint32_t> different = different_labels(labels);
+  const bool are_places = !different.empty() && different.back() < different.size();
+  std::vector<std::uint32_t> result = labels;
+  for (std::uint32_t& label : result) {
+    if (!are_places)
+      label =
+          static_cast<std::uint32_t>(std::lower_bound(different.begin(), different.end(), label) - different.begin());
   }
   for (auto first = result.begin(); first != result.end(); first += static_cast<std::ptrdiff_t>(corners)) {
     const auto last = first + static_cast<std::ptrdiff_t>(corners);

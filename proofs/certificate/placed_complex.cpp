@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 
 #include "kernel/simplex/dimensions.hpp"
@@ -248,11 +249,17 @@ PlacedComplex<m> placed_complex(const SpaceFormAtlas<m>& atlas, const ChartCompl
   for (auto& simplex : simplices) simplex = by_labels<m>(simplex);
   std::sort(simplices.begin(), simplices.end());
   PlacedComplex<m> result;
+  result.simplices.reserve(simplices.size());
+  // By the numbers in the atlas: those of words are found by comparing matrices.
+  std::vector<std::optional<std::uint32_t>> numbers(atlas.elements().size());
   for (const auto& simplex : simplices) {
     PlacedSimplex<m>& placed = result.simplices.emplace_back();
     for (std::size_t corner = 0; corner <= m; ++corner) {
       placed[corner] = simplex[corner].index;
-      if (corner > 0) placed[m + corner] = words.number_of(atlas.elements()[simplex[corner].element]);
+      if (corner == 0) continue;
+      const std::uint32_t element = simplex[corner].element;
+      if (!numbers[element]) numbers[element] = words.number_of(atlas.elements()[element]);
+      placed[m + corner] = *numbers[element];
     }
   }
   for (const auto& word : words.words()) result.elements.emplace_back(word.begin(), word.end());

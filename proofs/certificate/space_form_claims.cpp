@@ -97,7 +97,8 @@ Claims derive_claims(const SpaceFormAtlas<m>& atlas, const RunParameters& parame
                      const SpaceFormMeasures& measures, const LevelSelection& selection,
                      std::vector<std::string>& reasons) {
   const auto manifold = [&run] {
-    return manifold_claim(run.complex.label_complex(), run.complex.simplices().size(), true);
+    const PureComplex complex = run.complex.label_complex();
+    return manifold_claim(complex, complex.count(m), true);
   };
   return derive_claims<m>(atlas, parameters, run.margins, manifold, run.model, measures, selection, reasons);
 }

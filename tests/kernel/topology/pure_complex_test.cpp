@@ -80,6 +80,25 @@ TEST(PureComplex, counts_a_simplex_that_is_given_twice_once) {
   EXPECT_EQ(complex.count(-1), 0U);
 }
 
+TEST(PureComplex, numbers_labels_in_their_order_whatever_they_are) {
+  const std::vector<std::uint32_t> triangles{0, 1, 2, 3, 2, 1, 0, 3, 1, 0, 2, 3};
+  const PureComplex near(Dimension(2), triangles);
+  // One label is missing; labels beyond their number; labels far apart.
+  for (const auto& names :
+       std::vector<std::vector<std::uint32_t>>{{0, 2, 3, 4}, {9, 10, 11, 12}, {7, 100, 5000, 4000000000}}) {
+    std::vector<std::uint32_t> named;
+    for (const std::uint32_t label : triangles) named.push_back(names[label]);
+    const PureComplex complex(Dimension(2), named);
+    for (int k = 0; k <= 2; ++k) {
+      ASSERT_EQ(complex.count(k), near.count(k));
+      for (std::size_t face = 0; face < near.count(k); ++face) {
+        const auto found = complex.vertices(k, face), expected = near.vertices(k, face);
+        EXPECT_TRUE(std::equal(found.begin(), found.end(), expected.begin(), expected.end()));
+      }
+    }
+  }
+}
+
 TEST(PureComplex, refuses_what_is_no_set_of_simplices) {
   EXPECT_THROW(PureComplex(Dimension(2), {0, 1, 2, 3}), std::invalid_argument);
   EXPECT_THROW(PureComplex(Dimension(-1), {}), std::invalid_argument);
