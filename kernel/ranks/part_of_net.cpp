@@ -133,7 +133,7 @@ std::optional<Label> LabelsHere::named(std::uint32_t name) const {
 }
 
 template <int m>
-PartOfNet<m> part_of_net(Communicator& ranks, const std::vector<Vector<Rational, m>>& whole, double distance) {
+PartOfNet<m> part_of_net(Communicator& ranks, std::vector<Vector<Rational, m>> whole, double distance) {
   std::vector<Message> messages(ranks.size());
   if (ranks.rank() == 0) {
     if (whole.size() < usual_part_size * ranks.size())
@@ -145,6 +145,7 @@ PartOfNet<m> part_of_net(Communicator& ranks, const std::vector<Vector<Rational,
       put_points<m>(out, whole, labels_in(labels_of_rank(whole.size(), rank, ranks.size())));
       messages[rank] = out.take();
     }
+    whole = {};
   }
   const Message mine = ranks.exchange(std::move(messages))[0];
   MessageReader in(mine);
@@ -205,7 +206,7 @@ PartOfNet<m> part_of_net(Communicator& ranks, const std::vector<Vector<Rational,
 }
 
 #define DELCERT_INSTANTIATE(m) \
-  template PartOfNet<m> part_of_net<m>(Communicator&, const std::vector<Vector<Rational, m>>&, double);
+  template PartOfNet<m> part_of_net<m>(Communicator&, std::vector<Vector<Rational, m>>, double);
 DELCERT_INSTANTIATE(2)
 DELCERT_INSTANTIATE(3)
 #undef DELCERT_INSTANTIATE

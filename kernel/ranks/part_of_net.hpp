@@ -41,12 +41,13 @@ struct PartOfNet {
   std::vector<std::array<Rational, static_cast<std::size_t>(m)>> centres;
 };
 
-/// Divides a net on the sphere, which the first rank has, in conformal coordinates, in an order in which neighbours are
-/// near each other. The halo are the labels less than `distance` away from an own one, and some more, by cells of the
-/// space around. Throws Rejection if there are fewer labels than 16 for each rank. Precondition: rounding to nearest.
+/// Divides a net on the sphere, which the first rank has until it is divided, in conformal coordinates, in an order in
+/// which neighbours are near each other. The halo are the labels less than `distance` away from an own one, and some
+/// more, by cells of the space around. Throws Rejection if there are fewer labels than 16 for each rank. Precondition:
+/// rounding to nearest.
 template <int m>
 [[nodiscard]] PartOfNet<m> part_of_net(Communicator& ranks,
-                                       const std::vector<std::array<Rational, static_cast<std::size_t>(m)>>& whole,
+                                       std::vector<std::array<Rational, static_cast<std::size_t>(m)>> whole,
                                        double distance);
 
 }  // namespace delcert

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <ctime>
 #include <filesystem>
@@ -20,6 +21,7 @@
 #include "proofs/certification/chart_family.hpp"
 #include "proofs/certification/report_parts.hpp"
 #include "support/error.hpp"
+#include "support/host.hpp"
 
 namespace delcert {
 
@@ -52,37 +54,29 @@ class SharedClock {
   std::clock_t processor_start_ = std::clock();
 };
 
-/// Row after row, by the ranks that write them, for chunks that they write.
-class RowsForChunks {
- public:
-  RowsForChunks(std::size_t ranks, const ChunkRanges& chunks) : chunks_(chunks), out_(ranks) {}
+/// Rows joined as a JSON array has them.
+void add_row(std::string& rows, const std::string& row) {
+  if (!rows.empty()) rows += ',';
+  rows += row;
+}
 
-  [[nodiscard]] std::size_t writer_of(std::size_t chunk) const {
-    return rank_of(static_cast<std::uint32_t>(chunks_.first_of(chunk)), chunks_.labels, out_.size());
-  }
-  void add(std::size_t chunk, const std::string& row) {
-    MessageWriter& out = out_[writer_of(chunk)];
-    out.put(static_cast<std::uint64_t>(chunk));
-    out.put(row);
-  }
-  /// What all ranks have added for the chunks that this rank writes, in the order of the ranks.
-  [[nodiscard]] std::vector<std::vector<std::string>> exchanged(Communicator& ranks) {
-    std::vector<Message> messages;
-    for (MessageWriter& out : out_) messages.push_back(out.take());
-    std::vector<std::vector<std::string>> result(chunks_.chunks);
-    for (const Message& message : ranks.exchange(std::move(messages))) {
-      for (MessageReader in(message); !in.is_at_end();) {
-        const auto chunk = in.get<std::uint64_t>();
-        result.at(chunk).push_back(in.get_text());
-      }
+/// The text of a chunk, of which every rank has sent some rows, or nothing.
+ChunkText chunk_text(const std::vector<Message>& rows) {
+  std::array<std::vector<std::string>, 3> parts;
+  for (const Message& message : rows) {
+    MessageReader in(message);
+    for (std::size_t at = 0; !in.is_at_end(); ++at) {
+      if (std::string part = in.get_text(); !part.empty()) parts.at(at).push_back(std::move(part));
     }
-    return result;
   }
-
- private:
-  ChunkRanges chunks_;
-  std::vector<MessageWriter> out_;
-};
+  constexpr std::array<const char*, 3> keys{"net", "points", "simplices"};
+  ChunkText text;
+  for (std::size_t at = 0; at < keys.size(); ++at) {
+    text.add_rows(keys[at], parts[at].size(), [&](std::size_t part) { return std::string_view(parts[at][part]); });
+    parts[at] = {};
+  }
+  return text;
+}
 
 template <int m>
 class SharedCertification {
@@ -118,6 +112,7 @@ class SharedCertification {
     request.most_repair_rounds = options_.certify.repair_rounds;
     const SharedRun<m> run = run_shared<m>(ranks_, labels_, *atlas_, geometry_of<m>(*atlas_), parameters.algorithm,
                                            request, &*log, progress_);
+    log.reset();
 
     clock_.begin("stars in other charts");
     const StarStability stability = shared_stability<m>(ranks_, labels_, *atlas_, run, progress_);
@@ -138,7 +133,6 @@ class SharedCertification {
     clock_.begin("write chunks");
     write(folder, run, parameters, claims);
     clock_.end();
-    log.reset();
     if (ranks_.rank() == 0) std::filesystem::remove_all(kept);
 
     const auto sum = [](std::uint64_t a, std::uint64_t b) { return a + b; };
@@ -187,58 +181,85 @@ class SharedCertification {
     const Message of_first_rank = of_first(ranks_, of_radius.take());
     radius = MessageReader(of_first_rank).get_rational();
     const int factor = fitting_patch_factor(form_, m, radius);
-    PartOfNet<m> part = part_of_net<m>(ranks_, centres, approximate_double(Rational(factor) * radius));
+    PartOfNet<m> part = part_of_net<m>(ranks_, std::move(centres), approximate_double(Rational(factor) * radius));
     labels_ = std::move(part.labels);
     atlas_.emplace(form_, std::move(part.centres), radius, factor);
+    return_free_memory();
   }
 
-  void write(const std::filesystem::path& folder, const SharedRun<m>& run, const RunParameters& parameters,
-             const Claims& claims) {
-    const auto text_of = [](const Vector<Rational, m>& point) { return listed(point, number); };
-    const ChunkRanges chunks{labels_.all, options_.chunks};
-    RowsForChunks net(ranks_.size(), chunks), points(ranks_.size(), chunks), simplices(ranks_.size(), chunks);
-    // By names; elements are all the identity.
-    std::vector<PlacedSimplex<m>> own;
+  /// By names, sorted, those with their least label among own ones; elements are all the identity.
+  [[nodiscard]] std::vector<PlacedSimplex<m>> own_simplices(const SharedRun<m>& run) const {
+    std::vector<PlacedSimplex<m>> result;
     for (std::uint32_t label = labels_.own.first; label < labels_.own.last; ++label) {
-      const std::size_t chunk = chunks.chunk_of(labels_.names[label]);
-      net.add(chunk, text_of(atlas_->centre(Label(label))));
-      points.add(chunk, text_of(run.points.exact(Label(label))));
       for (const auto& others : run.complex.star(Label(label))) {
         if (others[0] < label) continue;
-        PlacedSimplex<m>& simplex = own.emplace_back(PlacedSimplex<m>{});
+        PlacedSimplex<m>& simplex = result.emplace_back(PlacedSimplex<m>{});
         simplex[0] = labels_.names[label];
         for (std::size_t at = 0; at < m; ++at) simplex[at + 1] = labels_.names[others[at]];
       }
     }
-    std::sort(own.begin(), own.end());
-    std::vector<std::uint64_t> own_count(chunks.chunks, 0);
-    for (const PlacedSimplex<m>& simplex : own) {
-      const std::string row = listed(simplex, [](std::uint32_t entry) { return std::to_string(entry); });
-      std::vector<std::size_t> in;
-      for (std::size_t corner = 0; corner <= m; ++corner) in.push_back(chunks.chunk_of(simplex[corner]));
-      ++own_count[in.front()];
-      std::sort(in.begin(), in.end());
-      in.erase(std::unique(in.begin(), in.end()), in.end());
-      for (const std::size_t chunk : in) simplices.add(chunk, row);
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  /// What this rank has of a chunk, for `chunk_text`.
+  [[nodiscard]] Message rows_of(const SharedRun<m>& run, const ChunkRanges& chunks, std::size_t chunk,
+                                const std::vector<PlacedSimplex<m>>& own,
+                                const std::vector<std::uint32_t>& members) const {
+    const auto text_of = [](const Vector<Rational, m>& point) { return listed(point, number); };
+    const std::size_t begin = labels_.names_begin();
+    const auto own_label = [&](std::size_t name) {
+      return static_cast<std::uint32_t>(std::clamp(name, begin + labels_.own.first, begin + labels_.own.last) - begin);
+    };
+    std::string net, points, simplices;
+    const std::uint32_t last = own_label(chunks.first_of(chunk + 1));
+    for (std::uint32_t label = own_label(chunks.first_of(chunk)); label < last; ++label) {
+      add_row(net, text_of(atlas_->centre(Label(label))));
+      add_row(points, text_of(run.points.exact(Label(label))));
     }
-    const auto net_rows = net.exchanged(ranks_);
-    const auto point_rows = points.exchanged(ranks_);
-    const auto simplex_rows = simplices.exchanged(ranks_);
+    for (const std::uint32_t at : members)
+      add_row(simplices, listed(own[at], [](std::uint32_t entry) { return std::to_string(entry); }));
+    MessageWriter out;
+    for (const std::string* rows : {&net, &points, &simplices}) out.put(*rows);
+    return out.take();
+  }
+
+  /// Chunk after chunk, each rank one at a time, so that none has the text of more than that.
+  void write(const std::filesystem::path& folder, const SharedRun<m>& run, const RunParameters& parameters,
+             const Claims& claims) {
+    const ChunkRanges chunks{labels_.all, options_.chunks};
+    const std::vector<PlacedSimplex<m>> own = own_simplices(run);
+    // Of each chunk, which of them have a label in it, and how many their least.
+    std::vector<std::vector<std::uint32_t>> members(chunks.chunks);
+    std::vector<std::uint64_t> own_count(chunks.chunks, 0);
+    for (std::uint32_t number = 0; number < own.size(); ++number) {
+      ++own_count[chunks.chunk_of(own[number][0])];
+      for (std::size_t corner = 0; corner <= m; ++corner) {
+        auto& in = members[chunks.chunk_of(own[number][corner])];
+        if (in.empty() || in.back() != number) in.push_back(number);
+      }
+    }
+    std::vector<std::vector<std::size_t>> chunks_of(ranks_.size());
+    for (std::size_t chunk = 0; chunk < chunks.chunks; ++chunk)
+      chunks_of[rank_of(static_cast<std::uint32_t>(chunks.first_of(chunk)), labels_.all, ranks_.size())].push_back(
+          chunk);
+    std::size_t most = 0;
+    for (const auto& of_one : chunks_of) most = std::max(most, of_one.size());
+    std::vector<std::string> digests(chunks.chunks);
+    for (std::size_t turn = 0; turn < most; ++turn) {
+      std::vector<Message> rows(ranks_.size());
+      for (std::size_t rank = 0; rank < ranks_.size(); ++rank) {
+        if (turn < chunks_of[rank].size())
+          rows[rank] = rows_of(run, chunks, chunks_of[rank][turn], own, members[chunks_of[rank][turn]]);
+      }
+      const auto received = ranks_.exchange(std::move(rows));
+      const auto& mine = chunks_of[ranks_.rank()];
+      if (turn < mine.size()) digests[mine[turn]] = write_chunk(folder, mine[turn], chunk_text(received).finished());
+    }
     MessageWriter written;
     for (std::size_t chunk = 0; chunk < chunks.chunks; ++chunk) {
-      std::string digest;
-      if (net.writer_of(chunk) == ranks_.rank()) {
-        ChunkText text;
-        const auto add = [&](const char* key, const std::vector<std::string>& rows) {
-          text.add_rows(key, rows.size(), [&](std::size_t at) { return std::string_view(rows[at]); });
-        };
-        add("net", net_rows[chunk]);
-        add("points", point_rows[chunk]);
-        add("simplices", simplex_rows[chunk]);
-        digest = write_chunk(folder, chunk, text.finished());
-      }
       written.put(own_count[chunk]);
-      written.put(digest);
+      written.put(digests[chunk]);
     }
     const auto of_all = gather_at_first(ranks_, written.take());
     if (ranks_.rank() != 0) return;
