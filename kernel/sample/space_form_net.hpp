@@ -12,7 +12,7 @@ namespace delcert {
 /// farther than the radius from its point, chart by chart, until there is none. The same for a seed everywhere.
 ///
 /// Made in doubles: what comes out is to be measured, not believed. Throws Rejection when the radius does not fit the
-/// manifold (it is more than a third of the injectivity radius), or there would be more than 4 000 000 points.
+/// manifold (it is more than a third of the injectivity radius), or there would be more than 16 000 000 points.
 template <int m>
 [[nodiscard]] SpaceFormNet<m> space_form_net(const SpaceForm& form, const Rational& radius, std::uint64_t seed,
                                              const Progress& progress);

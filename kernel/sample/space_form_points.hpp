@@ -38,7 +38,7 @@ class SpaceFormPoints {
   [[nodiscard]] const SpaceFormDomain<m>& domain() const { return domain_; }
 
   /// Adds a point by its coordinates, unless some lift of another is within the distance, or the coordinates are 2³⁰ or
-  /// more (−o has none); says whether it did. Throws Rejection for more than 4 000 000 points.
+  /// more (−o has none); says whether it did. Throws Rejection for more than 16 000 000 points.
   bool insert(const Vector<double, m>& coordinates, double least_distance);
 
   /// The point with these coordinates, for `insert_candidate`; none under the same conditions.

@@ -106,8 +106,7 @@ std::vector<LabelSimplex<m>> ChartComplex<m>::simplices() const {
   std::vector<LabelSimplex<m>> result;
   in_parts<labels_in_a_part>("list simplices", stars_.size(), no_progress(), of_some,
                              [&](const auto& found) { result.insert(result.end(), found.begin(), found.end()); });
-  // So it is in order already, unless a star has a simplex that those of lesser
-  // labels have not.
+  // So it is in order already, unless a star has a simplex that those of lesser labels have not.
   if (!std::is_sorted(result.begin(), result.end())) std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
