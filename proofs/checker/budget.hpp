@@ -19,6 +19,8 @@ class Budget {
     left_ -= units;
   }
   static std::uint64_t left() { return left_; }
+  /// As it was when so much was left.
+  static void restore(std::uint64_t left) { left_ = left; }
 
  private:
   static inline std::uint64_t left_ = ~std::uint64_t{0};

@@ -13,7 +13,9 @@ void Cursor::fail(std::string_view rule, std::string_view expected) const {
 }
 
 bool Cursor::accept(std::string_view literal) {
-  if (!text_.substr(position_).starts_with(literal)) return false;
+  // Most literals are brackets and commas.
+  if (position_ >= text_.size() || text_[position_] != literal[0]) return false;
+  if (literal.size() > 1 && !text_.substr(position_).starts_with(literal)) return false;
   position_ += literal.size();
   return true;
 }

@@ -14,9 +14,12 @@ namespace {
 
 /// The longest prefix of digits, taken off the text.
 std::string_view take_digits(std::string_view& text, bool hexadecimal) {
-  const auto is_digit = [=](char c) { return ('0' <= c && c <= '9') || (hexadecimal && 'a' <= c && c <= 'f'); };
+  const unsigned letters = hexadecimal ? 6 : 0;
   std::size_t length = 0;
-  while (length < text.size() && is_digit(text[length])) ++length;
+  for (; length < text.size(); ++length) {
+    const auto c = static_cast<unsigned>(text[length]);
+    if (c - '0' >= 10 && c - 'a' >= letters) break;
+  }
   const std::string_view taken = text.substr(0, length);
   text.remove_prefix(length);
   return taken;

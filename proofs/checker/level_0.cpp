@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 
 #include "proofs/checker/grid.hpp"
 #include "proofs/checker/parts.hpp"
@@ -22,13 +23,14 @@ void check_patch_size(const Certificate& c, Report& report) {
   });
 }
 
-/// Calls check(i, report) for every label.
+/// Calls check(i, report) for every label; `least` as for in_parts.
 template <class Check>
-void for_labels(const char* rule, const Certificate& c, Report& report, const Check& check) {
-  in_parts(rule, c.n, report, [&](std::size_t begin, std::size_t end, Report& found) {
+void for_labels(const char* rule, const Certificate& c, std::size_t least, Report& report, const Check& check) {
+  const auto check_all = [&](std::size_t begin, std::size_t end, Report& found) {
     for (auto i = static_cast<Label>(begin); i < end; ++i) check(i, found);
     return Counts{};
-  });
+  };
+  in_parts(rule, c.n, report, check_all, {}, least);
 }
 
 /// Of lifts of the net closer than 9 (1 + epsilon_0) times the greater radius, that is at most 1 + epsilon_0 times the
@@ -36,7 +38,7 @@ void for_labels(const char* rule, const Certificate& c, Report& report, const Ch
 void check_radii(const Certificate& c, Report& report) {
   const Grid grid(c.net);
   const Quantity factor = c.radius_factor();
-  for_labels("0.radii", c, report, [&](Label i, Report& found) {
+  for_labels("0.radii", c, 64, report, [&](Label i, Report& found) {
     const Vertex base{i, {}};
     const Quantity reach = c.at(i, Quantity(Rational(9) * factor.exact * c.epsilon.exact));
     const Quantity& own = c.units[i];
@@ -56,7 +58,7 @@ void check_radii(const Certificate& c, Report& report) {
 void check_separation(const Certificate& c, Report& report) {
   const Grid grid(c.net);
   const Quantity apart(c.mu.exact * c.radius_factor().exact * c.epsilon.exact);
-  for_labels("0.separation", c, report, [&](Label i, Report& found) {
+  for_labels("0.separation", c, 1U << 12, report, [&](Label i, Report& found) {
     const Vertex base{i, {}};
     const Quantity farthest = c.at(i, apart);
     grid.visit(c.net.position<Interval>(base), farthest.filter.upper(), [&](const Vertex& q) {
@@ -78,7 +80,7 @@ void check_perturbation(const Certificate& c, Report& report) {
   if (!c.units.empty() && less(c.mu.exact, Rational(4) * c.radius_factor().exact * c.rho.exact) == Verdict::proved)
     report.reject("0.perturbation", [] { return "(1 + radius_variation) perturbation exceeds separation/4"; });
   const Quantity shift(c.rho.exact * c.epsilon.exact);
-  for_labels("0.perturbation", c, report, [&](Label i, Report& found) {
+  for_labels("0.perturbation", c, 1U << 16, report, [&](Label i, Report& found) {
     const Quantity largest = c.at(i, shift);
     const auto near = [&]<class N>(In<N>) {
       const Vector<N> offset = c.points.position<N>({i, {}}) - c.net.position<N>({i, {}});
@@ -116,8 +118,16 @@ std::string check_level_0(const Certificate& c, Report& report) {
   check_separation(c, report);
   check_perturbation(c, report);
   if (c.hypotheses_2) check_hypotheses_2(c, report);
+  std::optional<Elsewhere> degree;
+  if (most_parts > 1 && own_share.number == 1) {
+    degree.emplace([&c](Report& found) {
+      check_degree(c, found);
+      return "";
+    });
+  }
   if (is_done_here("0.cycle", report)) check_cycle(c, report);
-  check_density(c, report);
+  check_balls(c, report);
+  if (is_done_here("0.degree", report)) degree ? void(degree->result(report)) : check_degree(c, report);
   return std::to_string(c.n) + " points, sampling radius " + (c.units.empty() ? "" : "at most ") +
          rounded_up(c.epsilon.exact) + ", separation >= " + rounded_down(c.mu.exact) +
          ", perturbation <= " + rounded_up(c.rho.exact) +

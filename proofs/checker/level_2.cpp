@@ -32,8 +32,8 @@ std::string check_count(const Certificate& c, core::Core* core, Report& report) 
                                                : count_faces(c.m_size(), c.simplex_labels, begin, end);
     return Counts{found.simplices, found.euler_characteristic};
   };
-  const auto [simplices, euler] =
-      in_parts("2.count", Items::labels, c.n, report, count, {"simplices", "euler_characteristic"});
+  const auto [simplices, euler] = in_parts("2.count", Items::labels, c.n, report, count,
+                                           {"simplices", "euler_characteristic"}, complex != nullptr ? 1U << 20 : 64);
   const char* kind = c.has_boundary() ? ", not closed" : ", closed";
   // The counts of a part say nothing: whoever adds them up compares them.
   const bool counted =

@@ -10,8 +10,6 @@
 namespace delcert::checker {
 namespace {
 
-constexpr std::size_t least_part = 64;
-
 /// Writes what the work did: its decisions and what it spent, then words and findings, each with a zero at its end.
 int do_elsewhere(const Work& work) {
   const std::uint64_t left = Budget::left();
@@ -77,25 +75,49 @@ ChunkItems::Part own_part(Items items, std::uint64_t size) {
 }  // namespace
 
 Counts in_parts(std::string_view rules, Items items, std::size_t size, Report& report, const LoopBody& work,
-                const std::vector<std::string>& names) {
+                const std::vector<std::string>& names, std::size_t least) {
   const ChunkItems::Part own = own_part(items, size);
   const std::uint64_t first = own.begin, last = own.end;
   const Decisions before = decisions;
+  const std::uint64_t left = Budget::left();
   const std::size_t length = last - first;
-  const std::size_t parts = std::max<std::size_t>(1, std::min<std::size_t>(most_parts, length / least_part));
-  const auto begin = [=](std::size_t part) { return first + part * length / parts; };
-  std::list<Elsewhere> others;
-  for (std::size_t part = 1; part < parts; ++part) {
-    others.emplace_back([&work, first = begin(part), end = begin(part + 1)](Report& found) {
-      const Counts counts = work(first, end, found);
-      return std::to_string(counts[0]) + ' ' + std::to_string(counts[1]);
-    });
+  const std::size_t parts = std::max<std::size_t>(1, std::min<std::size_t>(most_parts, length / least));
+  // The first blocks can take longer than the last ones, where labels look at greater ones: a part has one of each.
+  const auto begin = [=](std::size_t block) { return first + block * length / (2 * parts); };
+  const auto do_part = [&](std::size_t part, Report& found) {
+    Counts sum = work(begin(part), begin(part + 1), found);
+    const Counts of_last = work(begin(2 * parts - 1 - part), begin(2 * parts - part), found);
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += of_last[k];
+    return sum;
+  };
+  Counts sum{};
+  const auto do_parts = [&] {
+    std::list<Elsewhere> others;
+    for (std::size_t part = 1; part < parts; ++part) {
+      others.emplace_back([&do_part, part](Report& found) {
+        const Counts counts = do_part(part, found);
+        return std::to_string(counts[0]) + ' ' + std::to_string(counts[1]);
+      });
+    }
+    Report found;
+    sum = do_part(0, found);
+    for (Elsewhere& other : others) {
+      Counts counts{};
+      std::istringstream(other.result(found)) >> counts[0] >> counts[1];
+      for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += counts[k];
+    }
+    return found.findings.empty();
+  };
+  bool is_done = false;
+  try {
+    is_done = parts > 1 && do_parts();
+  } catch (const Undecided&) {
   }
-  Counts sum = work(first, begin(1), report);
-  for (Elsewhere& other : others) {
-    Counts counts{};
-    std::istringstream(other.result(report)) >> counts[0] >> counts[1];
-    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += counts[k];
+  // What is wrong is said by one process, in order.
+  if (!is_done) {
+    decisions = before;
+    Budget::restore(left);
+    sum = work(first, last, report);
   }
   Range range{std::string(rules), own.of, own.first, own.first + length, {}};
   for (std::size_t k = 0; k < names.size(); ++k) range.counts.emplace_back(names[k], sum[k]);

@@ -28,9 +28,10 @@ std::string check_count(const Certificate& c, core::Core* core, Report& report);
 std::string check_homology(const Certificate& c, Report& report);
 std::string check_level_2s(const Certificate& c, Report& report);
 std::string check_level_3(const Certificate& c, Report& report);
-/// The parts of level 0 that show that the net is dense: the rule 0.cycle, and the rules 0.ball and 0.degree.
+/// The parts of level 0 that show that the net is dense: the rules 0.cycle, 0.ball and 0.degree.
 void check_cycle(const Certificate& c, Report& report);
-void check_density(const Certificate& c, Report& report);
+void check_balls(const Certificate& c, Report& report);
+void check_degree(const Certificate& c, Report& report);
 
 /// The rule 1.facets, or that of another level, for the star of i, where there is no core.
 void check_facets(const Certificate& c, Label i, Report& report, const char* rule = "1.facets");

@@ -64,6 +64,34 @@ Outcome outcome_of(unsigned parts, std::uint64_t budget, std::size_t thrower, bo
   return outcome;
 }
 
+/// Then what the processes have found out is all there is.
+TEST(Parts, look_at_each_number_once_where_nothing_is_wrong) {
+  const test::Upwards upwards;
+  for (const unsigned parts : {1U, 2U, 3U, 5U}) {
+    for (const std::size_t size : {63U, 64U, 129U, 1000U}) {
+      checker::most_parts = parts;
+      checker::decisions = {};
+      checker::Report report;
+      const checker::Counts counts = checker::in_parts(
+          "rule", size, report,
+          [](std::size_t begin, std::size_t end, checker::Report& /*found*/) {
+            checker::Counts sum{};
+            for (std::size_t k = begin; k < end; ++k) {
+              checker::decide([]<class N>(checker::In<N>) { return checker::Verdict::proved; });
+              ++sum[0];
+              sum[1] += static_cast<std::int64_t>(k * k);
+            }
+            return sum;
+          },
+          {}, 8);
+      checker::most_parts = 1;
+      const auto n = static_cast<std::int64_t>(size);
+      EXPECT_EQ(counts, (checker::Counts{n, (n - 1) * n * (2 * n - 1) / 6})) << parts << " of " << size;
+      EXPECT_EQ(checker::decisions.filtered, size);
+    }
+  }
+}
+
 TEST(Parts, have_the_outcome_of_the_whole) {
   const test::Upwards upwards;
   constexpr std::size_t none = 5000;

@@ -12,7 +12,7 @@ double width(const Interval& x) { return x.upper() - x.lower(); }
 }  // namespace
 
 FlatSimplices::FlatSimplices(Complex& complex)
-    : complex_(complex), form_(complex.data), found_(complex.data.simplices()), is_found_(complex.data.simplices()) {
+    : complex_(complex), form_(complex.data), found_(complex.data.simplices()) {
   const std::size_t m = complex.data.m;
   std::array<std::array<double, 3>, 3> gram{};
   double row = 0, row_error = 0;  // of |gram|, and of its errors: the greatest sum of a row
@@ -118,9 +118,12 @@ FlatSimplex FlatSimplices::look_at(std::uint32_t s) {
 }
 
 const FlatSimplex& FlatSimplices::of(std::uint32_t s) {
-  if (!is_found_[s]) found_[s] = look_at(s);
-  is_found_[s] = true;
-  return found_[s];
+  Found& found = found_[s];
+  if (!found.is_found.load(std::memory_order_acquire)) {
+    found.simplex = look_at(s);
+    found.is_found.store(true, std::memory_order_release);
+  }
+  return found.simplex;
 }
 
 }  // namespace delcert::checker::core

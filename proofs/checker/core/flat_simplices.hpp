@@ -1,8 +1,10 @@
 #pragma once
 
+#include <atomic>
 #include <vector>
 
 #include "proofs/checker/core/circumball.hpp"
+#include "proofs/checker/shared_array.hpp"
 
 namespace delcert::checker::core {
 
@@ -43,8 +45,11 @@ class FlatSimplices {
   double width_ = 0;       // of the widest enclosure of a coordinate
   std::vector<Row> rows_;  // as the neighbours in the complex
   std::vector<Reach> reach_;
-  std::vector<FlatSimplex> found_;
-  std::vector<bool> is_found_;
+  struct Found {
+    FlatSimplex simplex;
+    std::atomic<bool> is_found;  // after the simplex is written
+  };
+  SharedArray<Found> found_;  // by whichever process of the check
 };
 
 }  // namespace delcert::checker::core
