@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -11,12 +10,6 @@ namespace delcert {
 
 template <int m>
 using IndexSimplex = std::array<std::uint32_t, static_cast<std::size_t>(m) + 1>;
-
-/// Whether `wanted` is not 0 for some vertex.
-template <int m>
-[[nodiscard]] bool has_vertex_in(const IndexSimplex<m>& simplex, const std::vector<unsigned char>& wanted) {
-  return std::any_of(simplex.begin(), simplex.end(), [&](std::uint32_t vertex) { return wanted[vertex] != 0; });
-}
 
 /// The m-simplices of a Delaunay triangulation of these points of ℝᵐ (Cartesian coordinates), by CGAL with exact
 /// predicates on the doubles as given; without error bounds as far as the points that the doubles stand for are
@@ -37,8 +30,8 @@ class GrowingDelaunay {
 
   /// Their indices follow those of the points before.
   void add(const std::vector<Vector<double, m>>& points);
-  /// The simplices that have a vertex for which `wanted` is not 0, in no particular order of them or of their vertices.
-  [[nodiscard]] std::vector<IndexSimplex<m>> simplices_at(const std::vector<unsigned char>& wanted) const;
+  /// In no particular order of simplices or of their vertices.
+  [[nodiscard]] std::vector<IndexSimplex<m>> simplices() const;
 
  private:
   struct Triangulation;

@@ -22,28 +22,25 @@ class CgalDelaunay {
 
   /// All, with their vertices sorted, the simplices too.
   [[nodiscard]] std::vector<IndexSimplex<m>> sorted_simplices() const {
-    auto result = simplices([](const IndexSimplex<m>&) { return true; });
+    auto result = simplices();
     for (IndexSimplex<m>& simplex : result) std::sort(simplex.begin(), simplex.end());
     std::sort(result.begin(), result.end());
     return result;
   }
-  [[nodiscard]] std::vector<IndexSimplex<m>> simplices_at(const std::vector<unsigned char>& wanted) const {
-    return simplices([&](const IndexSimplex<m>& simplex) { return has_vertex_in<m>(simplex, wanted); });
-  }
-
- private:
-  template <class Which>
-  std::vector<IndexSimplex<m>> simplices(const Which& which) const {
+  /// In no particular order of them or of their vertices.
+  [[nodiscard]] std::vector<IndexSimplex<m>> simplices() const {
     std::vector<IndexSimplex<m>> result;
     if (of_all_.dimension() < m) return result;
     for (const auto handle : handles()) {
       IndexSimplex<m> simplex;
       for (int corner = 0; corner <= m; ++corner)
         simplex[static_cast<std::size_t>(corner)] = handle->vertex(corner)->info();
-      if (which(simplex)) result.push_back(simplex);
+      result.push_back(simplex);
     }
     return result;
   }
+
+ private:
   auto handles() const {
     if constexpr (m == 2) {
       return of_all_.finite_face_handles();

@@ -4,7 +4,7 @@
 
 namespace delcert {
 
-// What the dimensions of GrowingDelaunay have in common. Each defines its Triangulation, with `add` and `simplices_at`,
+// What the dimensions of GrowingDelaunay have in common. Each defines its Triangulation, with `add` and `simplices`,
 // and instantiates the class.
 
 template <int m>
@@ -19,8 +19,8 @@ void GrowingDelaunay<m>::add(const std::vector<Vector<double, m>>& points) {
 }
 
 template <int m>
-std::vector<IndexSimplex<m>> GrowingDelaunay<m>::simplices_at(const std::vector<unsigned char>& wanted) const {
-  return triangulation_->simplices_at(wanted);
+std::vector<IndexSimplex<m>> GrowingDelaunay<m>::simplices() const {
+  return triangulation_->simplices();
 }
 
 /// A triangulation that is made anew of all points: for dimensions where one that grows is not worth it.
@@ -30,11 +30,7 @@ class RemadeDelaunay {
   void add(const std::vector<Vector<double, m>>& points) {
     points_.insert(points_.end(), points.begin(), points.end());
   }
-  [[nodiscard]] std::vector<IndexSimplex<m>> simplices_at(const std::vector<unsigned char>& wanted) const {
-    auto result = approximate_delaunay<m>(points_);
-    std::erase_if(result, [&](const IndexSimplex<m>& simplex) { return !has_vertex_in<m>(simplex, wanted); });
-    return result;
-  }
+  [[nodiscard]] std::vector<IndexSimplex<m>> simplices() const { return approximate_delaunay<m>(points_); }
 
  private:
   std::vector<Vector<double, m>> points_;

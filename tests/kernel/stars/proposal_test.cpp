@@ -1,5 +1,6 @@
 #include "kernel/stars/proposal.hpp"
 
+#include "kernel/parallel/threads.hpp"
 #include "support/error.hpp"
 #include "tests/kernel/stars/witness.hpp"
 
@@ -133,6 +134,68 @@ TEST(ProposeDelaunay, works_in_dimension_4) {
   EXPECT_EQ(proposed<4>(ball_of<4>(Rational(1)), points, 0.1).size(),
             approximate_delaunay<4>(approximate_all<4>(points)).size());
   check_torus<4>(cubic_torus<4>(), random_points<4>(24, 12, 20), 0.3);
+}
+
+/// Of one triangulation of all lifts about the unit cell, the simplices that have a vertex in it, in canonical form.
+template <int m>
+std::vector<LiftedSimplex<m>> simplices_at_unit_cell(const FlatSpace<m>& space,
+                                                     const std::vector<Vector<double, m>>& points, double margin) {
+  std::vector<Lift<m>> lifts;
+  std::vector<Vector<double, m>> cartesian;
+  Shift<m> low;
+  Shift<m> high;
+  low.fill(-1);
+  high.fill(1);
+  for_each_shift<m>(low, high, [&](const Shift<m>& shift) {
+    for (std::uint32_t index = 0; index < points.size(); ++index) {
+      Vector<double, m> x = points[index];
+      bool is_near = true;
+      for (std::size_t axis = 0; axis < m; ++axis) {
+        x[axis] += shift[axis];
+        is_near = is_near && x[axis] > -margin && x[axis] < 1 + margin;
+      }
+      if (!is_near) continue;
+      lifts.push_back({index, shift});
+      cartesian.push_back(space.metric.approximate_cartesian(x));
+    }
+  });
+  std::vector<LiftedSimplex<m>> result;
+  for (const IndexSimplex<m>& indices : approximate_delaunay<m>(cartesian)) {
+    LiftedSimplex<m> simplex;
+    for (std::size_t corner = 0; corner <= m; ++corner) simplex[corner] = lifts[indices[corner]];
+    if (std::any_of(simplex.begin(), simplex.end(), [](const auto& vertex) { return vertex.is_unmoved(); }))
+      result.push_back(canonical<m>(simplex));
+  }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+/// So many points that the unit cell is divided, for any number of threads.
+template <int m>
+void check_division(const FlatSpace<m>& space, const std::vector<Vector<double, m>>& points, double radius,
+                    double margin) {
+  const auto expected = simplices_at_unit_cell<m>(space, points, margin);
+  for (const unsigned threads : {1U, 2U, 4U}) {
+    const ThreadLimit limit(threads);
+    EXPECT_EQ(propose_delaunay<m>(space, points, radius), expected);
+  }
+}
+
+TEST(ProposeDelaunay, by_boxes_has_the_simplices_of_one_triangulation) {
+  check_division<2>(cubic_torus<2>(), approximate_all<2>(random_points<2>(6000, 13, 30)), 0.02, 0.3);
+  check_division<2>(hexagonal_torus(), approximate_all<2>(random_points<2>(6000, 14, 30)), 0.02, 0.3);
+  check_division<3>(cubic_torus<3>(), approximate_all<3>(random_points<3>(4000, 15, 30)), 0.05, 0.5);
+}
+
+TEST(ProposeDelaunay, by_boxes_breaks_ties_as_one_triangulation_does) {
+  // Circumcentres on the borders of boxes, too.
+  std::vector<Vector<double, 2>> square;
+  for (int x = 0; x < 64; ++x) {
+    for (int y = 0; y < 64; ++y) square.push_back({x / 64.0, y / 64.0});
+  }
+  check_division<2>(cubic_torus<2>(), square, 0.02, 0.3);
+  EXPECT_EQ(propose_delaunay<2>(cubic_torus<2>(), square, 0.02).size(), 2 * square.size());
 }
 
 TEST(ProposeDelaunay, refuses_too_few_points) {
