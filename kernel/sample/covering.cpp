@@ -7,6 +7,7 @@
 
 #include "kernel/chart/net_grid.hpp"
 #include "kernel/number/ladder.hpp"
+#include "kernel/parallel/parts.hpp"
 #include "kernel/random/counter_random.hpp"
 #include "kernel/sample/hull_distance.hpp"
 #include "kernel/simplex/dimensions.hpp"
@@ -206,50 +207,86 @@ void certify_ball_degree(const FlatSpace<m>& space, const PointSet<m>& net,
   if (!starts) throw Rejection("density: no net simplex has a vertex in the ball");
 }
 
+/// So many simplices of a torus are measured in one thread.
+constexpr std::size_t simplices_in_a_part = 1024;
+
+/// Of simplices that follow each other.
+template <int m>
+struct CoveringPart {
+  double covering = 0;  ///< a bound of their squared radii, in squares of units
+  double farthest = 0;  ///< the greatest squared radius of a ball about a point of the space
+  Vector<double, m> farthest_centre{};
+  std::vector<LiftedSimplex<m>> simplices;  ///< those that are needed, oriented
+};
+
+/// With a determinant that is not negative, of the points that the simplices were proposed for.
+template <int m>
+LiftedSimplex<m> oriented(LiftedSimplex<m> simplex, const std::vector<Vector<double, m>>& points) {
+  std::array<Vector<PlainDouble, m>, corners<m>> vertices;
+  for (std::size_t corner = 0; corner < corners<m>; ++corner) {
+    const Lift<m>& lift = simplex[corner];
+    for (std::size_t axis = 0; axis < m; ++axis)
+      vertices[corner][axis] = PlainDouble::exactly(points[lift.index][axis] + lift.shift[axis]);
+  }
+  if (determinant<PlainDouble, m>(vertices).lower() < 0) std::swap(simplex[m - 1], simplex[m]);
+  return simplex;
+}
+
+template <int m>
+CoveringPart<m> covered_by(const FlatSpace<m>& space, const PointSet<m>& net,
+                           const std::vector<Vector<double, m>>& proposal_points,
+                           std::span<const LiftedSimplex<m>> proposed, std::span<const double> units) {
+  const auto plain = space.metric.template on<PlainDouble>();
+  const auto filter = [&] {
+    const FilterGuard guard;
+    return space.metric.template on<Filter>();
+  }();
+  const double ball = space.box_radius().value_or(0);
+  CoveringPart<m> result;
+  for (const auto& simplex : proposed) {
+    const double squared_unit = unit_of<m>(simplex, units) * unit_of<m>(simplex, units);  // exact
+    const auto [centre, squared_radius] =
+        enclosing_ball<m>(plain, filter, net, simplex, result.covering * squared_unit);
+    if (!space.is_torus() && is_outside_ball<m>(*space.ball_radius, net, simplex, centre, squared_radius)) continue;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    result.covering = std::max(
+        result.covering, squared_unit == 1 ? squared_radius : std::nextafter(squared_radius / squared_unit, infinity));
+    if (squared_radius > result.farthest && (space.is_torus() || pairing(centre, centre) <= ball * ball)) {
+      result.farthest = squared_radius;
+      result.farthest_centre = centre;
+    }
+    result.simplices.push_back(oriented<m>(simplex, proposal_points));
+  }
+  return result;
+}
+
 }  // namespace
 
 template <int m>
 Covering<m> certified_covering(const FlatSpace<m>& space, const PointSet<m>& net,
                                const std::vector<Vector<double, m>>& proposal_points,
                                const std::vector<LiftedSimplex<m>>& proposed, std::span<const double> units) {
-  const auto plain = space.metric.template on<PlainDouble>();
-  const auto filter = [&] {
-    const FilterGuard guard;
-    return space.metric.template on<Filter>();
-  }();
-  std::vector<bool> needed;
+  Covering<m> result;
   double covering = 0;
   double farthest = 0;
-  Covering<m> result;
-  const double ball = space.box_radius().value_or(0);
-  for (const auto& simplex : proposed) {
-    const double squared_unit = unit_of<m>(simplex, units) * unit_of<m>(simplex, units);  // exact
-    const auto [centre, squared_radius] = enclosing_ball<m>(plain, filter, net, simplex, covering * squared_unit);
-    needed.push_back(space.is_torus() || !is_outside_ball<m>(*space.ball_radius, net, simplex, centre, squared_radius));
-    if (!needed.back()) continue;
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    covering = std::max(covering,
-                        squared_unit == 1 ? squared_radius : std::nextafter(squared_radius / squared_unit, infinity));
-    if (squared_radius > farthest && (space.is_torus() || pairing(centre, centre) <= ball * ball)) {
-      farthest = squared_radius;
-      result.farthest_centre = centre;
-    }
-  }
+  // Of a ball, which simplices are needed may depend on what was measured before.
+  const std::size_t part_size = space.is_torus() ? simplices_in_a_part : std::max<std::size_t>(proposed.size(), 1);
+  in_parts<1>(
+      "measure density", (proposed.size() + part_size - 1) / part_size, no_progress(),
+      [&](std::size_t part, std::size_t) {
+        const std::size_t first = part * part_size;
+        const std::size_t count = std::min(part_size, proposed.size() - first);
+        return covered_by<m>(space, net, proposal_points, std::span(proposed).subspan(first, count), units);
+      },
+      [&](const CoveringPart<m>& part) {
+        covering = std::max(covering, part.covering);
+        if (part.farthest > farthest) {
+          farthest = part.farthest;
+          result.farthest_centre = part.farthest_centre;
+        }
+        result.simplices.insert(result.simplices.end(), part.simplices.begin(), part.simplices.end());
+      });
   if (!std::isfinite(covering) || covering == 0) throw Rejection("density: no simplex of the net could be measured");
-  for (std::size_t at = 0; at < proposed.size(); ++at) {
-    if (!needed[at]) continue;
-    std::array<Vector<PlainDouble, m>, corners<m>> vertices;
-    for (std::size_t corner = 0; corner < corners<m>; ++corner) {
-      const Lift<m>& lift = proposed[at][corner];
-      for (std::size_t axis = 0; axis < m; ++axis) {
-        vertices[corner][axis] = PlainDouble::exactly(proposal_points[lift.index][axis] + lift.shift[axis]);
-      }
-    }
-    result.simplices.push_back(proposed[at]);
-    if (determinant<PlainDouble, m>(vertices).lower() < 0) {
-      std::swap(result.simplices.back()[m - 1], result.simplices.back()[m]);
-    }
-  }
   result.radius_upper = square_root_upper(Rational::exactly(covering), 60);
 
   const auto rim = boundary<m>(result.simplices);

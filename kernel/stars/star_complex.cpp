@@ -1,7 +1,9 @@
 #include "kernel/stars/star_complex.hpp"
 
 #include <algorithm>
+#include <iterator>
 
+#include "kernel/parallel/parts.hpp"
 #include "kernel/simplex/dimensions.hpp"
 #include "support/sort_by_number.hpp"
 
@@ -94,20 +96,11 @@ PureComplex StarComplex<m>::label_complex() const {
 }
 
 template <int m>
-std::vector<StarFailure> StarComplex<m>::combinatorial_failures() const {
+std::vector<StarFailure> StarComplex<m>::failures_at(std::size_t first_label, std::size_t last_label) const {
   std::vector<StarFailure> failures;
-  for (const auto& simplex : simplices_) {
-    for (std::size_t corner = 1; corner < corners<m>; ++corner) {
-      if (simplex[corner].index == simplex[corner - 1].index) {
-        failures.push_back({Label(simplex[corner].index),
-                            "a simplex of its star has this vertex twice",
-                            {Label(simplex[corner].index)},
-                            FailureCause::combinatorial});
-      }
-    }
-  }
-  if (!failures.empty()) return failures;
-  for (std::uint32_t index = 0; index < interior_.size(); ++index) {
+  // The faces of dimension m−1 that contain a label: its m−1 other labels.
+  std::vector<std::array<std::uint32_t, static_cast<std::size_t>(m) - 1>> faces;
+  for (std::size_t index = first_label; index < last_label; ++index) {
     const Label i(index);
     if (!interior_[index]) continue;
     const auto simplices = star(i);
@@ -115,12 +108,11 @@ std::vector<StarFailure> StarComplex<m>::combinatorial_failures() const {
       failures.push_back({i, "its star is empty", {i}, FailureCause::combinatorial});
       continue;
     }
-    // The faces of dimension m−1 that contain i: its m−1 other labels.
-    std::vector<std::vector<std::uint32_t>> faces;
+    faces.clear();
     for (const auto& others : simplices) {
       for (std::size_t omitted = 0; omitted < m; ++omitted) {
-        faces.emplace_back(others.begin(), others.end());
-        faces.back().erase(faces.back().begin() + static_cast<std::ptrdiff_t>(omitted));
+        auto& face = faces.emplace_back();
+        for (std::size_t at = 0; at + 1 < m; ++at) face[at] = others[at + (at < omitted ? 0 : 1)];
       }
     }
     std::sort(faces.begin(), faces.end());
@@ -139,6 +131,29 @@ std::vector<StarFailure> StarComplex<m>::combinatorial_failures() const {
       first = last;
     }
   }
+  return failures;
+}
+
+template <int m>
+std::vector<StarFailure> StarComplex<m>::combinatorial_failures() const {
+  std::vector<StarFailure> failures;
+  for (const auto& simplex : simplices_) {
+    for (std::size_t corner = 1; corner < corners<m>; ++corner) {
+      if (simplex[corner].index == simplex[corner - 1].index) {
+        failures.push_back({Label(simplex[corner].index),
+                            "a simplex of its star has this vertex twice",
+                            {Label(simplex[corner].index)},
+                            FailureCause::combinatorial});
+      }
+    }
+  }
+  if (!failures.empty()) return failures;
+  in_parts<64>(
+      "certify stars", interior_.size(), no_progress(),
+      [this](std::size_t first, std::size_t last) { return failures_at(first, last); },
+      [&failures](std::vector<StarFailure> found) {
+        std::move(found.begin(), found.end(), std::back_inserter(failures));
+      });
   return failures;
 }
 

@@ -48,10 +48,13 @@ class StarComplex {
   /// The complex of all faces, a face being its set of labels. Throws InputError if a simplex meets itself.
   [[nodiscard]] PureComplex label_complex() const;
   /// Stars that are empty, or in which a face of dimension m−1 at the label is not in exactly two simplices, and
-  /// simplices that meet themselves.
+  /// simplices that meet themselves. In parallel.
   [[nodiscard]] std::vector<StarFailure> combinatorial_failures() const;
 
  private:
+  /// Of the stars of these labels, where no simplex meets itself.
+  [[nodiscard]] std::vector<StarFailure> failures_at(std::size_t first_label, std::size_t last_label) const;
+
   std::vector<LiftedSimplex<m>> simplices_;
   std::vector<bool> interior_;
   std::vector<std::size_t> first_;  // simplices of label i: at_[first_[i]] … at_[first_[i+1] − 1]

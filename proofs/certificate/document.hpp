@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "kernel/number/rational.hpp"
+#include "kernel/parallel/parts.hpp"
 #include "proofs/certificate/byte_sink.hpp"
 #include "support/progress.hpp"
 
@@ -34,17 +35,25 @@ class Document {
       : sink_(path), elements_(elements), progress_(progress) {}
 
   void add(std::string_view text);
-  /// ,"key":[text(0),text(1),...]
+  /// ,"key":[text(0),text(1),...]. In parallel: `text` is called in any thread.
   template <class Text>
   void add_array(std::string_view key, std::size_t count, const Text& text) {
     add(",\"");
     add(key);
     add("\":[");
-    for (std::size_t at = 0; at < count; ++at) {
-      if (at > 0) add(",");
-      add(text(at));
-      if (++written_ % 256 == 0) report();
-    }
+    const auto some = [&text](std::size_t first, std::size_t last) {
+      std::string part;
+      for (std::size_t at = first; at < last; ++at) {
+        if (at > 0) part += ',';
+        part += text(at);
+      }
+      return part;
+    };
+    const auto report_more = [this, before = written_](std::string_view, std::size_t done, std::size_t) {
+      written_ = before + done;
+      report();
+    };
+    in_parts<64>("write", count, report_more, some, [this](const std::string& part) { add(part); });
     add("]");
   }
   /// Adds the digest of all before it and the end. Nothing may follow.
