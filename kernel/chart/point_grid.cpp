@@ -151,6 +151,7 @@ void PointGrid<m>::visit_near(const Vector<double, m>& centre, double distance, 
   Shift<m> first_period{};
   if (periodic_) {
     for (std::size_t axis = 0; axis < m; ++axis) {
+      if (first[axis] >= 0 && first[axis] < cells_[axis]) continue;  // usually: a division takes long
       std::int64_t turns = first[axis] / cells_[axis];
       if (turns * cells_[axis] > first[axis]) --turns;
       first_wrapped[axis] = first[axis] - turns * cells_[axis];
@@ -217,7 +218,13 @@ void PointGrid<m>::near(const Vector<double, m>& centre, double distance, std::v
 
 template <int m>
 bool PointGrid<m>::approximately_occupied(const Vector<double, m>& centre, double distance) const {
-  bool occupied = false;
+  // Usually by a point of the same cell, which takes much less time to find out than where the others begin.
+  const double most = most_squared(centre, distance);
+  const Cell& home = grid_[flat_index(cell_of(centre))];
+  bool occupied = std::any_of(home.begin(), home.end(), [&](const Entry& entry) {
+    return squared_norm(difference(entry.reduced, centre)) <= most;
+  });
+  if (occupied) return true;
   visit_near(centre, distance, [&occupied](const Entry&, const Shift<m>&) { return occupied = true; });
   return occupied;
 }
