@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "proofs/checker/chunk_items.hpp"
 #include "proofs/checker/core/around_simplex.hpp"
 #include "tests/checker/core_samples.hpp"
 #include "tests/checker/support/exact_double.hpp"
@@ -143,6 +144,29 @@ TEST_F(FlatSimplices, decide_no_hinge_that_they_do_not_know) {
     core::check_hinges(complex, &flat, report);
     EXPECT_EQ(report.findings.size(), sample == &cut ? 1U : 0U);
   }
+}
+
+/// Otherwise neighbours of vertices could be missing.
+TEST_F(FlatSimplices, in_a_chunk_need_all_simplices_of_their_vertices) {
+  const CoreSample sample = moved_grid(2, 5, 1);
+  core::Complex complex(sample.data);
+  checker::Report report;
+  core::check_manifold(complex, report);
+  core::FlatSimplices flat(complex);
+  checker::chunk_items.emplace();
+  checker::chunk_items->whole.assign(complex.size(), true);
+  const checker::Label missing = complex.label(3, 1);
+  checker::chunk_items->whole[missing] = false;
+  std::size_t thrown = 0;
+  for (std::uint32_t s = 0; s < sample.data.simplices(); ++s) {
+    try {
+      (void)flat.of(s);
+    } catch (const checker::NotRead&) {
+      ++thrown;
+    }
+  }
+  checker::chunk_items.reset();
+  EXPECT_EQ(thrown, complex.star.size(missing));
 }
 
 TEST_F(FlatSimplices, are_for_translations_of_dimension_2_and_3) {

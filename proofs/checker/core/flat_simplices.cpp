@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "proofs/checker/chunk_items.hpp"
+
 namespace delcert::checker::core {
 namespace {
 
@@ -70,6 +72,7 @@ double FlatSimplices::least_power(Label i, const Vector<Interval>& linear) const
   const double bound =
       sum * error + 4 * form_error * (reach + error) + 0x1p-49 * sum * reach + reach_[i].error;  // of a power
   if (!(bound < infinity)) return -infinity;
+  require_star(i);
   // The m vertices of the simplex among the neighbours have the power 0, which is not above the bound; if nothing else
   // is not above it, they are left out without a search for them.
   double least = infinity;
