@@ -17,8 +17,10 @@ namespace {
 constexpr long digits_below_tolerance = 32;
 constexpr long digits_below_radius = 40;
 
-/// Placing takes long, and classes are small.
+/// Placing takes long, and classes are small: of fewer labels than this, each is a part of its own, so that no thread
+/// waits for another that still has several of them.
 constexpr std::size_t labels_in_a_part = 4;
+constexpr std::size_t few_labels = 64;
 
 /// A step of the grid in frame coordinates, whatever the length of the frame's vectors: a step of 2^e in one
 /// coordinate is a length 2^e·√G_aa.
@@ -189,8 +191,12 @@ PerturbationStatistics place_in_parallel(const Atlas<m>& atlas, const Perturbati
                              return placement.take_statistics();
                            });
   };
-  in_parts<labels_in_a_part>(stage, labels.size(), progress, place_some,
-                             [&](const PerturbationStatistics& found) { result += found; });
+  const auto take = [&](const PerturbationStatistics& found) { result += found; };
+  if (labels.size() < few_labels) {
+    in_parts<1>(stage, labels.size(), progress, place_some, take);
+  } else {
+    in_parts<labels_in_a_part>(stage, labels.size(), progress, place_some, take);
+  }
   return result;
 }
 
