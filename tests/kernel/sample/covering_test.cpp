@@ -54,6 +54,8 @@ TEST(CertifiedCovering, orients_simplices_and_bounds_their_balls) {
   check_torus<2>(surface);
   check_torus<2>({square_torus_in_a_long_basis(), random_points<2>(50, 1, 20)});
   check_torus<3>(solid);
+  // More than are measured in one thread.
+  check_torus<2>({cubic_torus<2>(), random_points<2>(700, 4, 30)});
 }
 
 TEST(CertifiedCovering, notices_a_missing_simplex_and_names_a_neighbour) {
