@@ -7,6 +7,7 @@
 
 #include "proofs/checker/cursor.hpp"
 #include "proofs/checker/gluing.hpp"
+#include "proofs/checker/input.hpp"
 #include "proofs/checker/metric_field.hpp"
 #include "proofs/checker/point_set.hpp"
 #include "proofs/checker/space_form.hpp"
@@ -47,8 +48,9 @@ class ChunkView;
 
 /// A certificate of the right form. Neither copied nor moved: the point sets refer to it, and it refers to the text.
 struct Certificate {
-  /// Reads the whole text. Throws Malformed: `form.*` or `seal`.
-  explicit Certificate(std::string_view text);
+  /// Reads the whole text; the digest that is known of its beginning is not computed again. Throws Malformed: `form.*`
+  /// or `seal`.
+  explicit Certificate(std::string_view text, const DigestOfBeginning& known = {});
   /// Reads of a certificate in chunks what is so many edges from a chunk or nearer: labels and simplices have numbers
   /// of their own (chunk_items.hpp). Throws Malformed: `form.*`, `chunk.*` or `seal`.
   Certificate(ChunkView& view, unsigned edges);

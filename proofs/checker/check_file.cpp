@@ -1,5 +1,6 @@
 #include "proofs/checker/check_file.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <iostream>
 #include <stdexcept>
@@ -18,6 +19,8 @@ namespace delcert::checker {
 namespace {
 
 constexpr int unreadable_file = 3, usage_error = 64, internal_error = 70;
+
+constexpr std::string_view seal_key = R"(,"sha256":")";
 
 /// The words of an outcome come out of its process as one text: for a person, a zero, for a program, and, of a part, a
 /// zero and the receipt. An error is what follows two zeros.
@@ -42,7 +45,7 @@ std::string read_expected(const std::string& file) {
 
 /// The SHA-256 with which a certificate is sealed.
 std::string content_of(const std::string& text) {
-  const std::size_t seal = text.rfind(R"(,"sha256":")");
+  const std::size_t seal = text.rfind(seal_key);
   const bool is_certificate =
       text.starts_with(R"({"format":"delcert-certificate",)") || text.starts_with(R"({"format":"delcert-chunks",)");
   if (!is_certificate || seal == std::string::npos)
@@ -86,8 +89,11 @@ int check_here(const std::string& file, const Arguments& arguments) {
       if (arguments.chunk > 0) return print(file, arguments, check_chunk(file, arguments.chunk - 1));
       const std::string expected = arguments.expected.empty() ? "" : read_expected(arguments.expected);
       std::string bytes = read_bytes(file);
-      const std::string digest = sha256(bytes);
-      outcome = check(decompressed(std::move(bytes)), arguments.levels, expected);
+      // In a text, what is sealed is the beginning.
+      const std::size_t seal = bytes.starts_with('{') ? std::min(bytes.rfind(seal_key), bytes.size()) : 0;
+      DigestOfBeginning sealed;
+      const std::string digest = sha256(bytes, seal, sealed);
+      outcome = check(decompressed(std::move(bytes)), arguments.levels, expected, sealed);
       if (outcome.identity) outcome.identity->file_digest = digest;
     } catch (const Malformed& reason) {
       outcome.status = 3;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -52,6 +53,9 @@ std::string read_bytes(const std::string& path) {
   const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
   if (!file) throw Unreadable(path + ": cannot be read");
   std::string bytes;
+  std::error_code unknown;  // the size of a pipe
+  const std::uintmax_t size = std::filesystem::file_size(path, unknown);
+  if (!unknown && size <= largest_document) bytes.reserve(static_cast<std::size_t>(size));
   std::array<char, 1 << 16> block;
   while (const std::size_t got = std::fread(block.data(), 1, block.size(), file.get())) {
     bytes.append(block.data(), got);
@@ -62,10 +66,13 @@ std::string read_bytes(const std::string& path) {
   return bytes;
 }
 
-std::string sha256(std::string_view text) {
-  sha256_ctx context;
-  sha256_init(&context);
+namespace {
+
+void update(sha256_ctx& context, std::string_view text) {
   sha256_update(&context, text.size(), reinterpret_cast<const std::uint8_t*>(text.data()));
+}
+
+std::string digest_of(sha256_ctx context) {
   std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest{};
   sha256_digest(&context, digest.size(), digest.data());
   std::string hexadecimal;
@@ -74,6 +81,22 @@ std::string sha256(std::string_view text) {
     hexadecimal += "0123456789abcdef"[byte & 15];
   }
   return hexadecimal;
+}
+
+}  // namespace
+
+std::string sha256(std::string_view text) {
+  DigestOfBeginning none;
+  return sha256(text, 0, none);
+}
+
+std::string sha256(std::string_view text, std::size_t length, DigestOfBeginning& beginning) {
+  sha256_ctx context;
+  sha256_init(&context);
+  update(context, text.substr(0, length));
+  beginning = {length, digest_of(context)};
+  update(context, text.substr(length));
+  return digest_of(context);
 }
 
 }  // namespace delcert::checker

@@ -23,4 +23,12 @@ std::string decompressed(std::string bytes);
 /// The SHA-256 of the text as 64 lower-case hexadecimal digits.
 std::string sha256(std::string_view text);
 
+/// The SHA-256 of the first so many bytes of a text.
+struct DigestOfBeginning {
+  std::size_t length = 0;
+  std::string digest;
+};
+/// The same, and that of the whole, which is read once. Precondition: it has so many bytes.
+std::string sha256(std::string_view text, std::size_t length, DigestOfBeginning& beginning);
+
 }  // namespace delcert::checker

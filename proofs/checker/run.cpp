@@ -292,9 +292,10 @@ Outcome check_what_is_read(const Read& read, const std::vector<std::string>& sel
 
 }  // namespace
 
-Outcome check(std::string_view text, const std::vector<std::string>& selected, std::string_view expected) {
+Outcome check(std::string_view text, const std::vector<std::string>& selected, std::string_view expected,
+              const DigestOfBeginning& known) {
   chunk_items.reset();
-  return check_what_is_read([&] { return std::make_unique<const Certificate>(text); }, selected, expected);
+  return check_what_is_read([&] { return std::make_unique<const Certificate>(text, known); }, selected, expected);
 }
 
 Outcome check_chunk(const std::string& folder, std::size_t number) {

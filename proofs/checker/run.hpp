@@ -80,7 +80,9 @@ struct Outcome {
 /// selected level is not claimed. If a manifold is expected, as a certificate or a manifold block, another one is
 /// rejected (manifold.expected) and no level is looked at. Checks what belongs to `own_share`. Precondition:
 /// self_test() found nothing in this thread, and no level is selected for a part.
-Outcome check(std::string_view text, const std::vector<std::string>& selected, std::string_view expected = {});
+/// `known`: of the text, if it is known.
+Outcome check(std::string_view text, const std::vector<std::string>& selected, std::string_view expected = {},
+              const DigestOfBeginning& known = {});
 
 /// The same of one chunk, from 0, of the certificate in the folder: all levels.
 Outcome check_chunk(const std::string& folder, std::size_t number);
