@@ -1,30 +1,15 @@
 #include "proofs/formula/evaluation.hpp"
 
-#include <mpfr.h>
-
-#include <algorithm>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "proofs/formula/partial_arithmetic.hpp"
 #include "support/error.hpp"
 
 namespace delcert {
 
 namespace {
-
-constexpr unsigned first_precision = 128;
-constexpr unsigned last_precision = 4096;
-
-/// As a fraction, 2^(10^12) would not fit into memory.
-bool has_moderate_exponents(const BigInterval& x) {
-  constexpr mpfr_exp_t greatest = mpfr_exp_t{1} << 24;
-  const auto is_moderate = [](mpfr_srcptr end) {
-    return mpfr_zero_p(end) != 0 || (mpfr_get_exp(end) <= greatest && mpfr_get_exp(end) >= -greatest);
-  };
-  return is_moderate(&x.mpfi()->left) && is_moderate(&x.mpfi()->right);
-}
 
 const Type& parameter_type(const Function& function, std::size_t at) {
   return function.parameters[function.is_variadic ? 0 : at];
@@ -37,73 +22,6 @@ void prepare(RungCache<S>& cache) {
     if (cache.precision != precision) cache.clear();
     cache.precision = precision;
   }
-}
-
-/// Most constants of formulas are small integers, for which there are faster ways than the general one.
-template <class S>
-S number_from(const Rational& x) {
-  if (mpz_cmp_ui(mpq_denref(x.gmp()), 1) == 0 && mpz_fits_sint_p(mpq_numref(x.gmp())) != 0) {
-    return S(static_cast<int>(mpz_get_si(mpq_numref(x.gmp()))));
-  }
-  return scalar_from<S>(x);
-}
-
-template <class S>
-S number_from(long x) {
-  return std::in_range<int>(x) ? S(static_cast<int>(x)) : scalar_from<S>(Rational(x));
-}
-
-/// Exact powers have as many digits as they have; intervals have not.
-bool has_large_power(const Rational& base, unsigned long exponent) {
-  constexpr std::size_t most_bits = std::size_t{1} << 22U;
-  const std::size_t bits = mpz_sizeinbase(mpq_numref(base.gmp()), 2) + mpz_sizeinbase(mpq_denref(base.gmp()), 2);
-  return bits > most_bits / std::max(exponent, 1UL);
-}
-bool has_large_power(const Algebraic& base, unsigned long exponent) {
-  constexpr unsigned long greatest_for_irrational = 256;
-  return base.degree() == 1 ? has_large_power(base.rational(), exponent) : exponent > greatest_for_irrational;
-}
-bool has_large_power(const Surd& base, unsigned long exponent) {
-  const auto squared = square(base).rational();
-  return !squared || has_large_power(*squared, exponent);
-}
-
-template <class S>
-S power(const S& base, unsigned long exponent) {
-  if (exponent == 0) return S(1);
-  if (exponent == 1) return base;
-  const S half = power(base, exponent / 2);
-  return exponent % 2 == 0 ? S(square(half)) : S(square(half) * base);
-}
-
-/// Absent where the argument is negative, or may be.
-template <class S>
-Partial<S> root(const S& x) {
-  const Verdict negative = less(x, S(0));
-  return is_refuted(negative) ? Partial<S>(square_root(x)) : Partial<S>::absent(negation(negative));
-}
-
-/// Absent where the divisor is 0, or may be: an unbounded interval would pretend that there is a value.
-template <class S>
-Partial<S> quotient(const S& a, const S& b) {
-  const Verdict zero = is_zero(b);
-  return is_refuted(zero) ? Partial<S>(S(a / b)) : Partial<S>::absent(negation(zero));
-}
-
-template <class S>
-Partial<S> power(const S& base, const Rational& exponent) {
-  const Integer denominator = exponent.denominator();
-  if (denominator != 1 && denominator != 2) return Partial<S>::absent(Verdict::refuted);
-  constexpr long greatest = 1000000;
-  if (absolute(exponent) > Rational(greatest)) return Partial<S>::absent(Verdict::undecided);
-  Partial<S> radical = denominator == 2 ? root(base) : Partial<S>(base);
-  if (!radical) return radical;
-  const auto size = static_cast<unsigned long>(absolute(exponent).numerator());
-  if constexpr (std::same_as<S, Algebraic> || std::same_as<S, Surd>) {
-    if (has_large_power(*radical, size)) return Partial<S>::absent(Verdict::undecided);
-  }
-  S result = power(*radical, size);
-  return exponent < Rational(0) ? quotient(S(1), result) : Partial<S>(std::move(result));
 }
 
 }  // namespace
@@ -164,7 +82,7 @@ Verdict Evaluation<S>::leaf(const Expression& statement) {
       visible_from_ = 0;
       sees_bindings_ = true;
     }
-    const BigInterval::Precision precision(PrecisionBits{last_precision});
+    const BigInterval::Precision precision(PrecisionBits{greatest_precision});
     Evaluation<BigInterval> below(scene_);
     for (const Local& variable : locals_) below.locals_.push_back({variable.name, std::get<Item>(variable.value)});
     return below.leaf_on_this_rung(statement);
@@ -291,7 +209,7 @@ Partial<S> Evaluation<S>::arithmetic(const Expression& term) {
   if (term.operation == Operation::negate) return S(S(0) - *first);
   if (term.operation == Operation::power) {
     const auto exponent = exact(*term.children[1]);
-    return exponent ? power(*first, *exponent) : Partial<S>::absent(Verdict::refuted);
+    return exponent ? partial_power(*first, *exponent) : Partial<S>::absent(Verdict::refuted);
   }
   Partial<S> second = number(*term.children.at(1));
   if (!second) return second;
@@ -303,7 +221,7 @@ Partial<S> Evaluation<S>::arithmetic(const Expression& term) {
     case Operation::multiply:
       return S(*first * *second);
     case Operation::divide:
-      return quotient(*first, *second);
+      return partial_quotient(*first, *second);
     default:
       throw std::logic_error("a statement where a number was expected");
   }
@@ -468,67 +386,5 @@ template class Evaluation<Interval>;
 template class Evaluation<BigInterval>;
 template class Evaluation<Surd>;
 template class Evaluation<Algebraic>;
-
-Verdict decide_statement(const Expression& statement, Scene& scene) {
-  const auto truth = [&]<class S>() { return Evaluation<S>(scene).truth(statement); };
-  const auto in_intervals = [&] { return truth.template operator()<BigInterval>(); };
-  Ladder ladder;
-  {
-    const RoundingGuard guard;
-    ladder.ask(Rung::interval, [&] { return truth.template operator()<Interval>(); });
-  }
-  ladder.ask_in_bits(first_precision, first_precision, in_intervals);
-  // Most of what 128 bits cannot tell is a tie.
-  ladder.ask(Rung::rational, [&] { return truth.template operator()<Surd>(); });
-  ladder.ask_in_bits(2 * first_precision, last_precision, in_intervals);
-  ladder.ask(Rung::algebraic, [&] {
-    try {
-      return truth.template operator()<Algebraic>();
-    } catch (const Algebraic::TooLarge&) {
-      return Verdict::undecided;  // like a predicate that gives up
-    }
-  });
-  return ladder.finish();
-}
-
-std::optional<DoubleBounds> ratio_bounds(const Expression& statement, Scene& scene, bool sharp) {
-  if (!sharp) {
-    const RoundingGuard guard;
-    const auto ratio = Evaluation<Interval>(scene).ratio(statement);
-    if (!ratio) return std::nullopt;
-    return DoubleBounds{ratio->lower(), ratio->upper()};
-  }
-  const BigInterval::Precision precision(PrecisionBits{256});
-  const auto ratio = Evaluation<BigInterval>(scene).ratio(statement);
-  if (!ratio) return std::nullopt;
-  return DoubleBounds{mpfr_get_d(&ratio->mpfi()->left, MPFR_RNDD), mpfr_get_d(&ratio->mpfi()->right, MPFR_RNDU)};
-}
-
-std::optional<Rational> exact_value(const Expression& term, Scene& scene) {
-  try {
-    const Partial<Algebraic> value = Evaluation<Algebraic>(scene).number(term);
-    if (!value || value->degree() != 1) return std::nullopt;
-    return value->rational();
-  } catch (const Undecided&) {
-    return std::nullopt;
-  }
-}
-
-std::optional<Rational> lower_bound(const Expression& term, Scene& scene, unsigned bits) {
-  const Rational relative = Rational::power_of_two(-static_cast<long>(bits));
-  for (unsigned precision_bits = first_precision; precision_bits <= last_precision; precision_bits *= 2) {
-    const BigInterval::Precision precision(PrecisionBits{precision_bits});
-    const Partial<BigInterval> value = Evaluation<BigInterval>(scene).number(term);
-    if (!value) {
-      if (is_refuted(value.exists())) return std::nullopt;
-      continue;
-    }
-    if (!value->is_bounded() || !has_moderate_exponents(*value)) continue;
-    const Rational lower = value->lower();
-    const Rational upper = value->upper();
-    if (upper - lower <= relative * maximum(absolute(lower), absolute(upper))) return lower;
-  }
-  return std::nullopt;
-}
 
 }  // namespace delcert

@@ -9,6 +9,9 @@
 
 namespace delcert {
 
+/// In bits: what no interval of so many tells is left undecided, or to exact numbers.
+inline constexpr unsigned greatest_precision = 4096;
+
 /// The value of formulas on one instance and one rung.
 ///
 /// A number is an enclosure of the exact value, or absent: undecided when the rung cannot enclose it or cannot tell
@@ -80,25 +83,5 @@ extern template class Evaluation<Interval>;
 extern template class Evaluation<BigInterval>;
 extern template class Evaluation<Surd>;
 extern template class Evaluation<Algebraic>;
-
-/// Decides a statement on an instance: intervals, 128 bits, surds (counted as the rational rung), 256 … 4096 bits,
-/// algebraic numbers, until a rung is sure.
-[[nodiscard]] Verdict decide_statement(const Expression& statement, Scene& scene);
-
-/// Bounds of a real number. Infinite where unbounded.
-struct DoubleBounds {
-  double lower = 0;
-  double upper = 0;
-};
-
-/// Bounds of the ratio of a statement (see `Evaluation::ratio`), from the filter; `sharp`: from 256 bits.
-[[nodiscard]] std::optional<DoubleBounds> ratio_bounds(const Expression& statement, Scene& scene, bool sharp);
-
-/// The value of a term if it is rational, decided exactly; nothing if it is irrational, undefined or too large.
-[[nodiscard]] std::optional<Rational> exact_value(const Expression& term, Scene& scene);
-
-/// A rational lower bound of a term within 2^−bits of it, relatively; nothing if the term is undefined or cannot be
-/// enclosed so well.
-[[nodiscard]] std::optional<Rational> lower_bound(const Expression& term, Scene& scene, unsigned bits);
 
 }  // namespace delcert

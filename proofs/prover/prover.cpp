@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "kernel/formula/formula_text.hpp"
-#include "proofs/formula/evaluation.hpp"
+#include "proofs/formula/decision.hpp"
 #include "proofs/prover/goal.hpp"
 #include "support/error.hpp"
 

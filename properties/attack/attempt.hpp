@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "proofs/formula/claim.hpp"
-#include "proofs/formula/evaluation.hpp"
+#include "proofs/formula/decision.hpp"
 
 namespace delcert {
 

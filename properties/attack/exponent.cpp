@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "kernel/formula/formula_text.hpp"
-#include "proofs/formula/evaluation.hpp"
+#include "proofs/formula/decision.hpp"
 
 namespace delcert {
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "proofs/formula/decision.hpp"
 #include "proofs/formula/evaluation.hpp"
 #include "proofs/formula/type_check.hpp"
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "kernel/formula/formula_text.hpp"
-#include "proofs/formula/evaluation.hpp"
+#include "proofs/formula/decision.hpp"
 #include "proofs/formula/substitution.hpp"
 #include "properties/attack/directed_search.hpp"
 #include "properties/attack/hypothesis_limits.hpp"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "proofs/formula/evaluation.hpp"
+#include "proofs/formula/decision.hpp"
 
 namespace delcert {
 

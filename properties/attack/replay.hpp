@@ -4,7 +4,7 @@
 #include <string>
 
 #include "proofs/formula/claim.hpp"
-#include "proofs/formula/evaluation.hpp"
+#include "proofs/formula/decision.hpp"
 #include "properties/attack/witness.hpp"
 
 namespace delcert {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "kernel/number/ladder.hpp"
-#include "proofs/formula/evaluation.hpp"
+#include "proofs/formula/decision.hpp"
 #include "properties/attack/hypothesis_limits.hpp"
 
 namespace delcert {

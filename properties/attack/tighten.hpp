@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "proofs/formula/claim.hpp"
-#include "proofs/formula/evaluation.hpp"
+#include "proofs/formula/decision.hpp"
 #include "properties/instances/instance_class.hpp"
 #include "support/progress.hpp"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "proofs/formula/decision.hpp"
 #include "proofs/formula/evaluation.hpp"
 #include "properties/instances/random_simplex.hpp"
 #include "support/error.hpp"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "proofs/formula/claim.hpp"
-#include "proofs/formula/evaluation.hpp"
+#include "proofs/formula/decision.hpp"
 #include "proofs/formula/simplex_object.hpp"
 #include "properties/instances/instance_class.hpp"
 #include "support/error.hpp"

@@ -4,7 +4,7 @@
 
 #include "kernel/formula/parser.hpp"
 #include "proofs/formula/arithmetic_vocabulary.hpp"
-#include "proofs/formula/evaluation.hpp"
+#include "proofs/formula/decision.hpp"
 #include "proofs/formula/simplex_object.hpp"
 #include "proofs/formula/simplex_vocabulary.hpp"
 #include "proofs/formula/type_check.hpp"

@@ -3,64 +3,15 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "kernel/formula/parser.hpp"
-#include "proofs/formula/arithmetic_vocabulary.hpp"
-#include "proofs/formula/simplex_object.hpp"
-#include "proofs/formula/simplex_vocabulary.hpp"
-#include "proofs/formula/type_check.hpp"
 #include "support/error.hpp"
 #include "tests/proofs/formula/random_formulas.hpp"
+#include "tests/proofs/formula/triangle_scene.hpp"
 #include "tests/support/contains.hpp"
 
 namespace delcert {
 namespace DELCERT_THIS_FILE {
 
-const Vocabulary& vocabulary() {
-  static const Vocabulary result = [] {
-    Vocabulary made;
-    add_arithmetic(made);
-    add_constants_of_the_paper(made);
-    add_simplex_quantities(made);
-    return made;
-  }();
-  return result;
-}
-
-/// A right triangle with legs 3 and 4; t lies on a line.
-const Bindings& bindings() {
-  static const Bindings result = [] {
-    using Points = SimplexObject::Points;
-    const auto simplex = [](Points points) -> Binding {
-      return ObjectPointer(std::make_shared<SimplexObject>(std::move(points)));
-    };
-    Bindings made;
-    made["s"] = simplex({{0, 0}, {3, 0}, {0, 4}});
-    made["t"] = simplex({{0, 0}, {1, 0}, {2, 0}});
-    made["v"] = simplex({{1, 2}});
-    made["k"] = 2L;
-    made["n"] = -1L;
-    made["x"] = Rational(Integer(1), Integer(3));
-    made["zero"] = Rational(0);
-    return made;
-  }();
-  return result;
-}
-
-const Signature& signature() {
-  static const Signature result{{"s", types::simplex},  {"t", types::simplex}, {"v", types::simplex},
-                                {"k", types::integer},  {"n", types::integer}, {"x", types::number},
-                                {"zero", types::number}};
-  return result;
-}
-
-ExpressionPointer typed(std::string_view text, const Type& type) {
-  return type_checked(parse_formula(text), vocabulary(), signature(), type);
-}
-
-Verdict decided(std::string_view text) {
-  Scene scene(bindings());
-  return decide_statement(*typed(text, types::truth), scene);
-}
+using namespace triangle_scene;
 
 TEST(TermsOverSets, sums_products_least_and_greatest) {
   EXPECT_EQ(decided("sum(p in vertices(s): altitude(s, p)) = 3 + 4 + 12/5"), Verdict::proved);
@@ -111,18 +62,6 @@ Verdict on_rung(std::string_view text) {
   }
 }
 
-/// The rung that settles a statement.
-Rung rung_of(std::string_view text) {
-  const LadderStatistics before = ladder_statistics();
-  EXPECT_FALSE(is_undecided(decided(text))) << text;
-  const LadderStatistics used = ladder_statistics() - before;
-  for (std::size_t rung = 0; rung < rung_count; ++rung) {
-    if (used.settled.at(rung) > 0) return static_cast<Rung>(rung);
-  }
-  ADD_FAILURE() << text << " was settled by no rung";
-  return Rung::interval;
-}
-
 template <class S>
 Partial<S> value(std::string_view text) {
   const auto term = typed(text, types::number);
@@ -133,11 +72,6 @@ Partial<S> value(std::string_view text) {
   } else {
     return Evaluation<S>(scene).number(*term);
   }
-}
-
-std::optional<Rational> exactly(std::string_view text) {
-  Scene scene(bindings());
-  return exact_value(*typed(text, types::number), scene);
 }
 
 RC_GTEST_PROP(Evaluation, every_rung_encloses_the_exact_value_of_a_rational_term, ()) {
@@ -254,27 +188,6 @@ TEST(Evaluation, quantifiers_are_repeated_connectives) {
   EXPECT_TRUE(is_proved(decided("forall f in proper_faces(s): thickness(f) <= 1")));
 }
 
-TEST(Evaluation, ties_are_decided) {
-  EXPECT_TRUE(is_proved(decided("sqrt(2)*sqrt(2) = 2")));
-  EXPECT_TRUE(is_proved(decided("sqrt(2)*sqrt(3) = sqrt(6)")));
-  EXPECT_TRUE(is_refuted(decided("sqrt(2)*sqrt(2) < 2")));
-  EXPECT_TRUE(is_proved(decided("sqrt(2)*sqrt(2) <= 2")));
-  EXPECT_TRUE(is_proved(decided("sqrt(5 + 2*sqrt(6)) = sqrt(2) + sqrt(3)")));
-  EXPECT_TRUE(is_refuted(decided("sqrt(5 + 2*sqrt(6)) < sqrt(2) + sqrt(3)")));
-  EXPECT_TRUE(is_proved(decided("log2(8) = 3")));
-  EXPECT_TRUE(is_proved(decided("log2(1/4) = -2")));
-  EXPECT_TRUE(is_proved(decided("x = 1/3")));
-}
-
-TEST(Evaluation, each_statement_ends_on_the_cheapest_rung_that_can_tell) {
-  EXPECT_EQ(rung_of("sqrt(2) < 3/2"), Rung::interval);
-  EXPECT_EQ(rung_of("sqrt(2) < 141421356237309504880168872421/10^29"), Rung::big_interval);
-  EXPECT_EQ(rung_of("sqrt(2)*sqrt(2) = 2"), Rung::rational);
-  EXPECT_EQ(rung_of("sqrt(5 + 2*sqrt(6)) = sqrt(2) + sqrt(3)"), Rung::algebraic);
-  // sqrt(2) + sqrt(3) < 3.1462643699419724 by about 2·10⁻¹⁶, and so on to any precision.
-  EXPECT_EQ(rung_of("sqrt(2) + sqrt(3) < 31462643699419723424/10^19"), Rung::big_interval);
-}
-
 TEST(Evaluation, parts_that_need_different_rungs_are_joined) {
   // The logarithm is beyond the algebraic rung, the tie beyond all others.
   EXPECT_TRUE(is_undecided(on_rung<BigInterval>("log2(3) > 1 and sqrt(5 + 2*sqrt(6)) = sqrt(2) + sqrt(3)")));
@@ -306,9 +219,6 @@ TEST(Evaluation, powers_that_no_memory_could_hold_are_left_undecided) {
   EXPECT_TRUE(is_undecided(decided("(3^1000000)^1000000 = (3^1000000)^1000000")));
   EXPECT_TRUE(is_undecided(decided("((1 + sqrt(2))^1000000)^1000000 = ((1 + sqrt(2))^1000000)^1000000")));
   EXPECT_TRUE(is_undecided(decided("(sqrt(2)^1000000)^999999 = (sqrt(2)^1000000)^999999")));
-  Scene scene(bindings());
-  EXPECT_EQ(lower_bound(*typed("(3^1000000)^1000000", types::number), scene, 10), std::nullopt);
-  EXPECT_EQ(lower_bound(*typed("(3^-1000000)^1000000", types::number), scene, 10), std::nullopt);
 }
 
 TEST(Evaluation, integers_beyond_the_range_are_refused_not_cut_off) {
@@ -346,51 +256,6 @@ TEST(Evaluation, without_the_filter_the_rungs_agree_on_a_simplex) {
     EXPECT_FALSE(is_refuted(on_rung<BigInterval>(text))) << text;
     EXPECT_TRUE(is_proved(decided(text))) << text;
   }
-}
-
-TEST(Ratio, is_the_smaller_side_over_the_larger) {
-  const auto bounds = [](std::string_view text) {
-    Scene scene(bindings());
-    return ratio_bounds(*typed(text, types::truth), scene, true);
-  };
-  const auto is_about = [&](std::string_view text, const Rational& expected) {
-    const auto found = bounds(text);
-    ASSERT_TRUE(found) << text;
-    EXPECT_LE(Rational::exactly(found->lower), expected) << text;
-    EXPECT_GE(Rational::exactly(found->upper), expected) << text;
-    EXPECT_LE(Rational::exactly(found->upper) - Rational::exactly(found->lower), Rational::power_of_two(-48)) << text;
-  };
-  is_about("1 <= 4", Rational(Integer(1), Integer(4)));
-  is_about("4 >= 1", Rational(Integer(1), Integer(4)));
-  is_about("3 < x", Rational(9));
-  is_about("1 <= 4 and 1 <= 2", Rational(Integer(1), Integer(2)));
-  is_about("1 <= 4 or 1 <= 2", Rational(Integer(1), Integer(4)));
-  is_about("forall i in 1..3: i <= 6", Rational(Integer(1), Integer(2)));
-  is_about("exists i in 1..3: i <= 6", Rational(Integer(1), Integer(6)));
-  is_about("1 < 2 implies 1 <= 4", Rational(Integer(1), Integer(4)));
-  for (const char* text :
-       {"0 <= 0", "1 <= -1", "2 < 1 implies 1 <= 4", "is_good(s, 1)", "1/zero <= 1", "forall i in 1..0: i <= 6"}) {
-    EXPECT_FALSE(bounds(text)) << text;
-  }
-}
-
-TEST(LowerBounds, are_below_the_value_and_near_it) {
-  Scene scene(bindings());
-  const auto bound = [&](std::string_view text) { return lower_bound(*typed(text, types::number), scene, 60); };
-  const auto root = bound("sqrt(2)");
-  ASSERT_TRUE(root);
-  EXPECT_LT(square(*root), Rational(2));
-  EXPECT_GT(square(*root * (Rational(1) + Rational::power_of_two(-59))), Rational(2));
-  EXPECT_EQ(bound("zero"), Rational(0));
-  EXPECT_EQ(bound("1/zero"), std::nullopt);
-  EXPECT_EQ(bound("sqrt(n)"), std::nullopt);
-}
-
-TEST(ExactValues, exist_for_rational_terms_only) {
-  EXPECT_EQ(exactly("x + 1/6"), Rational(Integer(1), Integer(2)));
-  EXPECT_EQ(exactly("sqrt(2)*sqrt(8)"), Rational(4));
-  EXPECT_EQ(exactly("sqrt(2)"), std::nullopt);
-  EXPECT_EQ(exactly("circumradius(s)"), Rational(Integer(5), Integer(2)));
 }
 
 }  // namespace DELCERT_THIS_FILE

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "kernel/formula/parser.hpp"
+#include "proofs/formula/decision.hpp"
 #include "proofs/formula/simplex_object.hpp"
 #include "proofs/formula/type_check.hpp"
 #include "properties/instances/instance_class.hpp"

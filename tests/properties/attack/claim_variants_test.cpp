@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "proofs/formula/evaluation.hpp"
+#include "proofs/formula/decision.hpp"
 #include "tests/properties/attack/small_claims.hpp"
 
 namespace delcert {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "kernel/formula/parser.hpp"
-#include "proofs/formula/evaluation.hpp"
+#include "proofs/formula/decision.hpp"
 #include "proofs/formula/simplex_object.hpp"
 #include "proofs/formula/type_check.hpp"
 #include "properties/instances/instance_class.hpp"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "kernel/formula/parser.hpp"
-#include "proofs/formula/evaluation.hpp"
+#include "proofs/formula/decision.hpp"
 #include "proofs/formula/type_check.hpp"
 #include "properties/instances/instance_class.hpp"
 #include "tests/properties/instances/square_net.hpp"

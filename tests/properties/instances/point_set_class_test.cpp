@@ -1,7 +1,7 @@
 #include "properties/instances/point_set_class.hpp"
 
 #include "proofs/formula/claim.hpp"
-#include "proofs/formula/evaluation.hpp"
+#include "proofs/formula/decision.hpp"
 #include "proofs/formula/scene.hpp"
 #include "properties/attack/hypothesis_limits.hpp"
 #include "tests/properties/instances/class_checks.hpp"

@@ -4,7 +4,7 @@
 
 #include "kernel/formula/parser.hpp"
 #include "kernel/number/elementary.hpp"
-#include "proofs/formula/evaluation.hpp"
+#include "proofs/formula/decision.hpp"
 #include "proofs/formula/type_check.hpp"
 #include "properties/instances/instance_class.hpp"
 #include "support/error.hpp"
