@@ -4,8 +4,8 @@
 
 #include "kernel/number/ladder.hpp"
 #include "kernel/simplex/edges.hpp"
-#include "kernel/simplex/exact_simplex.hpp"
-#include "kernel/simplex/forbidden_configuration.hpp"
+#include "kernel/simplex/thickness.hpp"
+#include "properties/instances/configuration_skeleton.hpp"
 
 namespace delcert {
 
@@ -16,70 +16,6 @@ using Point = std::vector<Rational>;
 
 constexpr unsigned root_bits = 40;
 constexpr long lowest_flake_exponent = 200;
-
-/// k + 2 directions of ℝᵏ, spread out.
-std::vector<std::vector<double>> spread_directions(std::size_t k, bool orthogonal) {
-  std::vector<std::vector<double>> result(k + 2, std::vector<double>(k, 0.0));
-  for (std::size_t i = 0; i < k; ++i) result[i][i] = 1.0;
-  for (std::size_t axis = 0; axis < k; ++axis) {
-    result[k][axis] = orthogonal ? (axis == 0 ? -1.0 : 0.0) : -1.0;
-    result[k + 1][axis] = orthogonal ? (axis == 1 ? -1.0 : 0.0) : 1.0;
-  }
-  return result;
-}
-
-/// k + 2 points of the unit sphere of ℝᵏ. In a sliver, points 0 … k−1 lie on the parallel q, and point k on the
-/// parallel q + tilt.
-struct Skeleton {
-  Points points;
-  bool is_sliver = false;
-  Rational parallel;
-  Point direction;
-
-  void tilt_by(const Rational& tilt) { points[points.size() - 2] = point_of_parallel(parallel + tilt, direction); }
-  /// The sliver: all points but the last.
-  [[nodiscard]] Points sliver() const { return {points.begin(), points.end() - 1}; }
-};
-
-double jitter_amplitude(Choices& choices) {
-  constexpr double still = 0.125;
-  const double u = choices.unit();
-  return u < still ? 0.0 : (u - still) * (u - still);
-}
-
-Points jittered(const std::vector<std::vector<double>>& directions, double amplitude, Choices& choices) {
-  constexpr unsigned bits = 6;
-  Points result;
-  for (std::vector<double> direction : directions) {
-    for (double& x : direction) x += amplitude * (2.0 * choices.unit() - 1.0);
-    result.push_back(rational_direction(direction, bits));
-  }
-  return result;
-}
-
-Skeleton draw_skeleton(std::size_t k, Choices& choices) {
-  Skeleton result;
-  result.is_sliver = k >= 3 && choices.happens(0.5);
-  const double amplitude = jitter_amplitude(choices);
-  // Right angles everywhere would make a facet degenerate in three dimensions and more.
-  const std::size_t spread_in = result.is_sliver ? k - 1 : k;
-  const bool orthogonal = spread_in == 2 && choices.happens(0.75);
-  const Points directions = jittered(spread_directions(spread_in, orthogonal), amplitude, choices);
-  if (!result.is_sliver) {
-    result.points = directions;
-    return result;
-  }
-  result.parallel = Rational(1) - choices.fraction(5) / Rational(2);
-  for (const Point& direction : directions) result.points.push_back(point_of_parallel(result.parallel, direction));
-  result.direction = directions.back();
-  std::vector<double> pole(k, 0.0);
-  for (double& x : pole) x = amplitude * (2.0 * choices.unit() - 1.0);
-  pole.back() -= 1.0;
-  result.points.push_back(rational_direction(pole, 8));
-  return result;
-}
-
-Rational squared_separation(const Points& points) { return squared_shortest_edge(edge_gram_from_points(points)); }
 
 /// The points around the centre of a hexagon of the net, pulled towards it: with ε = 1, μ₀ = 17/10, ρ₀ = 17/40 the
 /// hexagonal lattice of edge 17/10 is a net (each point of the plane is closer than 1 to it), and its points at
@@ -108,7 +44,7 @@ class Draw {
         choices_(choices) {}
 
   std::optional<Configuration> forbidden_configuration() {
-    Skeleton skeleton = draw_skeleton(k_, choices_);
+    ConfigurationSkeleton skeleton = draw_configuration_skeleton(k_, choices_);
     const std::size_t moved = static_cast<std::size_t>(choices_.between(0, static_cast<long>(k_) + 1));
     Rational radius = k_ == m_ ? Rational(1) - Rational::power_of_two(-choices_.between(1, 24))
                                : Rational(1) - (Rational(1) - choices_.fraction(6)) * Rational(3) / Rational(4);
@@ -135,7 +71,7 @@ class Draw {
   std::optional<Configuration> tight_properties() {
     constexpr long least_depth = 60;
     constexpr long greatest_depth = 400;
-    const Skeleton skeleton{in_a_cap(choices_.unit()), false, {}, {}};
+    const ConfigurationSkeleton skeleton{in_a_cap(choices_.unit()), false, {}, {}};
     const long depth = choices_.between(least_depth, greatest_depth);
     const auto first = static_cast<std::size_t>(choices_.between(0, static_cast<long>(k_) + 1));
     const Rational short_of = Rational(1) - Rational::power_of_two(-depth);
@@ -158,7 +94,7 @@ class Draw {
   }
 
   std::optional<Configuration> forbidden_properties() {
-    Skeleton skeleton = draw_skeleton(k_, choices_);
+    ConfigurationSkeleton skeleton = draw_configuration_skeleton(k_, choices_);
     if (!skeleton.is_sliver && choices_.happens(0.6)) skeleton.points = in_a_cap(choices_.unit());
     const std::size_t moved = static_cast<std::size_t>(choices_.between(0, static_cast<long>(k_) + 1));
     const Rational short_of = Rational(1) - Rational::power_of_two(-choices_.between(2, 30));
@@ -284,7 +220,7 @@ class Draw {
   }
 
   /// Makes the sliver hardly Γ₀-good: thickness Γ₀ᵏ(1 + a margin).
-  bool tilt(Skeleton& skeleton) const {
+  bool tilt(ConfigurationSkeleton& skeleton) const {
     const Rational margin = Rational::power_of_two(-choices_.between(3, 16));
     const Rational goal = power(result_.gamma0, static_cast<long>(k_));
     const Rational wanted = goal * (Rational(1) + margin / Rational(2));
@@ -328,7 +264,7 @@ class Draw {
     if (m_ > k_) result_.points[moved][k_] = height;
   }
 
-  bool place(const Skeleton& skeleton, std::size_t moved, const Rational& radius) {
+  bool place(const ConfigurationSkeleton& skeleton, std::size_t moved, const Rational& radius) {
     Rational off = choices_.symmetric(6) * Rational(5) / Rational(4);
     off = maximum(Rational(-1), minimum(Rational(1), off)) * result_.protection();
     // Outwards, where it is far: so it leaves the other vertices.
@@ -375,7 +311,7 @@ class Draw {
   }
 
   /// Moves one vertex until the worst d(v, S(τ_v))/R(τ_v) is α₀ or a little less.
-  bool displace(const Skeleton& skeleton, std::size_t moved, const Rational& radius) {
+  bool displace(const ConfigurationSkeleton& skeleton, std::size_t moved, const Rational& radius) {
     const Rational goal = result_.hoop_bound();
     const Rational margin = Rational::power_of_two(-choices_.between(3, 20));
     const bool outwards = choices_.happens(0.5);
@@ -430,40 +366,6 @@ class Draw {
 };
 
 }  // namespace
-
-Rational Configuration::edge_bound() const {
-  return Rational(5) / Rational(2) * (Rational(1) + delta0 * mu0 / Rational(2)) * epsilon;
-}
-
-Rational Configuration::hoop_bound() const { return Rational::power_of_two(13) * gamma0 / power(mu0, 3); }
-
-bool is_forbidden_configuration(const Configuration& configuration) {
-  if (squared_separation(configuration.points) <
-      square(configuration.perturbed_mu0 * configuration.perturbed_epsilon)) {
-    return false;
-  }
-  const std::size_t m = configuration.points.front().size();
-  const ForbiddenConfigurationParameters<> parameters{
-      square(configuration.gamma0), square(configuration.perturbed_epsilon), square(configuration.protection())};
-  return is_proved(decide_on(ExactSimplex::from_points(configuration.points), [&]<class S>(const EdgeGram<S>& simplex) {
-    return is_forbidden_configuration(simplex, m, parameters.on<S>());
-  }));
-}
-
-bool has_forbidden_properties(const Configuration& configuration) {
-  const ForbiddenPropertiesParameters<> parameters{square(configuration.gamma0), square(configuration.hoop_bound()),
-                                                   configuration.epsilon, configuration.edge_bound()};
-  return is_proved(decide_on(ExactSimplex::from_points(configuration.points), [&]<class S>(const EdgeGram<S>& simplex) {
-    return has_forbidden_properties(simplex, parameters.on<S>());
-  }));
-}
-
-Configuration scaled(Configuration configuration, const Rational& factor) {
-  configuration.points = scaled_points(std::move(configuration.points), factor);
-  configuration.epsilon *= factor;
-  configuration.perturbed_epsilon *= factor;
-  return configuration;
-}
 
 std::optional<Configuration> draw_forbidden_configuration(const Shape& shape, const Bindings& bound,
                                                           const Limits& limits, Choices& choices) {

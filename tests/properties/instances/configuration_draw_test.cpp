@@ -4,36 +4,13 @@
 
 #include "kernel/simplex/edges.hpp"
 #include "kernel/simplex/thickness.hpp"
+#include "properties/instances/configuration_geometry.hpp"
+#include "tests/properties/instances/drawn_configurations.hpp"
 
 namespace delcert {
 namespace DELCERT_THIS_FILE {
 
-/// The hypotheses of lem:prop.forbid.cfg and μ₀ ≤ 1.
-class LimitsOfTheLemma : public Limits {
- public:
-  std::optional<Rational> most(const std::string& name, const Bindings& bound, bool) const override {
-    const auto number = [&bound](const std::string& of) { return std::get<Rational>(bound.at(of)); };
-    if (name == "mu0") return Rational(1);
-    if (name == "rho0") return number("mu0") / Rational(4);
-    if (name == "gamma0") return Rational(2) * square(number("mu0")) / Rational(75);
-    if (name == "delta0") return power(number("gamma0"), std::get<long>(bound.at("m")) + 1);
-    return std::nullopt;
-  }
-};
-
-const std::vector<Shape> shapes{{2, 2}, {2, 3}, {3, 3}, {3, 4}, {4, 4}};
-constexpr std::uint32_t draws = 40;
-
-template <class Draw>
-std::vector<Configuration> drawn(const Draw& draw, const Limits& limits, const Shape& shape, std::uint32_t count) {
-  const Bindings bound{{"k", static_cast<long>(shape.k)}, {"m", static_cast<long>(shape.m)}};
-  std::vector<Configuration> result;
-  for (std::uint32_t number = 0; number < count; ++number) {
-    RandomChoices choices(1, static_cast<std::uint32_t>(shape.k * 16 + shape.m), number);
-    if (auto configuration = draw(shape, bound, limits, choices)) result.push_back(std::move(*configuration));
-  }
-  return result;
-}
+using namespace drawn_configurations;
 
 TEST(ConfigurationDraw, ForbiddenConfigurationsMeetTheHypothesesOfTheLemmaAndHaveItsProperties) {
   bool tiny = false;
@@ -58,23 +35,6 @@ TEST(ConfigurationDraw, ForbiddenConfigurationsMeetTheHypothesesOfTheLemmaAndHav
   }
   EXPECT_TRUE(tiny);
   EXPECT_TRUE(at_limit);
-}
-
-TEST(ConfigurationDraw, WhatLacksOnePartOfTheDefinitionIsNotForbidden) {
-  for (const Configuration& c : drawn(draw_forbidden_configuration, LimitsOfTheLemma(), {2, 2}, draws)) {
-    Configuration apart = c;
-    apart.perturbed_mu0 = Rational(3);
-    EXPECT_FALSE(is_forbidden_configuration(apart));
-    Configuration small = c;
-    small.perturbed_epsilon = Rational::power_of_two(-10) * c.perturbed_epsilon;
-    EXPECT_FALSE(is_forbidden_configuration(small));
-    Configuration off = c;
-    for (Rational& coordinate : off.points[0]) coordinate += Rational(1) / Rational(16);
-    EXPECT_FALSE(is_forbidden_configuration(off));
-    Configuration bad = c;
-    bad.gamma0 = Rational(9) / Rational(10);
-    EXPECT_FALSE(is_forbidden_configuration(bad));
-  }
 }
 
 TEST(ConfigurationDraw, SomeFacetsAreSliversThatAreHardlyGood) {
@@ -156,15 +116,6 @@ TEST(ConfigurationDraw, TrianglesAndTooHighDimensionsAreNotDrawn) {
   for (const Shape& shape : {Shape{1, 2}, Shape{3, 2}}) {
     EXPECT_TRUE(drawn(draw_forbidden_configuration, NoLimits(), shape, 3).empty());
     EXPECT_TRUE(drawn(draw_forbidden_properties, NoLimits(), shape, 3).empty());
-  }
-}
-
-TEST(ConfigurationDraw, ScalingKeepsAForbiddenConfiguration) {
-  for (const Configuration& c : drawn(draw_forbidden_configuration, LimitsOfTheLemma(), {2, 3}, 5)) {
-    const Configuration larger = scaled(c, Rational(7) / Rational(3));
-    EXPECT_EQ(larger.epsilon, c.epsilon * Rational(7) / Rational(3));
-    EXPECT_TRUE(is_forbidden_configuration(larger));
-    EXPECT_TRUE(has_forbidden_properties(larger));
   }
 }
 
