@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "kernel/manifold/submanifold/graph_check.hpp"
+#include "kernel/manifold/submanifold/chart_fitting.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "kernel/number/simple_fraction.hpp"
 #include "kernel/sample/manifold_survey.hpp"

@@ -9,7 +9,7 @@
 
 #include "kernel/chart/ambient_grid.hpp"
 #include "kernel/chart/chart_view.hpp"
-#include "kernel/manifold/submanifold/graph_check.hpp"
+#include "kernel/manifold/submanifold/chart_fitting.hpp"
 
 namespace delcert {
 

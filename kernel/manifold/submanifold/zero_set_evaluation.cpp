@@ -4,7 +4,7 @@
 #include "kernel/manifold/submanifold/chord_bend.hpp"
 #include "kernel/manifold/submanifold/cover_check.hpp"
 #include "kernel/manifold/submanifold/fibre_zero.hpp"
-#include "kernel/manifold/submanifold/graph_check.hpp"
+#include "kernel/manifold/submanifold/chart_fitting.hpp"
 #include "kernel/manifold/submanifold/singular_search.hpp"
 #include "kernel/manifold/submanifold/zero_set.hpp"
 #include "kernel/number/middle.hpp"

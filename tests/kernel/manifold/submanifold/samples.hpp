@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "kernel/manifold/submanifold/graph_check.hpp"
+#include "kernel/manifold/submanifold/chart_fitting.hpp"
 #include "tests/support/message_of.hpp"
 #include "tests/support/ratio.hpp"
 
