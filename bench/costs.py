@@ -86,7 +86,7 @@ ZERO_SETS += [Run(manifold, radius, 1, 2, long=True, options=("--levels", "1,2,5
 # Radii that vary.
 ZERO_SETS += [Run("ellipsoid", "1", 1, 2, cheap=True, options=("--sizing", "curvature:3/20,1/10")),
               Run("tanglecube", "1", 1, 2, options=("--sizing", "curvature:1/10,1/10")),
-              Run("tanglecube", "1", 1, 2, options=("--sizing", "curvature:3/20,1/10", "--refine", "8", "--levels", "1,2,5,5i")),
+              Run("tanglecube", "1", 1, 2, options=("--sizing", "curvature:3/20,1/10", "--refine", "8")),
               Run("genus-2", "1/4", 1, 2, long=True, options=("--sizing", "curvature:1/10,1/10", "--refine", "3")),
               Run("genus-2", "1/60", 1, 2, long=True, options=("--sizing", "curvature:1/10,1/18", "--refine", "3"))]
 ATLASES = [Run(manifold, radius, 1, 2, cheap=True)
