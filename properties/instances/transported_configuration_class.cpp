@@ -3,8 +3,8 @@
 #include <Eigen/Dense>
 
 #include "properties/instances/configuration_draw.hpp"
-#include "properties/instances/configuration_geometry.hpp"
 #include "properties/instances/configuration_finite_map.hpp"
+#include "properties/instances/configuration_geometry.hpp"
 #include "properties/instances/configuration_map.hpp"
 #include "properties/instances/random_simplex.hpp"
 #include "support/error.hpp"

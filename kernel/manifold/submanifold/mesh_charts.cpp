@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "kernel/chart/ambient_grid.hpp"
-#include "kernel/manifold/submanifold/cover_check.hpp"
 #include "kernel/manifold/submanifold/chart_fitting.hpp"
+#include "kernel/manifold/submanifold/cover_check.hpp"
 #include "kernel/manifold/submanifold/shown_facet.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "kernel/number/rounding_guard.hpp"

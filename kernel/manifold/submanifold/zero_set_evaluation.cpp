@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/manifold/submanifold/chart_fitting.hpp"
 #include "kernel/manifold/submanifold/chord_bend.hpp"
 #include "kernel/manifold/submanifold/cover_check.hpp"
 #include "kernel/manifold/submanifold/fibre_zero.hpp"
-#include "kernel/manifold/submanifold/chart_fitting.hpp"
 #include "kernel/manifold/submanifold/singular_search.hpp"
 #include "kernel/manifold/submanifold/zero_set.hpp"
 #include "kernel/number/middle.hpp"

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "kernel/manifold/submanifold/cover_check.hpp"
 #include "kernel/manifold/submanifold/chart_fitting.hpp"
+#include "kernel/manifold/submanifold/cover_check.hpp"
 #include "kernel/sample/submanifold_net.hpp"
 #include "support/error.hpp"
 #include "tests/kernel/manifold/submanifold/mesh_samples.hpp"
