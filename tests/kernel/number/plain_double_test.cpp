@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace delcert {
@@ -9,31 +10,9 @@ namespace DELCERT_THIS_FILE {
 
 static_assert(Scalar<PlainDouble>);
 
-TEST(PlainDouble, every_operation_is_the_one_of_doubles_in_rounding_to_nearest) {
-  const double a = -0x1.999999999999ap-4;
-  const double b = 0x1.5555555555555p+3;
-  const PlainDouble x = PlainDouble::exactly(a);
-  const PlainDouble y = PlainDouble::exactly(b);
-  EXPECT_EQ((x + y).lower(), a + b);
-  EXPECT_EQ((x - y).upper(), a - b);
-  EXPECT_EQ((x * y).lower(), a * b);
-  EXPECT_EQ((x / y).lower(), a / b);
-  EXPECT_EQ((-x).lower(), -a);
-  EXPECT_EQ(square(x).lower(), a * a);
-  EXPECT_EQ(square_root(y).lower(), std::sqrt(b));
-  EXPECT_EQ(square_root(x).lower(), 0.0);
-  EXPECT_EQ(absolute(x).lower(), -a);
-  EXPECT_EQ(minimum(x, y).lower(), a);
-  EXPECT_EQ(maximum(x, y).lower(), b);
-  EXPECT_EQ(PlainDouble::between(a, b).lower(), PlainDouble::between(a, b).upper());
-  EXPECT_EQ(PlainDouble::between(1.0, 2.0).lower(), 1.5);
-  EXPECT_EQ(PlainDouble(7).lower(), 7.0);
+TEST(PlainDouble, a_fraction_becomes_a_double_next_to_it) {
   EXPECT_EQ(scalar_from<PlainDouble>(Rational(1) / 4).lower(), 0.25);
-  PlainDouble z = x;
-  z += y;
-  z -= x;
-  z *= y;
-  EXPECT_EQ(z.lower(), (a + b - a) * b);
+  EXPECT_LE(std::fabs(scalar_from<PlainDouble>(Rational(1) / 3).lower() - 1.0 / 3), 0x1p-54);
 }
 
 TEST(PlainDouble, verdicts_are_never_undecided_even_where_they_are_wrong) {
