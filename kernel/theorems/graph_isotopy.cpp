@@ -119,15 +119,20 @@ void measure_pairs(const GraphVertices& vertices, const std::vector<LabelSimplex
 template <int m>
 class NormalCheck {
  public:
-  explicit NormalCheck(const GraphVertices& vertices)
-      : vertices_(vertices), check_(vertices), evaluation_(vertices.manifold.evaluation()) {}
+  NormalCheck(const GraphVertices& vertices, double displacement)
+      : vertices_(vertices),
+        displacement_(displacement),
+        check_(vertices),
+        evaluation_(vertices.manifold.evaluation()) {}
 
   /// A lower bound of the cosines of the angles between the gradients at points of the simplex and its normal, on the
   /// side of W; −1 if nothing is known.
   [[nodiscard]] double cosine(const LabelSimplex<m>& simplex) {
     std::array<const Interval*, static_cast<std::size_t>(m) + 1> places;
     for (std::size_t v = 0; v <= m; ++v) places[v] = vertices_.position(simplex[v]);
-    if (!evaluation_->enclose(vertices_.charts[simplex[0]], places, 0, hull_)) return -1;
+    // Second derivatives are enclosed where level 5 does it, as readers do.
+    const double displacement = displacement_ * vertices_.unit(simplex);
+    if (!evaluation_->enclose(vertices_.charts[simplex[0]], places, displacement, hull_)) return -1;
     std::array<InSpace, static_cast<std::size_t>(m) + 1> edges;  // the last is not read
     for (std::size_t k = 0; k < m; ++k) {
       for (std::size_t axis = 0; axis <= m; ++axis) edges[k][axis] = places[k + 1][axis] - places[0][axis];
@@ -141,10 +146,9 @@ class NormalCheck {
     for (const Dense<Interval>& gradient : hull_.matrices) {
       InSpace along;
       std::copy_n(gradient.begin(), along.size(), along.begin());
-      const Interval length = square_root(pairing(along, along)) + hull_.spread;
-      const Interval across = pairing(normal, along) / square_root(pairing(normal, normal)) - hull_.spread;
-      // What it is at the vertices: a mean of such gradients is not longer, and has the mean of their heights.
-      result = std::min(result, (across / length).lower());
+      // At points of the simplex gradients are means of these: a mean is not longer, and has the mean of the heights.
+      const Interval length = square_root(pairing(along, along) * pairing(normal, normal));
+      result = std::min(result, (pairing(normal, along) / length).lower());
     }
     return result;
   }
@@ -153,6 +157,7 @@ class NormalCheck {
   using InSpace = Vector<Interval, m + 1>;
 
   const GraphVertices& vertices_;
+  double displacement_;
   GraphSimplexCheck<m> check_;
   std::unique_ptr<GraphEvaluation> evaluation_;
   DerivativeHull hull_;
@@ -160,14 +165,14 @@ class NormalCheck {
 
 /// Of all simplices.
 template <int m>
-double least_cosine(const GraphVertices& vertices, const std::vector<LabelSimplex<m>>& simplices,
+double least_cosine(const GraphVertices& vertices, const std::vector<LabelSimplex<m>>& simplices, double displacement,
                     const Progress& progress) {
   double result = 1;
   in_parts<normals_at_a_time>(
       "normals of simplices", simplices.size(), progress,
       [&](std::size_t first, std::size_t last) {
         const RoundingGuard guard;
-        NormalCheck<m> check(vertices);
+        NormalCheck<m> check(vertices, displacement);
         double part = 1;
         for (std::size_t at = first; at < last; ++at) part = std::min(part, check.cosine(simplices[at]));
         return part;
@@ -206,7 +211,7 @@ GraphIsotopy check_graph_isotopy(const GraphVertices& vertices, const std::vecto
   if (result.margin > 0) return result;
   measure_pairs(vertices, simplices, triangulation, rooms, labels->reach() * small_room, result, progress);
   if (result.margin > 0 || !is_one_equation(vertices.manifold)) return result;
-  const double cosine = least_cosine<m>(vertices, simplices, progress);
+  const double cosine = least_cosine<m>(vertices, simplices, approximate_double(triangulation.displacement), progress);
   if (cosine > smallest_cosine) result.cosine = cosine;
   return result;
 }

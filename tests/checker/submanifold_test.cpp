@@ -173,6 +173,33 @@ TEST(Submanifold, is_embedded_by_normals_where_edges_are_too_short_for_a_margin)
   expect_verified(by_normals(document, "63/64"));
 }
 
+/// A circle in charts that are tilted, with one more vertex very near to vertex 0. The edge between them is so steep
+/// that a gradient is within a few degrees of it: on one side of the edge if it rises in the chart, on the other if it
+/// falls.
+Json with_steep_edge(double steepness) {
+  SubmanifoldModel model = given(circle_model(60, 1));
+  model.tilt = -0.15;
+  model.slope = 1.6;
+  model.patch_radius = 0.2;
+  model.height = 0.2;
+  model.contraction = 0.9;
+  model.displacement = 0.02;
+  const double length = 0x1p-12, along = std::sin(model.tilt), up = std::cos(model.tilt);
+  model.points.push_back({1 + length * (along + steepness * up), length * (up - steepness * along)});
+  model.simplices.erase(std::find(model.simplices.begin(), model.simplices.end(), std::vector<int>{0, 1}));
+  model.simplices.push_back({0, 60});
+  model.simplices.push_back({1, 60});
+  std::sort(model.simplices.begin(), model.simplices.end());
+  return by_normals(certificate(model, {"1f", "2", "5", "5i"}), "1/16");
+}
+
+TEST(Submanifold, normals_and_gradients_are_on_the_same_side_of_steep_edges) {
+  expect_verified(with_steep_edge(20));
+  const CheckerRun run = run_checker(sealed(with_steep_edge(-20)));
+  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(run.rules, std::set<std::string>{"5i.normal"}) << run.output;
+}
+
 /// Twelve points on a circle; what may be within density of one of them reaches to the other side.
 SubmanifoldModel twelve_points() {
   SubmanifoldModel model = circle_model(12, 1);
@@ -684,6 +711,8 @@ std::vector<Forgery> submanifold_forgeries() {
       forged("a margin too large", "5i.star", round, claim("5i", "margin", "309/2000")),
       forged("normals that are nearer to gradients than they are", "5i.normal", round,
              [](Json& j) { j = by_normals(j, "1"); }),
+      forged("an edge on the other side of a gradient", "5i.normal", with_steep_edge(20),
+             [](Json& j) { j = with_steep_edge(-20); }),
       forged("two circles nearer to each other than stated", "5i.apart", certificate(close, {"1", "2", "5", "5i"}),
              [](Json& j) { j["levels"]["5i"]["margin"] = text_of(apart_unmoved); }),
       forged("radii that differ by more than stated", "sub.radii", round,
