@@ -7,26 +7,19 @@
 
 #include "kernel/manifold/submanifold/polyhedral_mesh.hpp"
 #include "kernel/parallel/threads.hpp"
-#include "tests/kernel/theorems/torus_mesh.hpp"
+#include "tests/kernel/theorems/triangulated_mesh.hpp"
 
 namespace delcert::test {
 namespace DELCERT_THIS_FILE {
 
 /// A mesh of which level 5 holds.
 template <int m>
-struct Triangulated {
-  Mesh<m> mesh;
-  GraphVertices vertices;
-  GraphTriangulation<m> triangulation;
+struct Triangulated : TriangulatedMesh<m> {
+  using TriangulatedMesh<m>::mesh, TriangulatedMesh<m>::vertices, TriangulatedMesh<m>::triangulation;
 
-  explicit Triangulated(Mesh<m> made)
-      : mesh(std::move(made)),
-        vertices(mesh.vertices()),
-        triangulation(check_graph_triangulation<m>(vertices, mesh.simplices, no_progress())) {
+  explicit Triangulated(Mesh<m> made) : TriangulatedMesh<m>(std::move(made)) {
     EXPECT_TRUE(triangulation.triangulates());
   }
-  Triangulated(const Triangulated&) = delete;
-  Triangulated& operator=(const Triangulated&) = delete;
 
   [[nodiscard]] GraphIsotopy isotopy() const { return isotopy_in(mesh.zero_set); }
   /// As if the manifold were another one with the same charts.

@@ -7,22 +7,17 @@
 #include <utility>
 
 #include "kernel/theorems/graph_triangulation.hpp"
-#include "tests/kernel/theorems/torus_mesh.hpp"
+#include "tests/kernel/theorems/triangulated_mesh.hpp"
 
 namespace delcert::test {
 namespace DELCERT_THIS_FILE {
 
-/// A mesh with what level 5 measures of it.
+/// A mesh, and what is asked of its pairs of simplices.
 template <int m>
-struct Measured {
-  Mesh<m> mesh;
-  GraphVertices vertices;
-  GraphTriangulation<m> triangulation;
+struct Measured : TriangulatedMesh<m> {
+  using TriangulatedMesh<m>::mesh, TriangulatedMesh<m>::vertices, TriangulatedMesh<m>::triangulation;
 
-  explicit Measured(Mesh<m> made)
-      : mesh(std::move(made)),
-        vertices(mesh.vertices()),
-        triangulation(check_graph_triangulation<m>(vertices, mesh.simplices, no_progress())) {}
+  using TriangulatedMesh<m>::TriangulatedMesh;
 
   [[nodiscard]] std::vector<bool> all_labels() const { return std::vector<bool>(mesh.points.size(), true); }
   [[nodiscard]] SimplexPairs pairs(const std::vector<bool>& is_tight, double most = 1) const {

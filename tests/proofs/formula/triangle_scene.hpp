@@ -4,26 +4,16 @@
 #include <string_view>
 
 #include "kernel/formula/parser.hpp"
-#include "proofs/formula/arithmetic_vocabulary.hpp"
 #include "proofs/formula/decision.hpp"
 #include "proofs/formula/simplex_object.hpp"
-#include "proofs/formula/simplex_vocabulary.hpp"
 #include "proofs/formula/type_check.hpp"
+#include "tests/proofs/formula/words_about_simplices.hpp"
 
 // Formulas about a right triangle, a flat one and a few numbers.
 
 namespace delcert::triangle_scene {
 
-inline const Vocabulary& vocabulary() {
-  static const Vocabulary result = [] {
-    Vocabulary made;
-    add_arithmetic(made);
-    add_constants_of_the_paper(made);
-    add_simplex_quantities(made);
-    return made;
-  }();
-  return result;
-}
+using words_about_simplices::vocabulary;
 
 /// A right triangle with legs 3 and 4; t lies on a line.
 inline const Bindings& bindings() {

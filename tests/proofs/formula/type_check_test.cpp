@@ -6,23 +6,13 @@
 
 #include "kernel/formula/formula_error.hpp"
 #include "kernel/formula/parser.hpp"
-#include "proofs/formula/arithmetic_vocabulary.hpp"
 #include "proofs/formula/simplex_object.hpp"
-#include "proofs/formula/simplex_vocabulary.hpp"
+#include "tests/proofs/formula/words_about_simplices.hpp"
 
 namespace delcert {
 namespace DELCERT_THIS_FILE {
 
-const Vocabulary& vocabulary() {
-  static const Vocabulary result = [] {
-    Vocabulary made;
-    add_arithmetic(made);
-    add_constants_of_the_paper(made);
-    add_simplex_quantities(made);
-    return made;
-  }();
-  return result;
-}
+using words_about_simplices::vocabulary;
 
 const Signature& signature() {
   static const Signature result{{"s", types::simplex},
