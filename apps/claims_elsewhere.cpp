@@ -1,18 +1,11 @@
-// A part of delcert and delcert-publish, not of delcert-claims: of the subcommands about claims they have the names
-// only.
+// A part of delcert-certify and delcert-publish, not of delcert-claims: of the subcommands about claims they have the
+// names only.
 
 #include "apps/other_programs.hpp"
 
 namespace delcert {
 
-namespace {
-
-constexpr CommandName left_to_claims[] = {about_claims, about_attack, about_campaign, about_tighten,  about_power,
-                                          about_prove,  about_errata, about_tables,   about_formalise};
-
-}  // namespace
-
-bool is_left_to_claims(std::string_view subcommand) { return is_among(left_to_claims, subcommand); }
+bool is_left_to_claims(std::string_view subcommand) { return is_among(claim_commands, subcommand); }
 
 // Never parsed: main hands over before.
 void add_claims(CLI::App& program, Action&) { add_named(program, about_claims); }

@@ -1,17 +1,11 @@
-// A part of delcert alone: of the subcommands that publish certificates it has the names only.
+// A part of delcert-certify alone: of the subcommands that publish certificates it has the names only.
 
 #include "apps/certificate_picture.hpp"
 #include "apps/other_programs.hpp"
 
 namespace delcert {
 
-namespace {
-
-constexpr CommandName left_to_publishing[] = {about_cite, about_figure, about_bundle, about_export, about_report};
-
-}  // namespace
-
-bool is_left_to_publishing(std::string_view subcommand) { return is_among(left_to_publishing, subcommand); }
+bool is_left_to_publishing(std::string_view subcommand) { return is_among(publishing_commands, subcommand); }
 
 // Never parsed: main hands over before.
 void add_cite(CLI::App& program, Action&) { add_named(program, about_cite); }

@@ -1,4 +1,4 @@
-// A part of delcert-publish and delcert-claims, not of delcert.
+// A part of delcert-publish and delcert-claims, not of delcert-certify.
 
 #include "apps/certificate_picture.hpp"
 #include "apps/other_programs.hpp"

@@ -15,7 +15,7 @@ set_target_properties(delcert_proofs PROPERTIES EXPORT_NAME proofs)
 set_target_properties(delcert_properties PROPERTIES EXPORT_NAME properties)
 install(TARGETS delcert_rigour delcert_support delcert_kernel delcert_certificates EXPORT delcert
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
-install(TARGETS delcert RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT delcert)
+install(TARGETS delcert delcert-certify RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT delcert)
 # What ./run builds only when it is called for: a folder where it has not been built is installed without it.
 install(TARGETS delcert_spectra delcert_publication delcert_proofs delcert_properties EXPORT delcert-claims
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development OPTIONAL)

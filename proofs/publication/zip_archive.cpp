@@ -1,8 +1,10 @@
 #include "proofs/publication/zip_archive.hpp"
 
-#include <zip.h>
+#include <zlib.h>
 
-#include <memory>
+#include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <set>
 #include <stdexcept>
 
@@ -10,73 +12,85 @@ namespace delcert {
 
 namespace {
 
+// What the format calls its records and fields: APPNOTE.TXT 4.3 and 4.4, by PKWARE.
+constexpr std::uint32_t local_header = 0x04034b50;
+constexpr std::uint32_t central_header = 0x02014b50;
+constexpr std::uint32_t end_of_directory = 0x06054b50;
+constexpr std::uint16_t version_needed = 10;        // 1.0: stored, without folders
+constexpr std::uint16_t made_by = 3U << 8U | 63;    // Unix, by version 6.3 of the format
+constexpr std::uint16_t name_is_utf_8 = 1U << 11U;  // a flag
+constexpr std::uint16_t stored = 0;                 // the method of compression
+constexpr std::uint32_t readable_by_all = 0100644U << 16U;
 // The first day that the format can state: midnight of 1 January 1980.
-constexpr zip_uint16_t first_date = 0x21;
-constexpr zip_uint16_t first_time = 0;
-constexpr zip_uint32_t readable_by_all = 0100644U << 16U;
+constexpr std::uint16_t first_date = 0x21;
+constexpr std::uint16_t first_time = 0;
 
-struct ZipError {
-  ZipError() { zip_error_init(&error); }
-  ~ZipError() { zip_error_fini(&error); }
-  ZipError(const ZipError&) = delete;
-  ZipError& operator=(const ZipError&) = delete;
-  [[noreturn]] void fail() { throw std::runtime_error(std::string("libzip: ") + zip_error_strerror(&error)); }
-  zip_error_t error{};
-};
+/// Appends the number, its lowest byte first.
+template <class Number>
+void put(std::string& bytes, Number number) {
+  for (std::size_t k = 0; k < sizeof number; ++k) bytes += static_cast<char>(number >> (8 * k) & 0xffU);
+}
 
-struct Discard {
-  void operator()(zip_t* archive) const { zip_discard(archive); }
-};
+template <class Number>
+Number fitting(std::size_t number) {
+  if (number >= std::numeric_limits<Number>::max()) throw std::length_error("more than a ZIP archive can hold");
+  return static_cast<Number>(number);
+}
 
-[[noreturn]] void fail(zip_t* archive) { throw std::runtime_error(std::string("libzip: ") + zip_strerror(archive)); }
+bool is_ascii(const std::string& text) {
+  return std::all_of(text.begin(), text.end(), [](char byte) { return static_cast<unsigned char>(byte) < 128; });
+}
 
-std::string bytes_of_source(zip_source_t* source) {
-  std::string bytes;
-  if (zip_source_open(source) != 0) throw std::runtime_error("libzip: the archive cannot be read again");
-  std::string buffer(1U << 16U, '\0');
-  zip_int64_t count = 0;
-  while ((count = zip_source_read(source, buffer.data(), buffer.size())) > 0)
-    bytes.append(buffer, 0, static_cast<std::size_t>(count));
-  zip_source_close(source);
-  if (count < 0) throw std::runtime_error("libzip: the archive cannot be read again");
-  return bytes;
+/// What the header of a file and its entry in the directory have in common.
+std::string facts_of(const ArchiveFile& file) {
+  const auto size = fitting<std::uint32_t>(file.bytes.size());
+  std::string facts;
+  put(facts, version_needed);
+  put(facts, is_ascii(file.name) ? std::uint16_t{0} : name_is_utf_8);
+  put(facts, stored);
+  put(facts, first_time);
+  put(facts, first_date);
+  put(facts, static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(file.bytes.data()), size)));
+  put(facts, size);  // as it is stored
+  put(facts, size);  // as it is
+  put(facts, fitting<std::uint16_t>(file.name.size()));
+  put(facts, std::uint16_t{0});  // no more fields
+  return facts;
 }
 
 }  // namespace
 
 std::string zip_archive(const std::vector<ArchiveFile>& files) {
   std::set<std::string> names;
+  std::string bytes;
+  std::string directory;
   for (const ArchiveFile& file : files) {
     if (!names.insert(file.name).second) throw std::invalid_argument("two files are called " + file.name);
+    const std::string facts = facts_of(file);
+    put(directory, central_header);
+    put(directory, made_by);
+    directory += facts;
+    put(directory, std::uint16_t{0});  // no comment
+    put(directory, std::uint16_t{0});  // on the first disk
+    put(directory, std::uint16_t{0});  // bytes, not text
+    put(directory, readable_by_all);
+    put(directory, fitting<std::uint32_t>(bytes.size()));
+    directory += file.name;
+
+    put(bytes, local_header);
+    bytes += facts + file.name + file.bytes;
   }
-  ZipError error;
-  zip_source_t* memory = zip_source_buffer_create(nullptr, 0, 0, &error.error);
-  if (memory == nullptr) error.fail();
-  // Kept, as closing the archive gives its own hold up.
-  zip_source_keep(memory);
-  const std::unique_ptr<zip_source_t, decltype(&zip_source_free)> kept(memory, &zip_source_free);
-  std::unique_ptr<zip_t, Discard> archive(zip_open_from_source(memory, ZIP_TRUNCATE, &error.error));
-  if (!archive) {
-    zip_source_free(memory);
-    error.fail();
-  }
-  for (const ArchiveFile& file : files) {
-    zip_source_t* source = zip_source_buffer(archive.get(), file.bytes.data(), file.bytes.size(), 0);
-    if (source == nullptr) fail(archive.get());
-    const zip_int64_t added = zip_file_add(archive.get(), file.name.c_str(), source, ZIP_FL_ENC_UTF_8);
-    if (added < 0) {
-      zip_source_free(source);
-      fail(archive.get());
-    }
-    const auto index = static_cast<zip_uint64_t>(added);
-    if (zip_set_file_compression(archive.get(), index, ZIP_CM_STORE, 0) != 0 ||
-        zip_file_set_dostime(archive.get(), index, first_time, first_date, 0) != 0 ||
-        zip_file_set_external_attributes(archive.get(), index, 0, ZIP_OPSYS_UNIX, readable_by_all) != 0)
-      fail(archive.get());
-  }
-  if (zip_close(archive.get()) != 0) fail(archive.get());
-  (void)archive.release();
-  return bytes_of_source(memory);
+  const auto start = fitting<std::uint32_t>(bytes.size());
+  const auto count = fitting<std::uint16_t>(files.size());
+  bytes += directory;
+  put(bytes, end_of_directory);
+  put(bytes, std::uint32_t{0});  // one disk
+  put(bytes, count);             // of the files on it
+  put(bytes, count);
+  put(bytes, fitting<std::uint32_t>(directory.size()));
+  put(bytes, start);
+  put(bytes, std::uint16_t{0});  // no comment
+  return bytes;
 }
 
 }  // namespace delcert

@@ -8,10 +8,11 @@ file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/alone/here)
 
 delcert_cli_test(check-help COMMAND ${delcert} check --help STATUS 0 OUTPUT "FILE.*Examples:.*delcert check" ERROR "^$")
 delcert_cli_test(check-without-file COMMAND ${delcert} check STATUS 64 OUTPUT "^$" ERROR "^delcert: error: FILE is required")
-delcert_cli_test(check-copy COMMAND ${CMAKE_COMMAND} -E copy ${delcert} beside/delcert STATUS 0 FIXTURE_SETUP check-beside)
+delcert_cli_test(check-copy COMMAND ${CMAKE_COMMAND} -E copy ${delcert} $<TARGET_FILE:delcert-certify> beside STATUS 0
+  FIXTURE_SETUP check-beside)
 delcert_cli_test(check-hands-over COMMAND beside/delcert check --levels 0,1 "a file" -h -- constants STATUS 42
   OUTPUT "^<--levels><0,1><a file><-h><--><constants>$" ERROR "^$" FIXTURES check-beside)
-delcert_cli_test(check-copy-alone COMMAND ${CMAKE_COMMAND} -E copy ${delcert} alone/here/delcert STATUS 0
+delcert_cli_test(check-copy-alone COMMAND ${CMAKE_COMMAND} -E copy ${delcert} $<TARGET_FILE:delcert-certify> alone/here STATUS 0
   FIXTURE_SETUP check-alone)
 delcert_cli_test(check-not-installed STATUS 70 OUTPUT "^$" FIXTURES check-alone
   COMMAND ${CMAKE_COMMAND} -E env PATH=/nowhere alone/here/delcert check file

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# two_programs.sh CASE DELCERT: delcert, and delcert-publish and delcert-claims beside it, are one program to their users.
+# two_programs.sh CASE DELCERT: delcert, and the three programs beside it, are one program to their users.
 set -uo pipefail
-case=$1 delcert=$2 publish=$2-publish claims=$2-claims
+case=$1 delcert=$2 certify=$2-certify publish=$2-publish claims=$2-claims
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
 case $case in
   help)
-    diff <("$delcert" --help) <("$claims" --help) && diff <("$delcert" --help) <("$publish" --help) &&
+    diff <("$delcert" --help) <("$claims" --help) && diff <("$delcert" --help) <("$publish" --help) && diff <("$delcert" --help) <("$certify" --help) &&
       diff <("$delcert" attack --help) <("$claims" attack --help) && diff <("$delcert" export --help) <("$claims" export --help) && echo "the same"
     ;;
   process)
@@ -23,18 +23,28 @@ case $case in
     ;;
   alone)
     # A folder where ./run has built the first only.
-    cp "$delcert" "$folder/delcert"
+    cp "$delcert" "$certify" "$folder"
     "$folder/delcert" manifolds torus-2 --names || exit 99
     "$folder/delcert" claims
     ;;
   alone-publishing)
-    cp "$delcert" "$folder/delcert"
+    cp "$delcert" "$certify" "$folder"
     "$folder/delcert" manifolds torus-2 --names || exit 99
     "$folder/delcert" cite
     ;;
+  alone-in-front)
+    cp "$delcert" "$publish" "$folder"
+    "$folder/delcert" cite --format bibtex >/dev/null || exit 99
+    ln -s "$folder/delcert" "$folder/link"
+    "$folder/link" --version
+    ;;
+  libraries)
+    # What is called at every start is worth nothing if it starts as slowly as the programs behind it.
+    readelf -d "$delcert" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p'
+    ;;
   without-claims)
     # A witness is handed over twice, and the second program is the one that is missing.
-    cp "$delcert" "$publish" "$folder"
+    cp "$delcert" "$certify" "$publish" "$folder"
     printf '{"delcert_witness": 1}' >"$folder/witness.json"
     "$folder/delcert" figure "$folder/witness.json" --output "$folder/witness.svg"
     ;;
