@@ -5,16 +5,17 @@
 #include <optional>
 #include <stdexcept>
 
-#include "proofs/checker/chunk_view.hpp"
+#include "proofs/checker/atlases/glued_charts.hpp"
+#include "proofs/checker/certificate/expectation.hpp"
+#include "proofs/checker/core/chunk_view.hpp"
 #include "proofs/checker/core/core.hpp"
-#include "proofs/checker/expectation.hpp"
-#include "proofs/checker/glued_charts.hpp"
-#include "proofs/checker/group.hpp"
-#include "proofs/checker/metric_field_levels.hpp"
-#include "proofs/checker/parts.hpp"
-#include "proofs/checker/space_form_levels.hpp"
-#include "proofs/checker/space_form_stars.hpp"
-#include "proofs/checker/tangent_charts.hpp"
+#include "proofs/checker/levels/levels.hpp"
+#include "proofs/checker/metric_fields/metric_field_levels.hpp"
+#include "proofs/checker/parts/parts.hpp"
+#include "proofs/checker/space_forms/group.hpp"
+#include "proofs/checker/space_forms/space_form_levels.hpp"
+#include "proofs/checker/space_forms/space_form_stars.hpp"
+#include "proofs/checker/submanifolds/tangent_charts.hpp"
 
 namespace delcert::checker {
 namespace {

@@ -1,7 +1,7 @@
 // Certificates as delcert-check reads them: as they are, and under a seal that fits, so that the content counts.
 #include <cfenv>
 
-#include "proofs/checker/input.hpp"
+#include "proofs/checker/certificate/input.hpp"
 #include "proofs/checker/run.hpp"
 #include "properties/fuzz/fuzz_target.hpp"
 #include "properties/fuzz/sealed.hpp"

@@ -1,5 +1,5 @@
 // Receipts as `delcert-check --merge` reads them: as they are, and under a seal that fits, so that the content counts.
-#include "proofs/checker/merge.hpp"
+#include "proofs/checker/program/merge.hpp"
 #include "properties/fuzz/fuzz_target.hpp"
 #include "properties/fuzz/sealed.hpp"
 

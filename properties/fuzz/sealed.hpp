@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "proofs/checker/input.hpp"
+#include "proofs/checker/certificate/input.hpp"
 
 namespace delcert::fuzz {
 

@@ -1,4 +1,4 @@
-#include "proofs/checker/abelian_group.hpp"
+#include "proofs/checker/arithmetic/abelian_group.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "proofs/checker/all_charts.hpp"
+#include "proofs/checker/core/all_charts.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "proofs/checker/ball.hpp"
+#include "proofs/checker/arithmetic/ball.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-#include "proofs/checker/blend_volume.hpp"
+#include "proofs/checker/atlases/blend_volume.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <random>
 
-#include "proofs/checker/budget.hpp"
-#include "proofs/checker/cursor.hpp"
+#include "proofs/checker/certificate/cursor.hpp"
+#include "proofs/checker/report/budget.hpp"
 
 namespace delcert::checker {
 namespace {

@@ -1,4 +1,4 @@
-#include "proofs/checker/chord_bend.hpp"
+#include "proofs/checker/submanifolds/chord_bend.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "proofs/checker/exact_number.hpp"
+#include "proofs/checker/arithmetic/exact_number.hpp"
 
 namespace delcert::checker_tests::by_hand {
 namespace {

@@ -1,4 +1,4 @@
-#include "proofs/checker/curved.hpp"
+#include "proofs/checker/geometry/curved.hpp"
 
 #include <gtest/gtest.h>
 

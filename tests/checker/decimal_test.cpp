@@ -1,11 +1,11 @@
-#include "proofs/checker/decimal.hpp"
+#include "proofs/checker/arithmetic/decimal.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <regex>
 
-#include "proofs/checker/exact_number.hpp"
+#include "proofs/checker/arithmetic/exact_number.hpp"
 #include "tests/checker/support/forgeries.hpp"
 #include "tests/checker/support/run_checker.hpp"
 #include "tests/checker/support/samples.hpp"

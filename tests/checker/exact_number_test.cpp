@@ -1,4 +1,4 @@
-#include "proofs/checker/exact_number.hpp"
+#include "proofs/checker/arithmetic/exact_number.hpp"
 
 #include <gtest/gtest.h>
 

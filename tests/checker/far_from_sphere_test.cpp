@@ -1,11 +1,11 @@
-#include "proofs/checker/far_from_sphere.hpp"
+#include "proofs/checker/levels/far_from_sphere.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <string>
 
-#include "proofs/checker/simplex.hpp"
+#include "proofs/checker/geometry/simplex.hpp"
 #include "tests/checker/support/exact_double.hpp"
 #include "tests/checker/upwards.hpp"
 

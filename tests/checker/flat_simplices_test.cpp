@@ -4,8 +4,8 @@
 
 #include <random>
 
-#include "proofs/checker/chunk_items.hpp"
 #include "proofs/checker/core/around_simplex.hpp"
+#include "proofs/checker/parts/chunk_items.hpp"
 #include "tests/checker/core_samples.hpp"
 #include "tests/checker/support/exact_double.hpp"
 #include "tests/checker/upwards.hpp"

@@ -1,4 +1,4 @@
-#include "proofs/checker/formula_map.hpp"
+#include "proofs/checker/arithmetic/formula_map.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "proofs/checker/budget.hpp"
+#include "proofs/checker/report/budget.hpp"
 
 namespace delcert::checker_tests {
 namespace {

@@ -1,4 +1,4 @@
-#include "proofs/checker/grid.hpp"
+#include "proofs/checker/geometry/grid.hpp"
 
 #include <gtest/gtest.h>
 

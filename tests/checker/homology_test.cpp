@@ -1,11 +1,11 @@
-#include "proofs/checker/homology.hpp"
+#include "proofs/checker/geometry/homology.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-#include "proofs/checker/report.hpp"
+#include "proofs/checker/report/report.hpp"
 #include "tests/kernel/topology/known_complexes.hpp"
 
 namespace delcert::checker_tests {

@@ -1,4 +1,4 @@
-#include "proofs/checker/identity.hpp"
+#include "proofs/checker/certificate/identity.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "proofs/checker/input.hpp"
+#include "proofs/checker/certificate/input.hpp"
 
 #include <gtest/gtest.h>
 

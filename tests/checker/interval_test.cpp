@@ -1,10 +1,10 @@
-#include "proofs/checker/interval.hpp"
+#include "proofs/checker/arithmetic/interval.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "proofs/checker/rational.hpp"
+#include "proofs/checker/arithmetic/rational.hpp"
 #include "tests/checker/support/exact_double.hpp"
 #include "tests/checker/upwards.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <random>
 
-#include "proofs/checker/configuration.hpp"
-#include "proofs/checker/run.hpp"
+#include "proofs/checker/levels/configuration.hpp"
+#include "proofs/checker/levels/levels.hpp"
 #include "tests/checker/support/samples.hpp"
 #include "tests/checker/upwards.hpp"
 

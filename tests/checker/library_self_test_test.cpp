@@ -1,4 +1,4 @@
-#include "proofs/checker/library_self_test.hpp"
+#include "proofs/checker/program/library_self_test.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,14 @@
-#include "proofs/checker/lifts.hpp"
+#include "proofs/checker/space_forms/lifts.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
 
-#include "proofs/checker/chunk_items.hpp"
 #include "proofs/checker/core/around_simplex.hpp"
 #include "proofs/checker/core/reader.hpp"
 #include "proofs/checker/core/rules.hpp"
+#include "proofs/checker/parts/chunk_items.hpp"
 #include "tests/checker/support/space_form_samples.hpp"
 #include "tests/checker/upwards.hpp"
 

@@ -1,6 +1,6 @@
 // A check in parts, put together from receipts: says what one check says, or that something is not there once.
 
-#include "proofs/checker/merge.hpp"
+#include "proofs/checker/program/merge.hpp"
 
 #include <gtest/gtest.h>
 

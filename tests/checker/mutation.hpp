@@ -10,7 +10,7 @@
 #include <random>
 #include <string>
 
-#include "proofs/checker/input.hpp"
+#include "proofs/checker/certificate/input.hpp"
 #include "proofs/checker/run.hpp"
 #include "tests/checker/support/certificate_text.hpp"
 

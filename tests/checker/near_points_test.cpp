@@ -1,4 +1,4 @@
-#include "proofs/checker/near_points.hpp"
+#include "proofs/checker/geometry/near_points.hpp"
 
 #include <gtest/gtest.h>
 

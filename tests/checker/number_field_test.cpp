@@ -1,9 +1,9 @@
-#include "proofs/checker/number_field.hpp"
+#include "proofs/checker/arithmetic/number_field.hpp"
 
 #include <gtest/gtest.h>
 
-#include "proofs/checker/exact_number.hpp"
-#include "proofs/checker/square_matrix.hpp"
+#include "proofs/checker/arithmetic/exact_number.hpp"
+#include "proofs/checker/arithmetic/square_matrix.hpp"
 #include "tests/checker/upwards.hpp"
 
 namespace delcert::checker_tests {

@@ -1,6 +1,6 @@
 // Work that is divided among processes has the outcome of work in one.
 
-#include "proofs/checker/parts.hpp"
+#include "proofs/checker/parts/parts.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -8,7 +8,7 @@
 #include <csignal>
 #include <nlohmann/json.hpp>
 
-#include "proofs/checker/decide.hpp"
+#include "proofs/checker/arithmetic/decide.hpp"
 #include "tests/checker/support/forgeries.hpp"
 #include "tests/checker/support/run_checker.hpp"
 #include "tests/checker/support/samples.hpp"

@@ -1,4 +1,4 @@
-#include "proofs/checker/printable.hpp"
+#include "proofs/checker/certificate/printable.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "proofs/checker/self_test.hpp"
+#include "proofs/checker/program/self_test.hpp"
 
 int main() {
   const std::string fault = delcert::checker::self_test();

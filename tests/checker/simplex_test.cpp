@@ -1,10 +1,10 @@
-#include "proofs/checker/simplex.hpp"
+#include "proofs/checker/geometry/simplex.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "proofs/checker/exact_number.hpp"
+#include "proofs/checker/arithmetic/exact_number.hpp"
 #include "tests/checker/support/exact_double.hpp"
 #include "tests/checker/upwards.hpp"
 

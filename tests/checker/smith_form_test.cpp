@@ -1,10 +1,10 @@
-#include "proofs/checker/smith_form.hpp"
+#include "proofs/checker/arithmetic/smith_form.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "proofs/checker/report.hpp"
+#include "proofs/checker/report/report.hpp"
 #include "tests/kernel/topology/naive_homology.hpp"
 
 namespace delcert::checker_tests {

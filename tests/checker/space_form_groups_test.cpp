@@ -7,7 +7,7 @@
 #include "kernel/manifold/space_form_file.hpp"
 #include "kernel/number/exact_text.hpp"
 #include "proofs/certificate/content.hpp"
-#include "proofs/checker/group.hpp"
+#include "proofs/checker/space_forms/group.hpp"
 #include "tests/checker/support/space_form_samples.hpp"
 #include "tests/checker/upwards.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <cfenv>
 
-#include "proofs/checker/self_test.hpp"
+#include "proofs/checker/program/self_test.hpp"
 
 namespace delcert::test {
 

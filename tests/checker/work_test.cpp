@@ -5,9 +5,9 @@
 #include <ctime>
 #include <random>
 
-#include "proofs/checker/budget.hpp"
-#include "proofs/checker/homology.hpp"
-#include "proofs/checker/report.hpp"
+#include "proofs/checker/geometry/homology.hpp"
+#include "proofs/checker/report/budget.hpp"
+#include "proofs/checker/report/report.hpp"
 #include "tests/checker/support/metric_field_documents.hpp"
 #include "tests/checker/support/samples.hpp"
 #include "tests/checker/support/space_form_samples.hpp"

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "proofs/checker/chunk_items.hpp"
 #include "proofs/checker/core/complex.hpp"
+#include "proofs/checker/parts/chunk_items.hpp"
 
 namespace delcert::checker::core {
 

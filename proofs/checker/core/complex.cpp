@@ -1,6 +1,6 @@
 #include "proofs/checker/core/complex.hpp"
 
-#include "proofs/checker/chunk_items.hpp"
+#include "proofs/checker/parts/chunk_items.hpp"
 
 namespace delcert::checker::core {
 

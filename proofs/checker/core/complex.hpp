@@ -4,7 +4,7 @@
 
 #include "proofs/checker/core/elements.hpp"
 #include "proofs/checker/core/frame.hpp"
-#include "proofs/checker/report.hpp"
+#include "proofs/checker/report/report.hpp"
 
 namespace delcert::checker::core {
 

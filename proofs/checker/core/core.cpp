@@ -1,9 +1,9 @@
 #include "proofs/checker/core/core.hpp"
 
-#include "proofs/checker/chunk_view.hpp"
+#include "proofs/checker/core/chunk_view.hpp"
 #include "proofs/checker/core/reader.hpp"
 #include "proofs/checker/core/rules.hpp"
-#include "proofs/checker/parts.hpp"
+#include "proofs/checker/parts/parts.hpp"
 
 namespace delcert::checker::core {
 namespace {

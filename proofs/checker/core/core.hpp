@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "proofs/checker/certificate.hpp"
+#include "proofs/checker/certificate/certificate.hpp"
 #include "proofs/checker/core/flat_simplices.hpp"
 
 namespace delcert::checker::core {

@@ -4,9 +4,9 @@
 #include <functional>
 #include <vector>
 
-#include "proofs/checker/curved.hpp"
-#include "proofs/checker/point_set.hpp"
-#include "proofs/checker/square_matrix.hpp"
+#include "proofs/checker/arithmetic/square_matrix.hpp"
+#include "proofs/checker/geometry/curved.hpp"
+#include "proofs/checker/geometry/point_set.hpp"
 
 namespace delcert::checker::core {
 

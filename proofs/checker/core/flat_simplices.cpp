@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "proofs/checker/chunk_items.hpp"
+#include "proofs/checker/parts/chunk_items.hpp"
 
 namespace delcert::checker::core {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "proofs/checker/core/circumball.hpp"
-#include "proofs/checker/shared_array.hpp"
+#include "proofs/checker/parts/shared_array.hpp"
 
 namespace delcert::checker::core {
 

@@ -2,7 +2,7 @@
 #include <tuple>
 
 #include "proofs/checker/core/rules.hpp"
-#include "proofs/checker/parts.hpp"
+#include "proofs/checker/parts/parts.hpp"
 
 namespace delcert::checker::core {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "proofs/checker/certificate.hpp"
+#include "proofs/checker/certificate/certificate.hpp"
 #include "proofs/checker/core/data.hpp"
 
 namespace delcert::checker::core {

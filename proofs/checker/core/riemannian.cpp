@@ -1,6 +1,6 @@
 #include "proofs/checker/core/circumball.hpp"
 #include "proofs/checker/core/rules.hpp"
-#include "proofs/checker/parts.hpp"
+#include "proofs/checker/parts/parts.hpp"
 
 namespace delcert::checker::core {
 namespace {

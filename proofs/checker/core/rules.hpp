@@ -1,7 +1,7 @@
 #pragma once
 
 #include "proofs/checker/core/flat_simplices.hpp"
-#include "proofs/checker/homology.hpp"
+#include "proofs/checker/geometry/homology.hpp"
 
 namespace delcert::checker::core {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "proofs/checker/rational.hpp"
+#include "proofs/checker/arithmetic/rational.hpp"
 
 namespace delcert::checker_tests {
 
