@@ -78,6 +78,16 @@ export function witnessPage(item) {
     return [set.name, `${set.points.length - 1} in ℝ${[...String(set.points[0].length)].map((digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[digit]).join("")}`, decimal(shape.longest, 6), decimal(shape.shortest, 6), decimal(Math.min(...shape.altitudes), 6),
       decimal(shape.thickness, 6), shape.sphere ? decimal(shape.sphere.radius, 6) : "none in doubles"];
   });
+  const figures = drawings.length > 0 && element("div", { class: "drawings" }, drawings.map((own) => element("figure", {}, own.svg,
+    element("figcaption", {}, own.projected ? `A projection from dimension ${own.ambient}: the three directions in which it is longest. ` : own.isFlat ? "True to scale, up to a rigid motion; to double precision a simplex of it is flat. " : "True to scale, up to a rigid motion. ",
+      "Circles are circumscribed balls of simplices, a dashed line is the least altitude. ", own.dimension === 3 ? "Drag to turn. " : "", "Drawn in doubles, without error bounds."))));
+  const numbers = element("div", { class: "numbers" },
+    !figures && element("p", { class: "note" }, "There is nothing to draw in this witness: it is numbers."),
+    rows.length > 0 && element("section", {}, element("h3", {}, "Its simplices"),
+      table("Measured in doubles, without error bounds", ["Simplex", "Dimension", "Longest edge", "Shortest edge", "Least altitude", "Thickness", "Circumradius"], rows)),
+    element("section", {}, element("h3", {}, "The instance, exactly"),
+      element("dl", { class: "facts bindings" }, Object.entries(item.bindings).map(([name, value]) => [element("dt", {}, name),
+        element("dd", {}, Object.entries(value).map(([kind, content]) => element("div", {}, `${kind} `, element("code", { class: "exact" }, hasText(content)))))]))));
   const root = element("article", { class: "witness" }, element("header", {},
     element("h2", {}, "Witness against ", element("bdi", { class: "name" }, item.title || item.claim)),
     element("dl", { class: "facts" }, [["claim", item.claim], ["conclusion", item.conclusion], ["twin", item.twin], ["class", item.instance], ["file", item.file], ["sha256", item.file_sha256]]
@@ -86,14 +96,6 @@ export function witnessPage(item) {
     item.twin && element("p", { class: "note" }, "This is a twin: a claim that is false on purpose, to see that the attack would notice."),
     replayBanner(item),
     element("p", {}, copied(`delcert attack --replay ${item.file}`, "the command that decides it again"))),
-  element("div", { class: "drawings" }, drawings.map((own) => element("figure", {}, own.svg,
-    element("figcaption", {}, own.projected ? `A projection from dimension ${own.ambient}: the three directions in which it is longest. ` : own.isFlat ? "True to scale, up to a rigid motion; to double precision a simplex of it is flat. " : "True to scale, up to a rigid motion. ",
-      "Circles are circumscribed balls of simplices, a dashed line is the least altitude. ", own.dimension === 3 ? "Drag to turn. " : "", "Drawn in doubles, without error bounds.")))),
-  !drawings.length && element("p", { class: "note" }, "There is nothing to draw in this witness: it is numbers."),
-  rows.length > 0 && element("section", {}, element("h3", {}, "Its simplices"),
-    table("Measured in doubles, without error bounds", ["Simplex", "Dimension", "Longest edge", "Shortest edge", "Least altitude", "Thickness", "Circumradius"], rows)),
-  element("section", {}, element("h3", {}, "The instance, exactly"),
-    element("dl", { class: "facts bindings" }, Object.entries(item.bindings).map(([name, value]) => [element("dt", {}, name),
-      element("dd", {}, Object.entries(value).map(([kind, content]) => element("div", {}, `${kind} `, element("code", { class: "exact" }, hasText(content)))))]))));
+  element("div", { class: figures ? "views" : null }, figures, numbers));
   return { root, drawings };
 }

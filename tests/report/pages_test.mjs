@@ -51,12 +51,20 @@ async function clickAtALabel(page) {
   return label;
 }
 
+/** Whether the second of them begins where the first ends, at the same height. */
+async function isBeside(left, right) {
+  const first = await left.boundingBox(), second = await right.boundingBox();
+  return second.x >= first.x + first.width && second.y < first.y + first.height && first.y < second.y + second.height;
+}
+
 /** A label is picked in the picture, and searched: its star and the margins of `delcert info` are shown. */
 async function expectPicking(page, name, info) {
   const label = await clickAtALabel(page), shown = await text(page, ".label-data h4");
   expectEqual(shown.replace(/\D/g, ""), String(label), `${name}: the label that was clicked at`);
   const neighbours = Number(/with\s+(\d+)/.exec(await text(page, ".label-data p"))[1]), chart = page.locator(".star-chart");
   expectEqual([await chart.locator(".vertex").count(), await chart.locator(".ball").count(), await chart.locator(".gap").count()], [neighbours, 1, 1], `${name}: the star in a chart, and the ball of the simplex`);
+  expect(await isBeside(chart.locator("svg"), chart.locator("figcaption")), `${name}: what the star shows stands beside it`);
+  expect(await page.locator(".inspector .scrolled").first().evaluate((box) => box.scrollWidth <= box.clientWidth), `${name}: all columns of the star are seen`);
   const star = page.locator(".star tbody tr");
   expect(await star.count() > 3, `${name}: the star of label ${label} is listed`);
   await page.locator(".inspector input[type=number]").fill(String(label));
@@ -263,6 +271,7 @@ async function lookAtWitnesses() {
   const drawing = page.locator(".drawings svg").first();
   expectEqual([await drawing.locator(".edge").count(), await drawing.locator(".vertex").count(), await drawing.locator(".ball").count()], [6, 4, 1], "a witness: a tetrahedron with its ball");
   expect(await browser.colours(drawing) >= 3, "a witness: drawn");
+  expect(await isBeside(page.locator(".drawings"), page.locator(".numbers")), "a witness: its numbers stand beside its drawing");
   const cells = await page.locator("article table tbody td").allInnerTexts();
   // The points (0,0,0), (−1/2,1/2,1/2), (1/2,1/2,1/2), (0,0,1): edges √3/2 and 1.
   expectEqual(cells.slice(1, 3), ["1", "0.866025"], "a witness: longest and shortest edge");

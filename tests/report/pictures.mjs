@@ -5,7 +5,19 @@ import { Browser } from "./browser.mjs";
 import { webp } from "./webp.mjs";
 
 const [modules, pages, images] = process.argv.slice(2), browser = await Browser.start(modules);
-const width = 1000, height = 735;
+const width = 1000;
+/** How much of a page to show, in its pixels: the view with its legend, and no line of text beside it that is cut. */
+const wholeLines = (page) => page.evaluate(() => {
+  const lines = [], texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT), range = document.createRange();
+  while (texts.nextNode()) {
+    range.selectNodeContents(texts.currentNode);
+    lines.push(...range.getClientRects());
+  }
+  lines.push(...[...document.querySelectorAll("button, input, select, tr, .star-chart")].map((element) => element.getBoundingClientRect()));
+  let height = document.querySelector(".legend, footer").getBoundingClientRect().bottom + 6;
+  for (const { top, bottom, width } of lines.sort((a, b) => a.top - b.top)) if (width > 0 && top < height - 1 && bottom > height) height = bottom;
+  return Math.ceil(height) + 1;
+});
 const worst = async (page) => {
   await page.locator("button.worst").click();
   await page.getByRole("button", { name: "Reset" }).click();
@@ -38,7 +50,9 @@ for (const [name, arrange] of Object.entries(views)) {
   await arrange(page);
   await page.evaluate(() => scrollTo(0, 0));
   await browser.drawn(page);
-  writeFileSync(join(images, `report-${name === "several" ? "witness" : name}.webp`), await webp(browser, await page.screenshot(), width, height));
+  const clip = { x: 0, y: 0, width: page.viewportSize().width, height: await wholeLines(page) };
+  const png = await page.screenshot({ clip, fullPage: true }), height = Math.round(clip.height * width / clip.width);
+  writeFileSync(join(images, `report-${name === "several" ? "witness" : name}.webp`), await webp(browser, png, width, height));
   await page.close();
 }
 await browser.close();
