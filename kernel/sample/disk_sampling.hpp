@@ -20,12 +20,14 @@ namespace delcert {
 
 /// Points that are proposed by several threads and inserted by one, round by round (docs/decisions/nets-in-rounds.md):
 ///
-///     struct Candidate                                a point that may be inserted
-///     optional<Candidate> dart(CounterRandom&) const  a random point; none if another is closer than the radius
+///     struct Candidate                                          a point that may be inserted
+///     optional<Candidate> dart(CounterRandom&) const            a random point; none if another is closer than the
+///                                                               radius
 ///     optional<Candidate> candidate_about(label, place) const   the point with these coordinates about a point;
-///     likewise void begin_round()                              from here on points are new bool insert(const
-///     Candidate&)                   unless a new point is closer than the radius bool has_new_about(label) const if a
-///     new point is within the reach
+///                                                               likewise
+///     void begin_round()                                        from here on points are new
+///     bool insert(const Candidate&)                             unless a new point is closer than the radius
+///     bool has_new_about(label) const                           whether a new point is within the reach
 template <class Points>
 concept SampledInRounds = requires(Points& points, const Points& same, CounterRandom& random,
                                    const typename Points::Candidate& candidate) {
