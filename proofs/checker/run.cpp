@@ -294,7 +294,7 @@ Outcome check_what_is_read(const Read& read, const std::vector<std::string>& sel
 }  // namespace
 
 Outcome check(std::string_view text, const std::vector<std::string>& selected, std::string_view expected,
-              const DigestOfBeginning& known) {
+              const KnownDigest& known) {
   chunk_items.reset();
   return check_what_is_read([&] { return std::make_unique<const Certificate>(text, known); }, selected, expected);
 }

@@ -57,9 +57,9 @@ struct Outcome {
 /// selected level is not claimed. If a manifold is expected, as a certificate or a manifold block, another one is
 /// rejected (manifold.expected) and no level is looked at. Checks what belongs to `own_share`. Precondition:
 /// self_test() found nothing in this thread, and no level is selected for a part.
-/// `known`: of the text, if it is known.
+/// `known`: of the text, if another thread finds it; then it is asked for before any process begins.
 Outcome check(std::string_view text, const std::vector<std::string>& selected, std::string_view expected = {},
-              const DigestOfBeginning& known = {});
+              const KnownDigest& known = {});
 
 /// The same of one chunk, from 0, of the certificate in the folder: all levels.
 Outcome check_chunk(const std::string& folder, std::size_t number);

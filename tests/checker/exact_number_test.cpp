@@ -77,6 +77,8 @@ TEST(ExactNumber, is_read_as_what_its_first_digits_enclose) {
   };
   is_read_as("-0x21c6fd298c697p-48", -0x21c6fd298c697p-48, -0x21c6fd298c697p-48);
   is_read_as("-17", -17, -17);
+  is_read_as("0x1p900", 0x1p900, 0x1p900);
+  is_read_as("-0x3p-900", -0x3p-900, -0x3p-900);
   is_read_as("0x80000000000007ffp-10", 0x1p53, 0x1.0000000000001p53);
   is_read_as("-0x80000000000008000000p0", -0x1.0000000000001p79, -0x1.0000000000001p79);
   is_read_as("-0x80000000000008000001p0", -0x1.0000000000002p79, -0x1.0000000000001p79);

@@ -34,12 +34,21 @@ struct Case {
   std::string name, rule, bytes;
 };
 
+/// What is said about a malformed file, by a check that has so many threads.
+std::string told(const std::string& bytes, int threads) {
+  const CheckerRun run = run_checker_with(temporary_file(bytes) + " --threads " + std::to_string(threads));
+  EXPECT_EQ(run.status, 3) << run.output;
+  return run.output;
+}
+
 void expect_malformed(const std::vector<Case>& cases) {
   for (const Case& c : cases) {
     SCOPED_TRACE(c.name);
     const CheckerRun run = run_checker(c.bytes);
     EXPECT_EQ(run.status, 3) << run.output;
     EXPECT_EQ(run.rules, std::set<std::string>{c.rule}) << run.output;
+    // The second half is read in another thread.
+    EXPECT_EQ(told(c.bytes, 2), told(c.bytes, 1));
   }
 }
 
@@ -279,6 +288,35 @@ TEST(Malformed, elements_and_loops_are_those_of_the_group) {
        {"a loop that does not end at 0", "form.loops", changed(line, loop(0, "[0,0,1]"))}});
   // There and back: of the right form, whatever group element it is.
   EXPECT_NE(run_checker(changed(line, loop(0, "[0,0,1,0,1,0]"))).status, 3);
+}
+
+/// Whichever thread meets its mistake first. All numbers are read before what they mean is asked.
+TEST(Malformed, the_first_mistake_in_the_file_is_the_one_that_is_told) {
+  const auto changed = [](std::string text, const std::string& key, const std::string& old,
+                          const std::string& replacement) {
+    const std::size_t place = text.find(old, text.find(key));
+    EXPECT_NE(place, std::string::npos) << key;
+    return resealed(text.replace(place, old.size(), replacement));
+  };
+  const std::string net = "\"net\":", points = "\"points\":", simplices = "\"simplices\":[";
+  const std::string in_net = changed(valid(), net, "\"]", "x\"]"), in_points = changed(valid(), points, "\"]", "x\"]"),
+                    in_simplices = changed(valid(), simplices, "[0,1,0]", "[0,1.0]"),
+                    in_lengths = changed(valid(), points, "],[", "],[\"0\"],[");
+  const std::string first_half = changed(changed(in_net, points, "\"]", "y\"]"), simplices, "[0,1,0]", "[0,1.0]"),
+                    second_half = changed(in_points, simplices, "[0,1,0]", "[0,1.0]"),
+                    last = changed(in_lengths, simplices, "[0,1,0]", "[0,1.0]");
+  // The key of the second half too early: before the end of the net, in its place, or twice.
+  const std::string early = changed(valid(), net, "],[", "],\"points\":[["),
+                    instead = changed(valid(), "", "\"net_simplices\":", "\"points\":"),
+                    twice = changed(valid(), "", "\"points\":", "\"points\":[],\"points\":");
+  for (const auto& [bytes, first] : {std::pair(first_half, in_net), {second_half, in_points}}) {
+    for (const int threads : {1, 2, 3}) EXPECT_EQ(told(bytes, threads), told(first, 1));
+  }
+  EXPECT_NE(told(in_lengths, 2).find("form.lengths"), std::string::npos);
+  for (const std::string& bytes : {last, early, instead, twice}) {
+    EXPECT_EQ(told(bytes, 2), told(bytes, 1));
+    EXPECT_NE(told(bytes, 1).find("form.keys"), std::string::npos);
+  }
 }
 
 TEST(Malformed, numbers_too_large_for_the_filter_end_undecided_and_never_crash) {

@@ -10,10 +10,11 @@
 
 namespace delcert::checker {
 
-Certificate::Certificate(std::string_view text, const DigestOfBeginning& known) {
+Certificate::Certificate(std::string_view text, const KnownDigest& known) {
   Cursor cursor(text);
   parse(cursor);
-  content = cursor.passed().size() == known.length ? known.digest : sha256(cursor.passed());
+  const DigestOfBeginning sealed = known ? known() : DigestOfBeginning();
+  content = cursor.passed().size() == sealed.length ? sealed.digest : sha256(cursor.passed());
   cursor.expect(",\"sha256\":");
   Report::require("seal", content == cursor.string(), "the SHA-256 of the content is not the one it is sealed with");
   cursor.expect("}");
@@ -27,8 +28,8 @@ void Certificate::take() {
   require_lengths();
   Budget::open(n);
   metric = Metric(m, gram);
-  if (!submanifold) net = PointSet(metric, torus, net_text);
-  points = PointSet(metric, torus, points_text);
+  if (!submanifold) net = PointSet(metric, torus, net_text, std::move(net_read_));
+  points = PointSet(metric, torus, points_text, std::move(points_read_));
   for (Label i = 0; i < n; ++i) interior.push_back(is_interior(i));
   take_radii();
   require_parameters();

@@ -48,9 +48,9 @@ class ChunkView;
 
 /// A certificate of the right form. Neither copied nor moved: the point sets refer to it, and it refers to the text.
 struct Certificate {
-  /// Reads the whole text; the digest that is known of its beginning is not computed again. Throws Malformed: `form.*`
-  /// or `seal`.
-  explicit Certificate(std::string_view text, const DigestOfBeginning& known = {});
+  /// Reads the whole text; the digest that is known of its beginning is not computed again, and is asked for when all
+  /// else has been read. Throws Malformed: `form.*` or `seal`.
+  explicit Certificate(std::string_view text, const KnownDigest& known = {});
   /// Reads of a certificate in chunks what is so many edges from a chunk or nearer: labels and simplices have numbers
   /// of their own (chunk_items.hpp). Throws Malformed: `form.*`, `chunk.*` or `seal`.
   Certificate(ChunkView& view, unsigned edges);
@@ -194,6 +194,7 @@ struct Certificate {
 
  private:
   double greatest_unit_ = 1;
+  std::vector<Interval> net_read_, points_read_;  // of the texts, until they are understood
   void take();
   void parse(Cursor& cursor);
   void parse_claims(Cursor& cursor);
@@ -201,6 +202,8 @@ struct Certificate {
   void parse_parameters(Cursor& cursor);
   void parse_levels(Cursor& cursor);
   void parse_elements(Cursor& cursor);
+  void parse_net(Cursor& cursor);
+  void parse_points_and_complex(Cursor& cursor);
   void parse_complex(Cursor& cursor);
   void require_lengths() const;
   void require_parameters() const;

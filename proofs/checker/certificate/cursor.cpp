@@ -49,6 +49,16 @@ std::string_view Cursor::string() {
 }
 
 std::string_view Cursor::number() {
+  // What is as it should be is read once.
+  if (accept("\"")) {
+    const std::string_view content = text_.substr(position_, exact_number_length(text_.substr(position_)));
+    const std::size_t end = position_ + content.size();
+    if (!content.empty() && end < text_.size() && text_[end] == '"') {
+      position_ = end + 1;
+      return content;
+    }
+    --position_;
+  }
   const std::string_view content = quoted();
   if (!is_exact_number(content))
     fail("form.numbers", "an exact number (integer, fraction, hexadecimal float) before this");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -13,6 +14,12 @@ class Cursor {
   explicit Cursor(std::string_view text) : text_(text) {}
 
   std::string_view passed() const { return text_.substr(0, position_); }
+  /// Another one where the literal comes next, or at the end if it does not come.
+  Cursor before_next(std::string_view literal) const {
+    Cursor other = *this;
+    other.position_ = std::min(text_.find(literal, position_), text_.size());
+    return other;
+  }
   /// Whether the text goes on with the literal, which is then passed.
   bool accept(std::string_view literal);
   void expect(std::string_view literal);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -28,6 +29,7 @@ struct DigestOfBeginning {
   std::size_t length = 0;
   std::string digest;
 };
+using KnownDigest = std::function<DigestOfBeginning()>;
 /// The same, and that of the whole, which is read once. Precondition: it has so many bytes.
 std::string sha256(std::string_view text, std::size_t length, DigestOfBeginning& beginning);
 

@@ -1,11 +1,16 @@
+#include <future>
 #include <set>
 
 #include "proofs/checker/arithmetic/abelian_group.hpp"
+#include "proofs/checker/arithmetic/exact_number.hpp"
 #include "proofs/checker/certificate/certificate.hpp"
+#include "proofs/checker/parts/meanwhile.hpp"
 #include "proofs/checker/report/report.hpp"
 
 namespace delcert::checker {
 namespace {
+
+constexpr std::string_view points_key = ",\"points\":";
 
 Quantity parse_quantity(Cursor& cursor) { return Quantity(exact_value(cursor.number())); }
 
@@ -261,32 +266,54 @@ void Certificate::parse_claims(Cursor& cursor) {
   parse_levels(cursor);
 }
 
-void Certificate::parse(Cursor& cursor) {
-  const auto parse_points = [&](std::vector<std::string_view>& points_of, std::size_t length) {
-    cursor.array([&] { cursor.row(static_cast<int>(length), [&] { points_of.push_back(cursor.number()); }); });
-  };
-  const auto parse_labels = [&](std::vector<Label>& labels, int length) {
-    cursor.array([&] { cursor.row(length, [&] { labels.push_back(static_cast<Label>(cursor.count(UINT32_MAX))); }); });
-  };
-  cursor.expect("{\"format\":\"delcert-certificate\",\"version\":");
-  if (cursor.accept("1,")) throw Malformed("form.version", "version 1 is read by delcert 0.1");
-  cursor.expect("2,\"software\":");
-  parse_claims(cursor);
+namespace {
+
+void parse_points(Cursor& cursor, std::size_t length, std::vector<std::string_view>& points) {
+  cursor.array([&] { cursor.row(static_cast<int>(length), [&] { points.push_back(cursor.number()); }); });
+}
+
+}  // namespace
+
+/// The keys net, charts, radii, net_simplices.
+void Certificate::parse_net(Cursor& cursor) {
   cursor.expect(",\"net\":");
-  parse_points(net_text, net_size());
+  parse_points(cursor, net_size(), net_text);
+  if (!submanifold) net_read_ = read_enclosures(net_text);
   if (chart_size() != 0) {
     cursor.expect(",\"charts\":");
-    parse_points(chart_text, chart_size());
+    parse_points(cursor, chart_size(), chart_text);
   }
   if ((submanifold || torus) && cursor.accept(",\"radii\":")) {
     cursor.array([&] { radii_text.push_back(cursor.number()); });
     if (radii_text.empty()) cursor.fail("form.lengths", "a radius before this");
   }
   cursor.expect(",\"net_simplices\":");
-  parse_labels(net_simplices, m + 1);
-  cursor.expect(",\"points\":");
-  parse_points(points_text, m_size());
+  cursor.array(
+      [&] { cursor.row(m + 1, [&] { net_simplices.push_back(static_cast<Label>(cursor.count(UINT32_MAX))); }); });
+}
+
+/// The keys points, elements, simplices, loops.
+void Certificate::parse_points_and_complex(Cursor& cursor) {
+  cursor.expect(points_key);
+  parse_points(cursor, m_size(), points_text);
   parse_complex(cursor);
+  points_read_ = read_enclosures(points_text);
+}
+
+/// The second half is read meanwhile. A mistake in it is only spoken of if there is none in the first half, in which
+/// the key of the second half cannot stand.
+void Certificate::parse(Cursor& cursor) {
+  cursor.expect("{\"format\":\"delcert-certificate\",\"version\":");
+  if (cursor.accept("1,")) throw Malformed("form.version", "version 1 is read by delcert 0.1");
+  cursor.expect("2,\"software\":");
+  parse_claims(cursor);
+  Cursor second = cursor.before_next(points_key);
+  const std::size_t begin = second.passed().size();
+  std::future<void> half = meanwhile([this, &second] { parse_points_and_complex(second); });
+  parse_net(cursor);
+  if (cursor.passed().size() != begin) cursor.fail("form.keys", points_key);
+  half.get();
+  cursor = second;
 }
 
 }  // namespace delcert::checker

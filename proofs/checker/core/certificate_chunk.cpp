@@ -57,6 +57,8 @@ Certificate::Certificate(ChunkView& view, unsigned edges) : chunk(&view) {
   ChunkView::Near near = view.near(m_size(), edges);
   net_text = std::move(near.net);
   points_text = std::move(near.points);
+  net_read_ = read_enclosures(net_text);
+  points_read_ = read_enclosures(points_text);
   simplex_labels = std::move(near.labels);
   simplex_elements = std::move(near.elements);
   take();

@@ -120,13 +120,4 @@ FlatSimplex FlatSimplices::look_at(std::uint32_t s) {
   return found;
 }
 
-const FlatSimplex& FlatSimplices::of(std::uint32_t s) {
-  Found& found = found_[s];
-  if (!found.is_found.load(std::memory_order_acquire)) {
-    found.simplex = look_at(s);
-    found.is_found.store(true, std::memory_order_release);
-  }
-  return found.simplex;
-}
-
 }  // namespace delcert::checker::core

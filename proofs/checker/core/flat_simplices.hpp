@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <vector>
 
 #include "proofs/checker/core/circumball.hpp"
@@ -26,7 +25,9 @@ class FlatSimplices {
 
   /// Each simplex is looked at once. If little is known of it, nothing follows: power and nearest are not positive, the
   /// radius is infinite or not a number.
-  const FlatSimplex& of(std::uint32_t s);
+  const FlatSimplex& of(std::uint32_t s) {
+    return found_.of(s, [&] { return look_at(s); });
+  }
 
  private:
   /// A neighbour from a label, in doubles: coordinates and half of the squared length.
@@ -45,11 +46,7 @@ class FlatSimplices {
   double width_ = 0;       // of the widest enclosure of a coordinate
   std::vector<Row> rows_;  // as the neighbours in the complex
   std::vector<Reach> reach_;
-  struct Found {
-    FlatSimplex simplex;
-    std::atomic<bool> is_found;  // after the simplex is written
-  };
-  SharedArray<Found> found_;  // by whichever process of the check
+  SharedFindings<FlatSimplex> found_;
 };
 
 }  // namespace delcert::checker::core

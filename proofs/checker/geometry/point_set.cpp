@@ -1,5 +1,7 @@
 #include "proofs/checker/geometry/point_set.hpp"
 
+#include <cmath>
+
 namespace delcert::checker {
 
 std::string to_string(const Vertex& v, int dimension) {
@@ -9,16 +11,17 @@ std::string to_string(const Vertex& v, int dimension) {
   return text + ")";
 }
 
-PointSet::PointSet(const Metric& metric, bool periodic, const std::vector<std::string_view>& coordinates)
+PointSet::PointSet(const Metric& metric, bool periodic, const std::vector<std::string_view>& coordinates,
+                   std::vector<Interval> read)
     : metric_(&metric),
       coordinates_(&coordinates),
       periodic_(periodic),
-      dimension_(static_cast<std::size_t>(metric.dimension())) {
-  filter_.reserve(coordinates.size());
-  for (const std::string_view text : coordinates) {
-    const std::optional<Interval> x = read_enclosure(text);
-    Budget::spend(x ? text.size() : 0);
-    filter_.push_back(x ? *x : enclosure(exact_value(text)));
+      dimension_(static_cast<std::size_t>(metric.dimension())),
+      filter_(std::move(read)) {
+  for (std::size_t k = 0; k < coordinates.size(); ++k) {
+    const bool is_read = std::isfinite(filter_[k].upper());
+    Budget::spend(is_read ? coordinates[k].size() : 0);
+    if (!is_read) filter_[k] = enclosure(exact_value(coordinates[k]));
   }
 }
 

@@ -29,8 +29,12 @@ std::string to_string(const Vertex& v, int dimension);
 class PointSet {
  public:
   PointSet() = default;
-  /// `coordinates` has m exact numbers for each point. Keeps references to both.
-  PointSet(const Metric& metric, bool periodic, const std::vector<std::string_view>& coordinates);
+  /// `coordinates` has m exact numbers for each point, `read` their enclosures, as far as read_enclosures has them.
+  /// Keeps references to the metric and the coordinates.
+  PointSet(const Metric& metric, bool periodic, const std::vector<std::string_view>& coordinates,
+           std::vector<Interval> read);
+  PointSet(const Metric& metric, bool periodic, const std::vector<std::string_view>& coordinates)
+      : PointSet(metric, periodic, coordinates, read_enclosures(coordinates)) {}
 
   const Metric& metric() const { return *metric_; }
   bool periodic() const { return periodic_; }

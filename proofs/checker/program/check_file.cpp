@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <csignal>
+#include <future>
 #include <iostream>
 #include <stdexcept>
 
 #include "proofs/checker/certificate/input.hpp"
+#include "proofs/checker/parts/meanwhile.hpp"
 #include "proofs/checker/parts/parts.hpp"
 #include "proofs/checker/parts/separate_process.hpp"
 #include "proofs/checker/program/library_self_test.hpp"
@@ -63,8 +65,11 @@ void set_limits(const std::string& file, const Arguments& arguments) {
     limit.levels.push_back({"limit", 2, what, {}, arguments.seconds, {}, {}, {}});
     return both(file, limit);
   };
-  if (arguments.mebibytes > 0)
+  if (arguments.mebibytes > 0) {
     limit_memory(static_cast<std::uint64_t>(arguments.mebibytes * 0x1p20), words("the limit of memory was reached"));
+  } else {
+    keep_memory();
+  }
   if (arguments.seconds > 0) limit_time(arguments.seconds, words("the limit of time was reached"));
 }
 
@@ -88,12 +93,16 @@ int check_here(const std::string& file, const Arguments& arguments) {
     try {
       if (arguments.chunk > 0) return print(file, arguments, check_chunk(file, arguments.chunk - 1));
       const std::string expected = arguments.expected.empty() ? "" : read_expected(arguments.expected);
-      std::string bytes = read_bytes(file);
-      // In a text, what is sealed is the beginning.
-      const std::size_t seal = bytes.starts_with('{') ? std::min(bytes.rfind(seal_key), bytes.size()) : 0;
-      DigestOfBeginning sealed;
-      const std::string digest = sha256(bytes, seal, sealed);
-      outcome = check(decompressed(std::move(bytes)), arguments.levels, expected, sealed);
+      const std::string bytes = read_bytes(file);
+      const bool is_text = bytes.starts_with('{');
+      std::string digest;
+      std::future<DigestOfBeginning> sealed = meanwhile([&] {
+        DigestOfBeginning beginning;  // in a text, what is sealed
+        digest = sha256(bytes, is_text ? std::min(bytes.rfind(seal_key), bytes.size()) : 0, beginning);
+        return beginning;
+      });
+      const std::string unpacked = is_text ? "" : decompressed(bytes);
+      outcome = check(is_text ? bytes : unpacked, arguments.levels, expected, [&] { return sealed.get(); });
       if (outcome.identity) outcome.identity->file_digest = digest;
     } catch (const Malformed& reason) {
       outcome.status = 3;

@@ -2,6 +2,7 @@
 
 #include <flint/flint.h>
 #include <gmp.h>
+#include <malloc.h>
 #include <sys/resource.h>
 #include <sys/time.h>
 #include <unistd.h>
@@ -68,8 +69,20 @@ void limit_memory(std::uint64_t bytes, const std::string& words) {
   std::set_new_handler(memory_is_up);
   mp_set_memory_functions(allocate, reallocate_known, free_known);
   __flint_set_memory_functions(allocate, allocate_zeros, reallocate, std::free);
+#ifdef __GLIBC__
+  ::mallopt(M_ARENA_MAX, 1);  // another thread sets none aside
+#endif
   const rlimit limit{bytes, bytes};
   if (::setrlimit(RLIMIT_AS, &limit) != 0) throw std::runtime_error("the limit of memory cannot be set");
+}
+
+void keep_memory() {
+#ifdef __GLIBC__
+  constexpr int step = 1 << 24, much = 1 << 25;  // the most that is allowed
+  ::mallopt(M_TOP_PAD, step);
+  ::mallopt(M_MMAP_THRESHOLD, much);
+  ::mallopt(M_TRIM_THRESHOLD, 8 * much);
+#endif
 }
 
 }  // namespace delcert::checker

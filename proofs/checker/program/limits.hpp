@@ -14,5 +14,8 @@ void lift_time_limit();
 /// The same when more than so many bytes of memory would be in use, by whatever library. Call it before any number of
 /// FLINT or GMP exists.
 void limit_memory(std::uint64_t bytes, const std::string& words);
+/// Without a limit memory is asked of the system in large steps, and kept: large pages take less time to get, and to
+/// share with processes that begin later.
+void keep_memory();
 
 }  // namespace delcert::checker

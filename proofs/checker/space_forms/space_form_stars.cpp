@@ -77,12 +77,6 @@ bool SpaceFormStars::holds(const Shown& simplex, const Predicate& predicate) {
   });
 }
 
-const SimplexInSpace& SpaceFormStars::in_space(std::size_t s) {
-  std::optional<SimplexInSpace>& simplex = known_[s].simplex;
-  if (!simplex) simplex = in_space_.of(static_cast<std::uint32_t>(s));
-  return *simplex;
-}
-
 /// The reach is that of 1.vertices, so a radius within the bound says that the charts show what they have to.
 bool SpaceFormStars::is_thick_and_protected(std::size_t s, const View& view) {
   return lifts_.are_delaunay() && view.all.fits(in_space(s), c_.circumradius, c_.thickness, view.margin);

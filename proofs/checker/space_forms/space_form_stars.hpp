@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "proofs/checker/core/all_charts.hpp"
+#include "proofs/checker/parts/shared_array.hpp"
 #include "proofs/checker/report/report.hpp"
 #include "proofs/checker/space_forms/lifts.hpp"
 #include "proofs/checker/space_forms/straight_simplex.hpp"
@@ -69,6 +70,7 @@ class SpaceFormStars {
         lifts_(lifts),
         chart_(c, complex, lifts),
         in_space_(complex),
+        found_(complex.data.simplices()),
         known_(complex.data.simplices()) {}
 
   /// As the functions of run.hpp.
@@ -90,9 +92,8 @@ class SpaceFormStars {
     std::vector<Seen> vertices;
     std::optional<StraightSimplex<Interval>> filter;
   };
-  /// What is known of a simplex in the space, with its first vertex at the lift of the identity.
+  /// What is known of the lifts near a simplex, with its first vertex at the lift of the identity.
   struct Known {
-    std::optional<SimplexInSpace> simplex;
     double covered = 0;             // all lifts whose chords from the centre have squares up to this are known,
     std::vector<Lifts::Near> near;  // besides the vertices
   };
@@ -106,7 +107,9 @@ class SpaceFormStars {
 
   View view(const Quantity& reach, const Quantity& margin) const;
   /// Precondition: the complex is Delaunay.
-  const SimplexInSpace& in_space(std::size_t s);
+  const SimplexInSpace& in_space(std::size_t s) {
+    return found_.of(s, [&] { return in_space_.of(static_cast<std::uint32_t>(s)); });
+  }
   /// Whether all rules of level 1 hold for the simplex in the charts of its vertices, by what is known of it in all
   /// charts.
   bool is_thick_and_protected(std::size_t s, const View& view);
@@ -141,6 +144,7 @@ class SpaceFormStars {
   Lifts& lifts_;
   OpenChart chart_;
   SimplicesInSpace in_space_;
+  SharedFindings<SimplexInSpace> found_;  // level 2s asks for what was found for level 1
   std::vector<Known> known_;
   std::vector<Seen> near_;
   std::optional<std::vector<Seen>> all_;  // that the open chart shows
