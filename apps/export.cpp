@@ -1,7 +1,4 @@
 #include <fmt/format.h>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -11,6 +8,7 @@
 #include <stdexcept>
 
 #include "apps/checker_process.hpp"
+#include "apps/kept_memory.hpp"
 #include "apps/other_programs.hpp"
 #include "proofs/certificate/reader.hpp"
 #include "proofs/drawing/formats/certificate_export.hpp"
@@ -51,17 +49,6 @@ ExportedText export_of(const ExportOptions& options) {
     const std::string message = error.what();
     throw InputError(message.starts_with(options.file) ? message : options.file + ": " + message);
   }
-}
-
-/// What is freed stays with the process. The lists of an export live one after the other; to give their memory back and
-/// to ask for it again takes a quarter of the time.
-void keep_freed_memory() {
-#ifdef __GLIBC__
-  constexpr int much = 1 << 25;  // the most that is allowed
-  mallopt(M_MMAP_THRESHOLD, much);
-  mallopt(M_TRIM_THRESHOLD, much);
-  mallopt(M_TOP_PAD, 1 << 24);
-#endif
 }
 
 ExitStatus write_export(const ExportOptions& options) {

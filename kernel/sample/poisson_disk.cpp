@@ -101,23 +101,31 @@ class Sampler {
     std::vector<std::uint32_t> new_label(order.size());
     for (std::uint32_t label = 0; label < order.size(); ++label) new_label[order[label]] = label;
     TriangulatedNet<m> result{points_in(order), simplices_};
-    for (LiftedSimplex<m>& simplex : result.simplices) {
+    for_each_in_parts(result.simplices.size(), [&](std::size_t at) {
+      LiftedSimplex<m>& simplex = result.simplices[at];
       for (Lift<m>& vertex : simplex) vertex.index = new_label[vertex.index];
       simplex = canonical<m>(simplex);
-    }
+    });
     sort_canonical<m>(result.simplices);
     return result;
   }
 
  private:
   [[nodiscard]] std::vector<Vector<Rational, m>> points_in(const std::vector<std::uint32_t>& order) const {
-    std::vector<Vector<Rational, m>> result;
-    for (const std::uint32_t index : order) {
-      Vector<Rational, m> point;
-      for (std::size_t axis = 0; axis < m; ++axis) point[axis] = Rational::exactly(grid_.points()[index][axis]);
-      result.push_back(point);
-    }
+    std::vector<Vector<Rational, m>> result(order.size());
+    for_each_in_parts(order.size(), [&](std::size_t at) {
+      for (std::size_t axis = 0; axis < m; ++axis)
+        result[at][axis] = Rational::exactly(grid_.points()[order[at]][axis]);
+    });
     return result;
+  }
+  template <class Work>
+  static void for_each_in_parts(std::size_t count, const Work& work) {
+    const auto some = [&](std::size_t first, std::size_t last) {
+      for (std::size_t at = first; at < last; ++at) work(at);
+      return true;
+    };
+    in_parts<1024>("fill gaps", count, no_progress(), some, [](bool) {});
   }
 
   static double raised_to_dimension(double x) {

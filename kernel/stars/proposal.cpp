@@ -200,19 +200,21 @@ void GrowingProposal<m>::add_copies(const std::vector<Vector<double, m>>& points
 
 template <int m>
 typename GrowingProposal<m>::Found GrowingProposal<m>::found(const std::vector<Vector<double, m>>& points) const {
-  Found result;
+  std::vector<Found> parts;
   in_parts<1>(
       "triangulate", boxes_.size(), no_progress(),
       [&](std::size_t first, std::size_t) { return found_in(points, *boxes_[first]); },
-      [&](Found part) {
-        result.largest = std::max(result.largest, part.largest);
-        result.volume += part.volume;
-        if (result.simplices.empty()) {
-          result.simplices = std::move(part.simplices);
-        } else {
-          result.simplices.insert(result.simplices.end(), part.simplices.begin(), part.simplices.end());
-        }
-      });
+      [&](Found part) { parts.push_back(std::move(part)); });
+  Found result;
+  std::size_t count = 0;
+  for (const Found& part : parts) {
+    result.largest = std::max(result.largest, part.largest);
+    result.volume += part.volume;
+    count += part.simplices.size();
+  }
+  result.simplices.reserve(count);
+  for (const Found& part : parts)
+    result.simplices.insert(result.simplices.end(), part.simplices.begin(), part.simplices.end());
   sort_canonical<m>(result.simplices);
   return result;
 }

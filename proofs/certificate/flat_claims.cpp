@@ -1,6 +1,9 @@
 #include "proofs/certificate/flat_claims.hpp"
 
+#include <future>
+
 #include "kernel/manifold/lattice.hpp"
+#include "kernel/parallel/threads.hpp"
 #include "kernel/perturb/forbidden_search.hpp"
 #include "kernel/simplex/dimensions.hpp"
 
@@ -28,13 +31,17 @@ Claims derive_claims(const FlatAtlas<m>& atlas, const RunParameters& parameters,
     reasons.emplace_back("level 1: a circumball with its protection does not fit into a patch");
     return claims;
   }
+  std::future<ManifoldClaim> manifold;  // found in one thread while level 3 is searched in parts
   if (selects(selection, "0"))
     claims.input = InputClaim{parameters.mode == RunMode::theory, {}, parameters.constraints};
   if (selects(selection, "1") || selects(selection, "2")) {
     claims.stars = margins;
-    claims.manifold = manifold_claim(run.complex.label_complex(), run.complex.simplices().size(), torus);
+    manifold = std::async(thread_limit() > 1 ? std::launch::async : std::launch::deferred, [&] {
+      return manifold_claim(run.complex.label_complex(), run.complex.simplices().size(), torus);
+    });
+    if (thread_limit() == 1) manifold.wait();
   }
-  if (selects(selection, "2s") && claims.manifold && claims.input) {
+  if (selects(selection, "2s") && manifold.valid() && claims.input) {
     if (Rational(4) * margins.circumradius + Rational(2) * shift < Rational(9) * atlas.sampling_radius()) {
       claims.stable_stars.emplace();
     } else {
@@ -53,6 +60,7 @@ Claims derive_claims(const FlatAtlas<m>& atlas, const RunParameters& parameters,
                             " points, " + std::to_string(search.decided_exactly) + " of them by exact P1 to P4";
     }
   }
+  if (manifold.valid()) claims.manifold = manifold.get();
   if (selects(selection, "4") && claims.manifold) claims.delaunay.emplace();
   if (selects(selection, "5") && claims.delaunay && torus) claims.triangulation = TriangulationClaim{"space-form", {}};
   if (selects(selection, "6") && claims.triangulation) claims.metric = MetricClaim{true, {}};

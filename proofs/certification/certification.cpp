@@ -50,7 +50,9 @@ class Certification {
     family_->write(report.certificate, progress_);
     report.stages = clock_.finish();
     report.peak_memory_mib = peak_memory_in_mib();
-    return std::move(report);
+    RunReport result = std::move(report);
+    result.made_from = std::move(family_);
+    return result;
   }
 
  private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -88,7 +89,8 @@ struct RunReport {
   std::optional<SpaceFormDistortion> distortion;
   std::vector<StageClock::Stage> stages;
   double peak_memory_mib = 0;
-  std::string certificate;  ///< the file
+  std::string certificate;                ///< the file
+  std::shared_ptr<const void> made_from;  ///< the whole run: taking it apart takes time, too
 
   template <class Run>
   void take(const Run& run) {
