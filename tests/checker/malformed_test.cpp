@@ -305,15 +305,16 @@ TEST(Malformed, the_first_mistake_in_the_file_is_the_one_that_is_told) {
   const std::string first_half = changed(changed(in_net, points, "\"]", "y\"]"), simplices, "[0,1,0]", "[0,1.0]"),
                     second_half = changed(in_points, simplices, "[0,1,0]", "[0,1.0]"),
                     last = changed(in_lengths, simplices, "[0,1,0]", "[0,1.0]");
-  // The key of the second half too early: before the end of the net, in its place, or twice.
+  // The key of the second half too early: before the end of the net, in its place, or twice; and something before it.
   const std::string early = changed(valid(), net, "],[", "],\"points\":[["),
                     instead = changed(valid(), "", "\"net_simplices\":", "\"points\":"),
-                    twice = changed(valid(), "", "\"points\":", "\"points\":[],\"points\":");
+                    twice = changed(valid(), "", "\"points\":", "\"points\":[],\"points\":"),
+                    late = changed(valid(), "", "\"points\":", "\"x\":1,\"points\":");
   for (const auto& [bytes, first] : {std::pair(first_half, in_net), {second_half, in_points}}) {
     for (const int threads : {1, 2, 3}) EXPECT_EQ(told(bytes, threads), told(first, 1));
   }
   EXPECT_NE(told(in_lengths, 2).find("form.lengths"), std::string::npos);
-  for (const std::string& bytes : {last, early, instead, twice}) {
+  for (const std::string& bytes : {last, early, instead, twice, late}) {
     EXPECT_EQ(told(bytes, 2), told(bytes, 1));
     EXPECT_NE(told(bytes, 1).find("form.keys"), std::string::npos);
   }

@@ -1,11 +1,15 @@
 #include "proofs/checker/parts/parts.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <atomic>
 #include <iostream>
 #include <list>
 #include <sstream>
 
 #include "proofs/checker/arithmetic/decide.hpp"
+#include "proofs/checker/parts/shared_array.hpp"
 
 namespace delcert::checker {
 namespace {
@@ -72,6 +76,20 @@ ChunkItems::Part own_part(Items items, std::uint64_t size) {
   return items == Items::labels ? chunk_items->labels : chunk_items->simplices;
 }
 
+/// Where blocks of first ... last - 1 begin, and the end. The later, the smaller: processes that take one after the
+/// other end at about the same time.
+std::vector<std::uint64_t> blocks(std::uint64_t first, std::uint64_t last, std::size_t parts) {
+  const std::uint64_t smallest = (last - first) / (16 * parts) + 1;
+  std::vector<std::uint64_t> begin{first};
+  while (begin.back() < last)
+    begin.push_back(std::min(last, begin.back() + std::max(smallest, (last - begin.back()) / (2 * parts))));
+  return begin;
+}
+
+void add(Counts& sum, const Counts& counts) {
+  for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += counts[k];
+}
+
 }  // namespace
 
 Counts in_parts(std::string_view rules, Items items, std::size_t size, Report& report, const LoopBody& work,
@@ -82,29 +100,30 @@ Counts in_parts(std::string_view rules, Items items, std::size_t size, Report& r
   const std::uint64_t left = Budget::left();
   const std::size_t length = last - first;
   const std::size_t parts = std::max<std::size_t>(1, std::min<std::size_t>(most_parts, length / least));
-  // The first blocks can take longer than the last ones, where labels look at greater ones: a part has one of each.
-  const auto begin = [=](std::size_t block) { return first + block * length / (2 * parts); };
-  const auto do_part = [&](std::size_t part, Report& found) {
-    Counts sum = work(begin(part), begin(part + 1), found);
-    const Counts of_last = work(begin(2 * parts - 1 - part), begin(2 * parts - part), found);
-    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += of_last[k];
-    return sum;
-  };
   Counts sum{};
   const auto do_parts = [&] {
+    const std::vector<std::uint64_t> begin = blocks(first, last, parts);
+    SharedArray<std::atomic<std::size_t>> taken(1);
+    const auto do_some = [&](Report& found) {
+      Counts counts{};
+      for (std::size_t block = taken[0]++; block + 1 < begin.size(); block = taken[0]++)
+        add(counts, work(begin[block], begin[block + 1], found));
+      return counts;
+    };
     std::list<Elsewhere> others;
     for (std::size_t part = 1; part < parts; ++part) {
-      others.emplace_back([&do_part, part](Report& found) {
-        const Counts counts = do_part(part, found);
+      others.emplace_back([&do_some, here = ::getpid()](Report& found) {
+        if (::getpid() == here) throw Undecided("blocks were taken, and not looked at to the end");
+        const Counts counts = do_some(found);
         return std::to_string(counts[0]) + ' ' + std::to_string(counts[1]);
       });
     }
     Report found;
-    sum = do_part(0, found);
+    sum = do_some(found);
     for (Elsewhere& other : others) {
       Counts counts{};
       std::istringstream(other.result(found)) >> counts[0] >> counts[1];
-      for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += counts[k];
+      add(sum, counts);
     }
     return found.findings.empty();
   };

@@ -62,13 +62,13 @@ class Elsewhere {
 /// What a loop counts, for its summary.
 using Counts = std::array<std::int64_t, 2>;
 
-/// Calls work(begin, end, report) for parts of this share of 0 ... size - 1, all but the first one elsewhere, and adds
-/// up what they return. The outcome is that of one call for the whole share, and those of all shares add up to that of
-/// one call for 0 ... size - 1. The range is recorded in the report, with the rules that it is about and the counts
-/// that have names; a summary has "{name}" for such a count. Precondition: what the work does for a number depends on
-/// nothing that it has done for others, and a loop has other rules than the other loops of its level. In the check of a
-/// chunk (chunk_items.hpp) it is called for the items of the chunk. A process for fewer items than `least` would take
-/// longer than they do.
+/// Calls work(begin, end, report) for blocks of this share of 0 ... size - 1, here and elsewhere, whoever is ready for
+/// the next one, and adds up what they return. The outcome is that of one call for the whole share, and those of all
+/// shares add up to that of one call for 0 ... size - 1. The range is recorded in the report, with the rules that it is
+/// about and the counts that have names; a summary has "{name}" for such a count. Precondition: what the work does for
+/// a number depends on nothing that it has done for others, and a loop has other rules than the other loops of its
+/// level. In the check of a chunk (chunk_items.hpp) it is called for the items of the chunk. A process for fewer items
+/// than `least` would take longer than they do.
 using LoopBody = std::function<Counts(std::size_t begin, std::size_t end, Report& report)>;
 Counts in_parts(std::string_view rules, Items items, std::size_t size, Report& report, const LoopBody& work,
                 const std::vector<std::string>& names = {}, std::size_t least = 64);

@@ -20,7 +20,10 @@ class SharedArray {
     // Memory of one process has larger pages.
     const int sharing = most_parts > 1 ? MAP_SHARED : MAP_PRIVATE;
     void* const begin = ::mmap(nullptr, bytes_, PROT_READ | PROT_WRITE, sharing | MAP_ANONYMOUS, -1, 0);
-    if (begin == MAP_FAILED) throw std::bad_alloc();
+    if (begin == MAP_FAILED) {
+      if (const std::new_handler no_memory = std::get_new_handler()) no_memory();
+      throw std::bad_alloc();
+    }
     items_ = static_cast<T*>(begin);
   }
   SharedArray(const SharedArray&) = delete;
