@@ -239,7 +239,7 @@ void add_attack(CLI::App& program, Action& chosen) {
   add_claim_options(*command, options->claims);
   command->add_option("--samples", options->samples,
                       "Samples for each claim and shape (default 1000; fewer where an instance is costly)");
-  command->add_option("--least", options->least,
+  command->add_option("--least,--least-instances", options->least,
                       "With fewer instances than this, a conclusion counts as hardly attacked (default 100)");
   command->add_option("--seed", options->seed, "Seed of the random choices (default 0)");
   command->add_option("--threads", options->threads, "Threads (default: all; the result does not depend on it)");

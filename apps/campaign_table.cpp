@@ -49,7 +49,7 @@ void add_campaign_table(CLI::App& campaign, Action& chosen) {
   const auto options = std::make_shared<TableOptions>();
   CLI::App* command = campaign.add_subcommand("table", "Print what a finished campaign found, from its log");
   command->add_option("log", options->log, "A log of delcert attack, or of delcert campaign merge")->required();
-  command->add_option("--least", options->least,
+  command->add_option("--least,--least-instances", options->least,
                       "What fewer instances have not refuted counts as hardly attacked (default 100)");
   command->add_option("--witnesses", options->witnesses, "Folder for witness files of what is refuted");
   command->add_option("--threads", options->threads, "Threads (default: all; the result does not depend on it)");

@@ -2,6 +2,7 @@
 import { Complex } from "./complex.js";
 import { copied, count, decimal, element } from "./elements.js";
 import { approximate } from "./exact.js";
+import { exportsSection } from "./exports.js";
 import { histogram } from "./histogram.js";
 import { Inspector } from "./inspector.js";
 import { ledgerSection } from "./ledger.js";
@@ -60,6 +61,6 @@ export async function certificatePage(item, block) {
   } else {
     for (const note of item.notes) root.append(element("p", { class: "note" }, note));
   }
-  root.append(levelsTable(item), ledgerSection(item) ?? "", homologySection(item) ?? "", howChecked(item));
+  root.append(levelsTable(item), ledgerSection(item) ?? "", homologySection(item) ?? "", howChecked(item), exportsSection(item));
   return parts;
 }

@@ -73,6 +73,11 @@ export function copied(text, what) {
   return element("span", { class: "copy" }, code, copy, result);
 }
 
+/** A file name as one word for a shell. */
+export function shellWord(text) {
+  return /^[\w@%+=:,./][\w@%+=:,./-]*$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`;
+}
+
 export function table(caption, heads, rows) {
   return element("div", { class: "scrolled", tabindex: "0", role: "region", "aria-label": caption },
     element("table", {}, element("caption", {}, caption),

@@ -1,5 +1,5 @@
 // The levels table, homology, and how all of it was checked.
-import { copied, count, decimal, element, table } from "./elements.js";
+import { copied, count, decimal, element, shellWord, table } from "./elements.js";
 import { approximate } from "./exact.js";
 import { claimedLevels, levels, order } from "./statements.js";
 import { findingsOf, levelVerdict, secondsOf, verdictOf, verdicts } from "./verdict.js";
@@ -79,11 +79,6 @@ export function howChecked(item) {
 
 function preformatted(value) {
   return JSON.stringify(value, null, 1).split("\n").map((line, at) => [at ? document.createTextNode("\n") : null, line]);
-}
-
-/** A file name as one word for a shell. */
-function shellWord(text) {
-  return /^[\w@%+=:,./][\w@%+=:,./-]*$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`;
 }
 
 /** What the whole page says first of a certificate: a red, amber, green or grey line. */

@@ -14,7 +14,7 @@ delcert_cli_test(attack-true STATUS 0 ERROR "^$" OUTPUT "circumradius-from-below
 delcert_cli_test(attack-hardly STATUS 2 ERROR "^$" OUTPUT "hardly attacked: 10 instances .\n\n.*: hardly attacked: 10 instances in 1 shape, .* 1 in 3 such"
   COMMAND ${delcert} attack ${claims}/circumradius-from-below.toml --samples 10 --shape 2,2)
 delcert_cli_test(attack-enough STATUS 0 ERROR "^$" OUTPUT "not refuted by 10 instances .\n"
-  COMMAND ${delcert} attack ${claims}/circumradius-from-below.toml --samples 10 --shape 2,2 --least 10)
+  COMMAND ${delcert} attack ${claims}/circumradius-from-below.toml --samples 10 --shape 2,2 --least-instances 10)
 delcert_cli_test(attack-false STATUS 1 ERROR "^$" FIXTURE_SETUP attack-found
   OUTPUT "REFUTED.*refuted: circumradius-below-edge / radius in k=2 m=2.*\"points\""
   COMMAND ${delcert} attack ${claims}/circumradius-below-edge.toml --samples 100 --shape 2,2 --seed 1 --witnesses attack-found)

@@ -1,6 +1,6 @@
 // pages_test.mjs DELCERT EXAMPLES MODULES FOLDER [NAME…]: pages of `delcert report` in Chromium, as their readers use them.
 // MODULES has node_modules, FOLDER is where certificates and pages go. With names, those certificates of the gallery alone.
-import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { basename, join } from "node:path";
 import { Browser } from "./browser.mjs";
 import { expect, expectEqual, expectNoticed, finish } from "./check.mjs";
@@ -173,6 +173,17 @@ async function expectKeyboard(page, name) {
   expect(!before.equals(await canvas.screenshot()), `${name}: arrow keys turn or shift the picture`);
 }
 
+/** The commands that the page has for other programs work. */
+async function expectExports(page, name) {
+  const commands = await page.locator(".exports code").allInnerTexts();
+  expect(commands.length >= 3, `${name}: exports`);
+  for (const command of commands) {
+    const [program, ...words] = command.split(" "), output = file(words[words.length - 1]);
+    rmSync(output, { force: true });
+    expectEqual([program, programs.run(...words).status, existsSync(output)], ["delcert", 0, true], `${name}: ${command}`);
+  }
+}
+
 async function lookAt(own) {
   const { name } = own;
   certified(own);
@@ -184,6 +195,7 @@ async function lookAt(own) {
   const opened = await browser.open(file(`${name}.html`)), { page } = opened;
   expect((await text(page, ".banner")).includes("Verified by delcert-check"), `${name}: verified`);
   await expectMargins(page, name, info);
+  await expectExports(page, name);
   await expectLedger(page, name, info);
   await expectPicking(page, name, info);
   await expectWorst(page, name);
