@@ -18,7 +18,9 @@ std::string file_bytes(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw InputError(path.string() + ": cannot be opened");
   std::string bytes;
-  std::string chunk(std::size_t{1} << 18U, '\0');
+  std::error_code unknown;  // of what is no plain file
+  if (const std::uintmax_t size = std::filesystem::file_size(path, unknown); !unknown) bytes.reserve(size);
+  std::string chunk(std::size_t{1} << 16U, '\0');
   do {
     in.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
     bytes.append(chunk, 0, static_cast<std::size_t>(in.gcount()));

@@ -122,7 +122,7 @@ constexpr std::array<KeyOfCertificate, 13> keys_of_certificates{{
        const Json levels = tree_of(text);
        for (const auto& [level, margins] : levels.items()) result.levels.emplace_back(level, entries(margins));
      }},
-    {"net", true, [](JsonText& text, CertificateSummary& result) { result.net = exact_rows(text); }},
+    {"net", true, [](JsonText& text, CertificateSummary& result) { result.net_text = text.skip(); }},
     {"charts", false, [](JsonText& text, CertificateSummary& result) { result.charts = exact_rows(text); }},
     {"radii", false, [](JsonText& text, CertificateSummary& result) { result.radii = exact_row(text); }},
     {"net_simplices", true,
@@ -168,6 +168,11 @@ CertificateSummary summary_of(std::string_view bytes) {
 }
 
 }  // namespace
+
+std::vector<std::vector<Rational>> CertificateSummary::net() const {
+  JsonText text(net_text);
+  return exact_rows(text);
+}
 
 Rational CertificateSummary::parameter(const std::string& key) const {
   const std::string* value = value_of(parameters, key);

@@ -27,8 +27,9 @@ struct CertificateSummary {
   std::vector<std::vector<Rational>> points;
   /// The value of the key `manifold` as it stands in the file: what it holds differs from family to family.
   std::string manifold_text;
-  /// The keys `net`, `charts` and `radii`; the last two are empty where a family has none.
-  std::vector<std::vector<Rational>> net;
+  /// The value of the key `net` as it stands in the file: half of its numbers, which not all need.
+  std::string net_text;
+  /// The keys `charts` and `radii`; empty where a family has none.
   std::vector<std::vector<Rational>> charts;
   std::vector<Rational> radii;
   /// As in the file: labels and the numbers of elements; what describes elements 1, 2, ….
@@ -38,6 +39,8 @@ struct CertificateSummary {
   std::string seal;
   std::string sealed_bytes;
 
+  /// The points of the net, read when they are asked for. Throws InputError if they are not exact numbers.
+  [[nodiscard]] std::vector<std::vector<Rational>> net() const;
   /// An entry of `parameters`, exactly. Throws InputError if there is none.
   [[nodiscard]] Rational parameter(const std::string& key) const;
   /// A margin of a level, exactly. None if the level is not claimed, or not with such a number.

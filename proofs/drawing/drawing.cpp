@@ -24,7 +24,6 @@ std::vector<DrawnSimplex> simplices_of(const CertificateSummary& certificate, st
     if (row.size() != 2 * m + 1)
       throw InputError(fmt::format("simplices[{}] has {} numbers, not {}", result.size(), row.size(), 2 * m + 1));
     simplex.labels.assign(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(m + 1));
-    simplex.elements.reserve(m + 1);
     simplex.elements.push_back(0);
     simplex.elements.insert(simplex.elements.end(), row.begin() + static_cast<std::ptrdiff_t>(m + 1), row.end());
     if (!std::is_sorted(simplex.labels.begin(), simplex.labels.end(), std::less_equal<>()) ||

@@ -21,6 +21,7 @@ struct MovedLabel {
 
 using Place = ApproximateManifold::ChartPlace;
 
+constexpr std::size_t expected_valence = 8;  ///< of a surface; lists may be longer
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 struct Shown {
@@ -30,16 +31,17 @@ struct Shown {
   Place place;
 };
 
-double squared_distance(const Place& a, const Place& b) {
-  double sum = 0;
-  for (std::size_t axis = 0; axis < a.size(); ++axis) sum += (a[axis] - b[axis]) * (a[axis] - b[axis]);
-  return sum;
-}
-
 class StarMeasurement {
  public:
   StarMeasurement(ApproximateManifold& manifold, const std::vector<DrawnSimplex>& simplices, std::size_t labels)
-      : manifold_(manifold), simplices_(simplices), stars_(labels), neighbours_(labels), last_of_label_(labels, none) {
+      : manifold_(manifold),
+        axes_(manifold.dimension()),
+        simplices_(simplices),
+        stars_(labels),
+        neighbours_(labels),
+        last_of_label_(labels, none) {
+    for (auto& star : stars_) star.reserve(expected_valence);
+    for (auto& list : neighbours_) list.reserve(expected_valence);
     for (const DrawnSimplex& simplex : simplices) {
       for (std::size_t a = 0; a < simplex.labels.size(); ++a) {
         stars_[simplex.labels[a]].push_back(simplex.position);
@@ -111,8 +113,7 @@ class StarMeasurement {
     const ApproximateShape shape = approximate_shape(m, squares);
     Place centre{};
     for (std::size_t k = 0; k <= m; ++k) {
-      for (std::size_t axis = 0; axis < centre.size(); ++axis)
-        centre[axis] += shape.centre[k] * vertices[k]->place[axis];
+      for (std::size_t axis = 0; axis < axes_; ++axis) centre[axis] += shape.centre[k] * vertices[k]->place[axis];
     }
     const double nearest = squared_distance_to_others(centre, std::span(vertices).first(m + 1));
     const double unit = manifold_.unit(label);
@@ -138,7 +139,14 @@ class StarMeasurement {
     return nearest;
   }
 
+  [[nodiscard]] double squared_distance(const Place& a, const Place& b) const {
+    double sum = 0;
+    for (std::size_t axis = 0; axis < axes_; ++axis) sum += (a[axis] - b[axis]) * (a[axis] - b[axis]);
+    return sum;
+  }
+
   ApproximateManifold& manifold_;
+  std::size_t axes_;  ///< of a chart
   const std::vector<DrawnSimplex>& simplices_;
   std::vector<std::vector<std::size_t>> stars_;
   std::vector<std::vector<MovedLabel>> neighbours_;

@@ -40,7 +40,7 @@ class ChartsOfSpaceForm {
   ChartsOfSpaceForm(const CertificateSummary& certificate, const SpaceForm& form, const Rational& epsilon)
       : certificate_(certificate),
         points_(point_set<m>(certificate.points)),
-        atlas_(form, exact_points<m>(point_set<m>(certificate.net)), epsilon, fitting_patch_factor(form, m, epsilon)),
+        atlas_(form, exact_points<m>(point_set<m>(certificate.net())), epsilon, fitting_patch_factor(form, m, epsilon)),
         stars_(points_.size()) {
     if (points_.size() != atlas_.size()) throw InputError("points: not as many as the net has");
     for (const FieldMatrix& element : elements_of(certificate, form.description))

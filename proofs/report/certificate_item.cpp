@@ -23,7 +23,8 @@ std::vector<std::string> exact_names(const CertificateSummary& certificate) {
     for (std::size_t axis = 1; axis <= size; ++axis) result.push_back(name + " " + std::to_string(axis));
   };
   const bool in_frame = has_points_in_the_frame(certificate);
-  if (!in_frame && !certificate.net.empty()) add("net point", certificate.net.front().size());
+  const auto net = in_frame ? std::vector<std::vector<Rational>>() : certificate.net();
+  if (!net.empty()) add("net point", net.front().size());
   if (!certificate.points.empty()) add(in_frame ? "coordinate" : "moved in its chart by", certificate.points[0].size());
   return result;
 }
@@ -32,13 +33,14 @@ std::vector<std::string> exact_names(const CertificateSummary& certificate) {
 std::vector<std::string> exact_coordinates(const CertificateSummary& certificate) {
   std::vector<std::string> result;
   result.reserve(certificate.points.size());
-  const bool with_net = !has_points_in_the_frame(certificate) && certificate.net.size() == certificate.points.size();
+  const auto net = has_points_in_the_frame(certificate) ? std::vector<std::vector<Rational>>() : certificate.net();
+  const bool with_net = net.size() == certificate.points.size();
   for (std::size_t label = 0; label < certificate.points.size(); ++label) {
     std::string line;
     const auto add = [&line](const std::vector<Rational>& numbers) {
       for (const Rational& number : numbers) line += (line.empty() ? "" : " ") + exact_text(number);
     };
-    if (with_net) add(certificate.net[label]);
+    if (with_net) add(net[label]);
     add(certificate.points[label]);
     result.push_back(std::move(line));
   }

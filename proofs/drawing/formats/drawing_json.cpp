@@ -149,7 +149,7 @@ std::string drawing_json(const CertificateSummary& certificate, const Drawing& d
   if (is_exact) {
     DrawingJson exact;
     exact["coordinates"] = exact_rows_json(certificate.points);
-    exact["net"] = exact_rows_json(certificate.net);
+    exact["net"] = exact_rows_json(certificate.net());
     out.json("exact", exact);
   }
   return std::move(out.text) + "}\n";

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <iterator>
 #include <limits>
 
@@ -16,36 +15,35 @@ namespace {
 
 constexpr int digits = 9;
 constexpr int least_exponent = -4;  ///< below it, and from `digits` on, there is an exponent
+constexpr std::size_t exponents = digits - least_exponent;
 
 /// The integer of nine digits that a positive double is nearest to, times a power of ten: by arithmetic whose relative
-/// error is below 2⁻⁶⁰. Nothing where that cannot tell, or the power of ten is not exact.
+/// error is below 2⁻⁶⁰. Nothing where that cannot tell, or there is an exponent.
 struct Rounded {
-  std::uint64_t mantissa = 0;
+  std::uint32_t mantissa = 0;
   int exponent = 0;  ///< of the first digit; it has no meaning where the mantissa is 0
 };
 
 Rounded rounded(double value) {
   static_assert(std::numeric_limits<long double>::digits >= 64);
-  constexpr std::array<long double, 28> powers = [] {
-    std::array<long double, 28> result{1};
+  constexpr std::array<double, exponents + 1> tens{1e-4, 1e-3, 1e-2, 1e-1, 1e0, 1e1, 1e2,
+                                                   1e3,  1e4,  1e5,  1e6,  1e7, 1e8, 1e9};
+  const auto above = std::upper_bound(tens.begin(), tens.end(), value);
+  if (above == tens.begin() || above == tens.end()) return {};
+  const int exponent = least_exponent - 1 + static_cast<int>(above - tens.begin());
+  constexpr std::array<long double, exponents> powers = [] {
+    std::array<long double, exponents> result{1};
     for (std::size_t k = 1; k < result.size(); ++k) result[k] = result[k - 1] * 10;
     return result;
   }();
-  constexpr int most = static_cast<int>(powers.size()) - 1;
-  constexpr std::uint64_t end = 1000000000;
-  int exponent = static_cast<int>(std::floor(std::log10(value)));
-  const int shift = digits - 1 - exponent;
-  if (shift < -most || shift > most) return {};
-  const long double wide = value;
-  const long double power = powers[static_cast<std::size_t>(std::abs(shift))];
-  const long double scaled = shift < 0 ? wide / power : wide * power;
-  // The logarithm may be off by one near powers of ten.
+  const long double scaled = static_cast<long double>(value) * powers[static_cast<std::size_t>(digits - 1 - exponent)];
+  // Ten to a negative power is no double.
   if (!(scaled >= 100000000.0L && scaled < 1000000000.0L)) return {};
-  auto mantissa = static_cast<std::uint64_t>(scaled);
+  auto mantissa = static_cast<std::uint32_t>(scaled);
   const long double rest = scaled - static_cast<long double>(mantissa);
   if (std::fabs(rest - 0.5L) < 0x1p-28L) return {};
   if (rest > 0.5L) ++mantissa;
-  if (mantissa == end) return {};
+  if (mantissa == 1000000000) return {};
   return {mantissa, exponent};
 }
 
@@ -55,12 +53,12 @@ void append_number(std::string& text, double value) { fmt::format_to(std::back_i
 
 void append_measure(std::string& text, double value) {
   const Rounded found = std::isfinite(value) && value != 0 ? rounded(std::fabs(value)) : Rounded{};
-  if (found.mantissa == 0 || found.exponent < least_exponent || found.exponent >= digits) {
+  if (found.mantissa == 0) {
     fmt::format_to(std::back_inserter(text), "{:.9g}", value);
     return;
   }
   std::array<char, digits> decimal;
-  std::uint64_t rest = found.mantissa;
+  std::uint32_t rest = found.mantissa;
   for (auto digit = decimal.rbegin(); digit != decimal.rend(); ++digit, rest /= 10)
     *digit = static_cast<char>('0' + rest % 10);
   // Before the point: the digits of an integer, or 0. After it all but zeros at the end.

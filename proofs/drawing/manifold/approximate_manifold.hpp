@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <boost/container/static_vector.hpp>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -27,8 +28,9 @@ enum class DrawingModel : unsigned char {
 /// A simplex of a certificate: its position, its labels in increasing order, and for each the number of its element.
 struct DrawnSimplex {
   std::size_t position = 0;
-  std::vector<std::uint32_t> labels;
-  std::vector<std::uint32_t> elements;
+  using Numbers = boost::container::static_vector<std::uint32_t, most_vertices_of_a_simplex>;
+  Numbers labels;
+  Numbers elements;
 };
 
 /// The manifold and the points of a certificate in doubles, without error bounds: for drawing, never for deciding.

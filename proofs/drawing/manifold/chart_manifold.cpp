@@ -78,7 +78,8 @@ ChartManifold::ChartManifold(const CertificateSummary& certificate)
       }
     }
   }
-  if (certificate.net.size() != certificate.points.size() || certificate.charts.size() != certificate.points.size())
+  const auto net = certificate.net();
+  if (net.size() != certificate.points.size() || certificate.charts.size() != certificate.points.size())
     throw InputError("net, charts: there is not one for each label");
   for (std::size_t label = 0; label < certificate.points.size(); ++label) {
     std::vector<double> chart = doubles_of(certificate.charts[label]);
@@ -87,7 +88,7 @@ ChartManifold::ChartManifold(const CertificateSummary& certificate)
     homes_.push_back(static_cast<std::uint32_t>(chart[0]));
     chart.erase(chart.begin());
     matrices_.push_back(std::move(chart));
-    centres_.push_back(doubles_of(certificate.net[label]));
+    centres_.push_back(doubles_of(net[label]));
     std::vector<double> point = triangle_solution(matrices_.back(), doubles_of(certificate.points[label]));
     if (point.size() != m_ || centres_.back().size() != m_)
       throw InputError("points: label " + std::to_string(label) + " has not as many coordinates as it needs");

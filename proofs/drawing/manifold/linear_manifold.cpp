@@ -32,7 +32,7 @@ std::vector<double> unit_matrix(std::size_t m) {
 
 std::vector<std::vector<double>> net_of(const CertificateSummary& certificate) {
   std::vector<std::vector<double>> result;
-  for (const auto& point : certificate.net) result.push_back(doubles_of(point));
+  for (const auto& point : certificate.net()) result.push_back(doubles_of(point));
   if (result.size() < certificate.points.size()) throw InputError("net: there is not a point for each label");
   return result;
 }

@@ -102,16 +102,17 @@ TangentManifold::TangentManifold(const CertificateSummary& certificate)
   const std::size_t labels = certificate.points.size();
   ambient_ = manifold->ambient();
   if (manifold->dimension() != m_) throw InputError("manifold: the equations are not of its dimension");
-  if (certificate.net.size() != labels || certificate.charts.size() != labels)
+  const auto net = certificate.net();
+  if (net.size() != labels || certificate.charts.size() != labels)
     throw InputError("net, charts: there is not one for each label");
   units_ = doubles_of(certificate.radii);
   if (units_.empty()) units_.assign(labels, approximate_double(certificate.parameter("sampling_radius")));
   if (units_.size() != labels) throw InputError("radii: there is not one for each label");
   const std::unique_ptr<GraphEvaluation> evaluation = manifold->evaluation();
   for (std::size_t label = 0; label < labels; ++label) {
-    if (certificate.net[label].size() != ambient_ || certificate.points[label].size() != m_)
+    if (net[label].size() != ambient_ || certificate.points[label].size() != m_)
       throw InputError("label " + std::to_string(label) + " has not as many coordinates as it needs");
-    const TangentChart chart(chart_data(certificate.net[label], certificate.charts[label], m_), m_);
+    const TangentChart chart(chart_data(net[label], certificate.charts[label], m_), m_);
     charts_.push_back(middle_of(chart.enclosed()));
     std::vector<double> in_chart = doubles_of(certificate.points[label]);
     const auto heights =

@@ -25,6 +25,12 @@ TEST(Reader, ReadsBackWhatWasWrittenBitForBit) {
     const std::pair<std::string, std::string> homology("homology", "Z, Z^2, Z");
     EXPECT_EQ(read.levels[2].second.back(), homology);
     EXPECT_EQ(read.net_simplices, small_run().density.simplices.size());
+    const std::vector<std::vector<Rational>> net = read.net();
+    ASSERT_EQ(net.size(), small_run().atlas.size());
+    for (std::uint32_t index = 0; index < net.size(); ++index) {
+      const auto& exact = small_run().atlas.net().exact(Label(index));
+      EXPECT_TRUE(std::equal(net[index].begin(), net[index].end(), exact.begin(), exact.end()));
+    }
     EXPECT_EQ(read.seal.size(), 64U);
     EXPECT_EQ(read.simplices.size(), small_run().run.complex.simplices().size());
     for (const auto& simplex : read.simplices) {
@@ -32,6 +38,16 @@ TEST(Reader, ReadsBackWhatWasWrittenBitForBit) {
       EXPECT_LE(std::max(simplex[3], simplex[4]), read.elements.size());
     }
   }
+}
+
+TEST(Reader, SaysOfANetThatIsNoListOfExactNumbersWhenItIsAskedForThat) {
+  CertificateSummary certificate;
+  for (const char* text : {"", "[[1]]", "[[\"0.5\"]]", "[[\"1\"]", "[\"1\"]"}) {
+    certificate.net_text = text;
+    EXPECT_THROW((void)certificate.net(), InputError) << text;
+  }
+  certificate.net_text = "[[\"1/2\"]]";
+  EXPECT_EQ(certificate.net(), (std::vector<std::vector<Rational>>{{Rational(1) / Rational(2)}}));
 }
 
 TEST(Reader, SaysWhichFileCannotBeRead) {

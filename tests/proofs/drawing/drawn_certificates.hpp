@@ -49,7 +49,7 @@ CertificateSummary certificate_of(const Sample& sample) {
   result.parameters = {{"seed", "1"}, {"sampling_radius", "2"}};
   const std::vector<std::array<int, 2>> places{{0, 0}, {2, 0}, {1, 2}, {-1, 2}, {-2, 0}, {-1, -2}, {1, -2}};
   for (const auto& [x, y] : places) result.points.push_back({Rational(x), Rational(y)});
-  result.net = result.points;
+  result.net_text = R"([["0","0"],["2","0"],["1","2"],["-1","2"],["-2","0"],["-1","-2"],["1","-2"]])";
   for (std::uint32_t k = 1; k < 6; ++k) result.simplices.push_back({0, k, k + 1, 0, 0});
   result.simplices.push_back({0, 1, 6, 0, 0});
   return result;

@@ -28,7 +28,7 @@ TEST(MetricFieldManifold, WithoutAChartIsRefused) {
   certificate.charts.pop_back();
   EXPECT_THROW(MetricFieldManifold{certificate}, InputError);
   certificate = drawn_certificates().at("metric-field");
-  certificate.net.pop_back();
+  certificate.net_text = "[]";
   EXPECT_THROW(MetricFieldManifold{certificate}, InputError);
 }
 

@@ -66,7 +66,7 @@ TEST(SpaceFormManifold, WhatIsNotAsTheFormatSaysIsRefused) {
   certificate.elements.back() = {0, 99};
   EXPECT_THROW(SpaceFormManifold{certificate}, InputError);
   certificate = drawn_certificates().at("klein-bottle");
-  certificate.net.clear();
+  certificate.net_text = "[]";
   EXPECT_THROW(SpaceFormManifold{certificate}, InputError);
 }
 

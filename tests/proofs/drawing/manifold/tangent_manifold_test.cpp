@@ -14,6 +14,7 @@ using test::drawn_certificates;
 
 TEST(TangentManifold, PointsAreOnTheManifoldOverTheirCoordinates) {
   const CertificateSummary& certificate = drawn_certificates().at("submanifold");
+  const auto net = certificate.net();
   const TangentManifold manifold(certificate);
   double farthest = 0;
   for (std::uint32_t label = 0; label < certificate.points.size(); ++label) {
@@ -24,7 +25,7 @@ TEST(TangentManifold, PointsAreOnTheManifoldOverTheirCoordinates) {
     for (std::size_t axis = 0; axis < 2; ++axis)
       EXPECT_NEAR(own[axis], approximate_double(certificate.points[label][axis]), 1e-12);
     for (std::size_t axis = 0; axis < 3; ++axis)
-      from_centre = std::max(from_centre, std::fabs(place[axis] - approximate_double(certificate.net[label][axis])));
+      from_centre = std::max(from_centre, std::fabs(place[axis] - approximate_double(net[label][axis])));
     farthest = std::max(farthest, from_centre);
   }
   // The points were moved: their centres are not what is drawn.
