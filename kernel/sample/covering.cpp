@@ -13,7 +13,6 @@
 #include "kernel/simplex/dimensions.hpp"
 #include "kernel/stars/approximate_sphere.hpp"
 #include "support/error.hpp"
-#include "support/sort_by_number.hpp"
 
 namespace delcert {
 
@@ -148,32 +147,45 @@ int sort_with_sign(std::array<std::uint32_t, count>& labels) {
 
 /// The boundary of the chain: faces whose signs do not cancel, with a simplex that has them.
 template <int m>
-std::vector<SignedFace<m>> boundary(const std::vector<LiftedSimplex<m>>& simplices) {
-  std::vector<SignedFace<m>> faces;
-  faces.reserve(simplices.size() * corners<m>);
-  for (std::uint32_t at = 0; at < simplices.size(); ++at) {
-    for (std::size_t omitted = 0; omitted < corners<m>; ++omitted) {
-      SignedFace<m> face;
-      face.simplex = at;
-      std::size_t next = 0;
-      for (std::size_t corner = 0; corner < corners<m>; ++corner) {
-        if (corner != omitted) face.labels[next++] = simplices[at][corner].index;
+std::vector<SignedFace<m>> boundary(const std::vector<LiftedSimplex<m>>& simplices, std::size_t labels) {
+  const auto for_faces = [&](const auto& visit) {
+    for (std::uint32_t at = 0; at < simplices.size(); ++at) {
+      for (std::size_t omitted = 0; omitted < corners<m>; ++omitted) {
+        SignedFace<m> face;
+        face.simplex = at;
+        std::size_t next = 0;
+        for (std::size_t corner = 0; corner < corners<m>; ++corner) {
+          if (corner != omitted) face.labels[next++] = simplices[at][corner].index;
+        }
+        face.sign = sort_with_sign(face.labels) * (omitted % 2 == 0 ? 1 : -1);
+        visit(face);
       }
-      face.sign = sort_with_sign(face.labels) * (omitted % 2 == 0 ? 1 : -1);
-      faces.push_back(face);
     }
-  }
-  sort_by_number(
-      faces, [](const auto& face) { return face.labels[0]; },
-      [](const auto& a, const auto& b) { return a.labels < b.labels; });
+  };
+  // Those of each least label together.
+  std::vector<std::size_t> begin(labels + 1, 0);
+  for_faces([&](const SignedFace<m>& face) { ++begin[face.labels[0] + std::size_t{1}]; });
+  for (std::size_t label = 0; label < labels; ++label) begin[label + 1] += begin[label];
+  std::vector<SignedFace<m>> faces(begin.back());
+  std::vector<std::size_t> place(begin.begin(), begin.end() - 1);
+  for_faces([&](const SignedFace<m>& face) { faces[place[face.labels[0]]++] = face; });
+  const auto left_of = [&](std::size_t first_label, std::size_t last_label) {
+    std::vector<SignedFace<m>> left;
+    for (std::size_t label = first_label; label < last_label; ++label) {
+      const auto at = [&](std::size_t index) { return faces.begin() + static_cast<std::ptrdiff_t>(begin[index]); };
+      std::sort(at(label), at(label + 1), [](const auto& a, const auto& b) { return a.labels < b.labels; });
+      for (auto first = at(label), last = first; first != at(label + 1); first = last) {
+        int total = 0;
+        for (; last != at(label + 1) && last->labels == first->labels; ++last) total += last->sign;
+        if (total != 0) left.push_back(*first);
+      }
+    }
+    return left;
+  };
   std::vector<SignedFace<m>> result;
-  for (std::size_t first = 0; first < faces.size();) {
-    std::size_t last = first;
-    int total = 0;
-    for (; last < faces.size() && faces[last].labels == faces[first].labels; ++last) total += faces[last].sign;
-    if (total != 0) result.push_back(faces[first]);
-    first = last;
-  }
+  in_parts<1024>("measure density", labels, no_progress(), left_of, [&](const std::vector<SignedFace<m>>& left) {
+    result.insert(result.end(), left.begin(), left.end());
+  });
   return result;
 }
 
@@ -269,6 +281,7 @@ Covering<m> certified_covering(const FlatSpace<m>& space, const PointSet<m>& net
   Covering<m> result;
   double covering = 0;
   double farthest = 0;
+  result.simplices.reserve(proposed.size());
   // Of a ball, which simplices are needed may depend on what was measured before.
   const std::size_t part_size = space.is_torus() ? simplices_in_a_part : std::max<std::size_t>(proposed.size(), 1);
   in_parts<1>(
@@ -289,7 +302,7 @@ Covering<m> certified_covering(const FlatSpace<m>& space, const PointSet<m>& net
   if (!std::isfinite(covering) || covering == 0) throw Rejection("density: no simplex of the net could be measured");
   result.radius_upper = square_root_upper(Rational::exactly(covering), 60);
 
-  const auto rim = boundary<m>(result.simplices);
+  const auto rim = boundary<m>(result.simplices, net.size());
   if (space.is_torus()) {
     if (!rim.empty())
       throw Rejection("density: net simplex " + named<m>(result.simplices[rim[0].simplex]) + " has a free face");

@@ -100,14 +100,13 @@ class Sampler {
     const auto order = grid_.spatial_order();
     std::vector<std::uint32_t> new_label(order.size());
     for (std::uint32_t label = 0; label < order.size(); ++label) new_label[order[label]] = label;
-    TriangulatedNet<m> result{points_in(order), simplices_};
-    for_each_in_parts(result.simplices.size(), [&](std::size_t at) {
-      LiftedSimplex<m>& simplex = result.simplices[at];
+    std::vector<std::vector<LiftedSimplex<m>>> relabelled{simplices_};
+    for_each_in_parts(simplices_.size(), [&](std::size_t at) {
+      LiftedSimplex<m>& simplex = relabelled[0][at];
       for (Lift<m>& vertex : simplex) vertex.index = new_label[vertex.index];
       simplex = canonical<m>(simplex);
     });
-    sort_canonical<m>(result.simplices);
-    return result;
+    return {points_in(order), in_order<m>(relabelled, order.size())};
   }
 
  private:

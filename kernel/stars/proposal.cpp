@@ -9,7 +9,6 @@
 #include "kernel/simplex/dimensions.hpp"
 #include "kernel/stars/approximate_sphere.hpp"
 #include "support/error.hpp"
-#include "support/sort_by_number.hpp"
 
 namespace delcert {
 
@@ -104,8 +103,25 @@ LiftedSimplex<m> canonical(LiftedSimplex<m> simplex) {
 }
 
 template <int m>
-void sort_canonical(std::vector<LiftedSimplex<m>>& simplices) {
-  sort_by_number(simplices, [](const LiftedSimplex<m>& simplex) { return simplex[0].index; });
+std::vector<LiftedSimplex<m>> in_order(const std::vector<std::vector<LiftedSimplex<m>>>& lists, std::size_t points) {
+  // Those of each first vertex together.
+  std::vector<std::size_t> begin(points + 1, 0);
+  for (const auto& list : lists) {
+    for (const LiftedSimplex<m>& simplex : list) ++begin[simplex[0].index + std::size_t{1}];
+  }
+  for (std::size_t index = 0; index < points; ++index) begin[index + 1] += begin[index];
+  std::vector<LiftedSimplex<m>> result(begin.back());
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  for (const auto& list : lists) {
+    for (const LiftedSimplex<m>& simplex : list) result[next[simplex[0].index]++] = simplex;
+  }
+  const auto sort_some = [&](std::size_t first, std::size_t last) {
+    const auto at = [&](std::size_t index) { return result.begin() + static_cast<std::ptrdiff_t>(begin[index]); };
+    for (std::size_t index = first; index < last; ++index) std::sort(at(index), at(index + 1));
+    return true;
+  };
+  in_parts<1024>("triangulate", points, no_progress(), sort_some, [](bool) {});
+  return result;
 }
 
 template <int m>
@@ -206,16 +222,13 @@ typename GrowingProposal<m>::Found GrowingProposal<m>::found(const std::vector<V
       [&](std::size_t first, std::size_t) { return found_in(points, *boxes_[first]); },
       [&](Found part) { parts.push_back(std::move(part)); });
   Found result;
-  std::size_t count = 0;
-  for (const Found& part : parts) {
+  std::vector<std::vector<LiftedSimplex<m>>> lists;
+  for (Found& part : parts) {
     result.largest = std::max(result.largest, part.largest);
     result.volume += part.volume;
-    count += part.simplices.size();
+    lists.push_back(std::move(part.simplices));
   }
-  result.simplices.reserve(count);
-  for (const Found& part : parts)
-    result.simplices.insert(result.simplices.end(), part.simplices.begin(), part.simplices.end());
-  sort_canonical<m>(result.simplices);
+  result.simplices = in_order<m>(lists, points.size());
   return result;
 }
 
@@ -304,11 +317,11 @@ std::vector<LiftedSimplex<m>> propose_delaunay(const FlatSpace<m>& space, const 
   return GrowingProposal<m>(space, usual_circumradius).simplices(points);
 }
 
-#define DELCERT_INSTANTIATE(m)                                                    \
-  template LiftedSimplex<m> canonical<m>(LiftedSimplex<m>);                       \
-  template void sort_canonical<m>(std::vector<LiftedSimplex<m>>&);                \
-  template class GrowingProposal<m>;                                              \
-  template std::vector<LiftedSimplex<m>> propose_delaunay<m>(const FlatSpace<m>&, \
+#define DELCERT_INSTANTIATE(m)                                                                                        \
+  template LiftedSimplex<m> canonical<m>(LiftedSimplex<m>);                                                           \
+  template std::vector<LiftedSimplex<m>> in_order<m>(const std::vector<std::vector<LiftedSimplex<m>>>&, std::size_t); \
+  template class GrowingProposal<m>;                                                                                  \
+  template std::vector<LiftedSimplex<m>> propose_delaunay<m>(const FlatSpace<m>&,                                     \
                                                              const std::vector<Vector<double, m>>&, double);
 DELCERT_FOR_EACH_DIMENSION(DELCERT_INSTANTIATE)
 #undef DELCERT_INSTANTIATE

@@ -15,9 +15,10 @@ using LiftedSimplex = std::array<Lift<m>, static_cast<std::size_t>(m) + 1>;
 template <int m>
 [[nodiscard]] LiftedSimplex<m> canonical(LiftedSimplex<m> simplex);
 
-/// Puts simplices in canonical form in increasing order.
+/// Simplices in canonical form, of several lists, in increasing order. `points`: how many there are. In parallel.
 template <int m>
-void sort_canonical(std::vector<LiftedSimplex<m>>& simplices);
+[[nodiscard]] std::vector<LiftedSimplex<m>> in_order(const std::vector<std::vector<LiftedSimplex<m>>>& lists,
+                                                     std::size_t points);
 
 /// The Delaunay simplices of the lifts of these points (approximate frame coordinates), each once mod the lattice, in
 /// increasing order. A proposal: nothing is certified. On a torus copies of the points around boxes of the unit cell
