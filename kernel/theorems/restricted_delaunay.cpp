@@ -90,14 +90,14 @@ template <int m>
 class DiscCover {
  public:
   DiscCover(const GraphVertices& vertices, const std::vector<std::vector<LabelSimplex<m>>>& stars,
-            const AmbientGrid& grid, const Rational& slope, const Rational& density, GraphMetric metric)
+            const AmbientGrid& grid, const Rational& slope, const std::vector<double>& reaches, GraphMetric metric)
       : vertices_(vertices),
         stars_(stars),
         grid_(grid),
         n_(vertices.manifold.ambient()),
         q_(vertices.manifold.codimension()),
         slope_(scalar_from<Interval>(slope)),
-        density_(scalar_from<Interval>(density)),
+        reaches_(reaches),
         stretch_(stretch_of(slope)),
         metric_(metric),
         evaluation_(vertices.manifold.evaluation()),
@@ -106,7 +106,7 @@ class DiscCover {
   /// Whether the disc is certainly covered.
   bool covers(std::uint32_t i) {
     label_ = i;
-    radius_ = density_ * Interval::exactly(vertices_.unit(i));
+    radius_ = Interval::exactly(reaches_[i]);
     chart_ = &vertices_.charts[i].enclosed();
     patch_ = scalar_from<Interval>(vertices_.charts[i].data().radius);
     for (std::size_t column = 0; column < n_; ++column) own_[column] = check_.coordinate(i, i, column);
@@ -390,7 +390,9 @@ class DiscCover {
   const AmbientGrid& grid_;
   std::size_t n_;
   std::size_t q_;
-  Interval slope_, density_, stretch_;
+  Interval slope_;
+  const std::vector<double>& reaches_;
+  Interval stretch_;
   GraphMetric metric_;
   std::unique_ptr<GraphEvaluation> evaluation_;
   GraphSimplexCheck<m> check_;
@@ -439,13 +441,16 @@ bool is_alone(const GraphVertices& vertices, const GraphSimplexCheck<m>& check,
 }  // namespace
 
 template <int m>
-Rational graph_density(const GraphVertices& vertices, const std::vector<LabelSimplex<m>>& simplices,
-                       const GraphTriangulation<m>& triangulation, const Rational& slope) {
-  double farthest = 0;
+GraphDensity graph_density(const GraphVertices& vertices, const std::vector<LabelSimplex<m>>& simplices,
+                           const GraphTriangulation<m>& triangulation, const Rational& slope) {
+  // For readers, who enclose it otherwise.
+  const Rational room(Integer(65), Integer(64));
   double edge = 0;
   for (std::size_t s = 0; s < simplices.size(); ++s)
     edge = std::max(edge, triangulation.simplices[s].edge / vertices.unit(simplices[s]));
   const AmbientGrid grid = grid_of(vertices, 2 * edge);
+  GraphDensity result{std::vector<double>(vertices.charts.size(), 0), Rational(0)};
+  double farthest = 0;
   {
     const RoundingGuard guard;
     const GraphSimplexCheck<m> check(vertices);
@@ -459,32 +464,39 @@ Rational graph_density(const GraphVertices& vertices, const std::vector<LabelSim
         least = std::min(least, reach.upper());
       }
       // What is over the simplex may be nearest to labels that are not much farther from one of its vertices.
-      double unit = vertices.unit(simplices[s]);
       const double around = ((Interval(1) + stretch) * Interval::exactly(least)).upper() * (1 + 0x1p-20);
-      for (std::size_t at = 0; !vertices.units.empty() && least < 0x1p100 && at <= m; ++at) {
-        grid.visit(grid[simplices[s][at]], around, [&](std::uint32_t k, double) {
-          unit = std::min(unit, vertices.unit(k));
+      for (const std::uint32_t v : simplices[s]) {
+        result.reaches[v] = std::max(result.reaches[v], least);
+        if (!(least < 0x1p100)) continue;
+        grid.visit(grid[v], around, [&](std::uint32_t k, double) {
+          result.reaches[k] = std::max(result.reaches[k], least);
           return false;
         });
       }
-      farthest = std::max(farthest, (Interval::exactly(least) / Interval::exactly(unit)).upper());
+    }
+    for (std::uint32_t k = 0; k < result.reaches.size(); ++k) {
+      const Interval reach = Interval::exactly(result.reaches[k]);
+      farthest = std::max(farthest, (reach / Interval::exactly(vertices.unit(k))).upper());
+      result.reaches[k] = (reach * scalar_from<Interval>(room)).upper();
     }
   }
-  const Rational wider = Rational::exactly(farthest) * (Rational(65) / Rational(64));
-  return rounded_up(wider, binary_exponent(wider) - digits_of_density + 1);
+  const Rational wider = Rational::exactly(farthest) * room;
+  result.density = rounded_up(wider, binary_exponent(wider) - digits_of_density + 1);
+  return result;
 }
 
 template <int m>
 RestrictedDelaunay check_restricted_delaunay(const GraphVertices& vertices,
                                              const std::vector<LabelSimplex<m>>& simplices,
                                              const GraphTriangulation<m>& triangulation, const Rational& slope,
-                                             const Rational& density, GraphMetric metric, const Progress& progress) {
+                                             const GraphDensity& density, GraphMetric metric,
+                                             const Progress& progress) {
   const std::size_t n = vertices.charts.size();
   std::vector<std::vector<LabelSimplex<m>>> stars(n);
   for (const LabelSimplex<m>& simplex : simplices) {
     for (const std::uint32_t v : simplex) stars[v].push_back(simplex);
   }
-  const AmbientGrid grid = grid_of(vertices, 2 * approximate_double(density));
+  const AmbientGrid grid = grid_of(vertices, 2 * approximate_double(density.density));
   struct Part {
     std::vector<Label> failures;
     std::size_t boxes;
@@ -494,7 +506,7 @@ RestrictedDelaunay check_restricted_delaunay(const GraphVertices& vertices,
       metric == GraphMetric::extrinsic ? "cover discs" : "cover discs by curves", n, progress,
       [&](std::size_t first, std::size_t last) {
         const RoundingGuard guard;
-        DiscCover<m> cover(vertices, stars, grid, slope, density, metric);
+        DiscCover<m> cover(vertices, stars, grid, slope, density.reaches, metric);
         Part part{{}, 0};
         for (std::size_t i = first; i < last; ++i) {
           const Label label(static_cast<std::uint32_t>(i));
@@ -509,7 +521,7 @@ RestrictedDelaunay check_restricted_delaunay(const GraphVertices& vertices,
       });
   const RoundingGuard guard;
   const GraphSimplexCheck<m> check(vertices);
-  const Interval reach = (Interval(1) + stretch_of(slope)) * scalar_from<Interval>(density);
+  const Interval reach = (Interval(1) + stretch_of(slope)) * scalar_from<Interval>(density.density);
   std::vector<bool> is_settled(n);
   for (std::uint32_t k = 0; k < n; ++k) {
     const std::uint32_t component = triangulation.component[k];
@@ -524,11 +536,11 @@ RestrictedDelaunay check_restricted_delaunay(const GraphVertices& vertices,
 }
 
 #define DELCERT_INSTANTIATE(m)                                                                                        \
-  template Rational graph_density<m>(const GraphVertices&, const std::vector<LabelSimplex<m>>&,                       \
-                                     const GraphTriangulation<m>&, const Rational&);                                  \
+  template GraphDensity graph_density<m>(const GraphVertices&, const std::vector<LabelSimplex<m>>&,                   \
+                                         const GraphTriangulation<m>&, const Rational&);                              \
   template RestrictedDelaunay check_restricted_delaunay<m>(const GraphVertices&, const std::vector<LabelSimplex<m>>&, \
                                                            const GraphTriangulation<m>&, const Rational&,             \
-                                                           const Rational&, GraphMetric, const Progress&);
+                                                           const GraphDensity&, GraphMetric, const Progress&);
 DELCERT_INSTANTIATE(1)
 DELCERT_INSTANTIATE(2)
 DELCERT_INSTANTIATE(3)

@@ -102,16 +102,12 @@ double least_weight(const GraphVertices& vertices, const std::vector<LabelSimple
 /// Segments are looked at up to some sampling radii only, the least if they vary.
 template <int m>
 ReachBound reach_of(const ZeroSet& zero_set, const GraphVertices& vertices,
-                    const std::vector<LabelSimplex<m>>& simplices, const Rational& density,
+                    const std::vector<LabelSimplex<m>>& simplices, const std::vector<double>& reaches,
                     const SubmanifoldAtlas<m>& atlas, const Progress& progress) {
   constexpr double most_radii = 12;
-  std::vector<double> densities;
   double least = 1;
-  for (std::uint32_t label = 0; label < vertices.charts.size(); ++label) {
-    densities.push_back(approximate_double(density) * vertices.unit(label) * (1 + 0x1p-40));
-    least = std::min(least, vertices.unit(label));
-  }
-  return bound_reach<m>(zero_set, vertices, simplices, densities, atlas.slope(),
+  for (std::uint32_t label = 0; label < vertices.charts.size(); ++label) least = std::min(least, vertices.unit(label));
+  return bound_reach<m>(zero_set, vertices, simplices, reaches, atlas.slope(),
                         most_radii * least * approximate_double(atlas.sampling_radius()), progress);
 }
 
@@ -131,14 +127,14 @@ SubmanifoldMeasures<m> measure_submanifold(const SubmanifoldAtlas<m>& atlas, con
   if (selects(selection, "5i"))
     result.isotopy = check_graph_isotopy<m>(vertices, simplices, result.triangulation, progress);
   if (selects(selection, "4")) {
-    const Rational density = graph_density<m>(vertices, simplices, result.triangulation, atlas.slope());
+    const GraphDensity density = graph_density<m>(vertices, simplices, result.triangulation, atlas.slope());
     const auto check = [&](GraphMetric metric) {
       return check_restricted_delaunay<m>(vertices, simplices, result.triangulation, atlas.slope(), density, metric,
                                           progress);
     };
     if (const auto* zero_set = dynamic_cast<const ZeroSet*>(&atlas.manifold()))
-      result.reach = reach_of<m>(*zero_set, vertices, simplices, density, atlas, progress);
-    result.delaunay = typename SubmanifoldMeasures<m>::Delaunay{density, check(GraphMetric::extrinsic),
+      result.reach = reach_of<m>(*zero_set, vertices, simplices, density.reaches, atlas, progress);
+    result.delaunay = typename SubmanifoldMeasures<m>::Delaunay{density.density, check(GraphMetric::extrinsic),
                                                                 check(GraphMetric::intrinsic)};
   }
   if constexpr (m == 2) {

@@ -62,17 +62,17 @@ Interval slope_within(const TangentCharts& charts, Label i, double distance) {
   return exactly_at(std::min(slope.upper(), here.upper()));
 }
 
-/// The rule 4.cover for one label i.
+/// The rule 4.cover for one label i; reach: the radius of the disc.
 class CoveredDisc {
  public:
-  CoveredDisc(const TangentCharts& charts, Label i, FormulaValues<Interval>& values)
+  CoveredDisc(const TangentCharts& charts, Label i, double reach, FormulaValues<Interval>& values)
       : charts_(charts),
         c_(charts.certificate()),
         i_(i),
         m_(charts.manifold().m),
         q_(charts.manifold().q),
         values_(values),
-        radius_(c_.at(i, c_.density).filter),
+        radius_(exactly_at(reach)),
         slope_(charts.manifold().slope.filter.upper()),
         bend_{upper_root(Interval(1) + square(charts.manifold().slope.filter))},
         height_(transposed_times(charts.chart(i).normal, charts.point(i) - charts.chart(i).centre)),
@@ -446,72 +446,83 @@ class CoveredDisc {
   bool is_sharp_ = false;
 };
 
-/// 4.density: in some chart the circumradius, and what the simplex is moved by there, are small.
-void check_dense(const TangentCharts& charts, const GraphTriangulation& triangulation, Report& report) {
+/// How far what is over a simplex is from its vertices, at most: by its circumradius, and what it is moved by, in the
+/// chart of the best of them.
+double reach_over(const TangentCharts& charts, const GraphTriangulation& triangulation, std::size_t s) {
+  const Certificate& c = charts.certificate();
+  const Label* labels = c.simplex(s);
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k <= c.m; ++k) {
+    const TangentChart<Interval>& chart = charts.chart(labels[k]);
+    std::vector<Vector<Interval>> vertices(c.m_size() + 1);
+    for (std::size_t v = 1; v <= c.m_size(); ++v) {
+      const Matrix<Interval> place = transposed_times(chart.tangent, charts.point(labels[v]) - charts.point(labels[0]));
+      for (std::size_t a = 0; a < c.m_size(); ++a) vertices[v][a] = place[a];
+    }
+    const Simplex<Interval> simplex(c.metric, vertices);
+    if (simplex.complete != Verdict::proved) continue;
+    const double moved = triangulation.movement_in(labels[k], s);
+    double farthest = 0;  // what is over the simplex, from the origin of the chart
+    for (std::size_t v = 0; v <= c.m_size(); ++v)
+      farthest =
+          std::max(farthest, norm_above(transposed_times(chart.tangent, charts.point(labels[v]) - chart.centre)));
+    const Interval steepest = slope_within(charts, labels[k], farthest + moved);
+    least = std::min(least, (square_root(Interval(1) + square(steepest)) *
+                             Interval::between(0, upper_root(simplex.radius_squared) + moved))
+                                .upper());
+  }
+  return least;
+}
+
+/// 4.density. How far points of M may be from each label that is nearest to them: as what is over some simplex near it.
+std::vector<double> check_dense(const TangentCharts& charts, const GraphTriangulation& triangulation, Report& report) {
   const Certificate& c = charts.certificate();
   const Interval stretch = square_root(Interval(1) + square(charts.manifold().slope.filter));
-  double smallest = std::numeric_limits<double>::infinity();  // density, where it is least
-  for (Label i = 0; i < (c.units.empty() ? 1 : c.n); ++i)
-    smallest = std::min(smallest, (c.density.filter * c.unit(i)).lower());
+  std::vector<double> reaches(c.n, 0);
   for (std::size_t s = 0; s < c.simplex_count(); ++s) {
-    const Label* labels = c.simplex(s);
-    double least = std::numeric_limits<double>::infinity();
-    for (int k = 0; k <= c.m; ++k) {
-      std::vector<Vector<Interval>> vertices(c.m_size() + 1);
-      for (std::size_t v = 1; v <= c.m_size(); ++v) {
-        const Matrix<Interval> place =
-            transposed_times(charts.chart(labels[k]).tangent, charts.point(labels[v]) - charts.point(labels[0]));
-        for (std::size_t a = 0; a < c.m_size(); ++a) vertices[v][a] = place[a];
-      }
-      const Simplex<Interval> simplex(c.metric, vertices);
-      if (simplex.complete != Verdict::proved) continue;
-      const double moved = triangulation.movement_in(labels[k], s);
-      double farthest = 0;  // what is over the simplex, from the origin of the chart
-      for (std::size_t v = 0; v <= c.m_size(); ++v) {
-        const TangentChart<Interval>& chart = charts.chart(labels[k]);
-        farthest =
-            std::max(farthest, norm_above(transposed_times(chart.tangent, charts.point(labels[v]) - chart.centre)));
-      }
-      const Interval steepest = slope_within(charts, labels[k], farthest + moved);
-      least = std::min(least, (square_root(Interval(1) + square(steepest)) *
-                               Interval::between(0, upper_root(simplex.radius_squared) + moved))
-                                  .upper());
-    }
-    if (least <= smallest) continue;
-    // What is over the simplex may be nearest to these.
-    const Interval reach = (Interval(1) + stretch) * exactly_at(least);
-    bool small = least < std::numeric_limits<double>::infinity();
-    for (int k = 0; k <= c.m && small; ++k) {
-      charts.points().visit(charts.point(labels[k]), reach.upper(), [&](Label i) {
-        if (least <= c.at(i, c.density).filter.lower()) return;
-        const Matrix<Interval> offset = charts.point(i) - charts.point(labels[k]);
-        small = small && square_root(squared_norm(offset)).lower() > reach.upper();
+    const Label *begin = c.simplex(s), *end = begin + c.m + 1;
+    const double least = reach_over(charts, triangulation, s);
+    const double around = ((Interval(1) + stretch) * exactly_at(least)).upper();
+    bool small = true;
+    for (const Label* v = begin; v != end; ++v) {
+      reaches[*v] = std::max(reaches[*v], least);
+      small = small && least <= c.at(*v, c.density).filter.lower();
+      if (!(least < std::numeric_limits<double>::infinity())) continue;
+      charts.points().visit(charts.point(*v), around, [&](Label i) {
+        if (least <= reaches[i]) return;
+        const Matrix<Interval> offset = charts.point(i) - charts.point(*v);
+        if (square_root(squared_norm(offset)).lower() > around) return;
+        reaches[i] = least;
+        small = small && least <= c.at(i, c.density).filter.lower();
       });
     }
     if (small) continue;
     report.reject("4.density", [&] {
-      return "points over simplex " + label_set(labels, labels + c.m + 1) + " may be " + about(exactly_at(least)) +
+      return "points over simplex " + label_set(begin, end) + " may be " + about(exactly_at(least)) +
              " away from its vertices";
     });
   }
+  // As far as the certificate says, where that is refuted.
+  for (Label i = 0; i < c.n; ++i) reaches[i] = std::min(reaches[i], c.at(i, c.density).filter.upper());
+  return reaches;
 }
 
-/// 4.patch: what is within density of a point is over the disc around it, and below the lid.
-void check_patch(const TangentCharts& charts, Label i, Report& report) {
+/// 4.patch: what is within reach of a point is over the disc around it, and below the lid.
+void check_patch(const TangentCharts& charts, Label i, double reach, Report& report) {
   const Certificate& c = charts.certificate();
   const TangentChart<Interval>& chart = charts.chart(i);
-  const Interval density = c.at(i, c.density).filter;
   const Matrix<Interval> offset = charts.point(i) - chart.centre;
-  Verdict inside =
-      less(square_root(squared_norm(transposed_times(chart.tangent, offset))) + density, charts.patch(i).radius.filter);
+  Verdict inside = less(square_root(squared_norm(transposed_times(chart.tangent, offset))) + exactly_at(reach),
+                        charts.patch(i).radius.filter);
   const Matrix<Interval> heights = transposed_times(chart.normal, offset);
   for (std::size_t a = 0; c.extrinsic && a < heights.size(); ++a) {
-    const Interval room = charts.patch(i).height.filter - density;
+    const Interval room = charts.patch(i).height.filter - exactly_at(reach);
     inside = conjunction(inside, conjunction(less(heights[a], room), less(-heights[a], room)));
   }
   if (inside == Verdict::proved) return;
-  report.reject("4.patch",
-                [&] { return "the patch of label " + std::to_string(i) + " ends within density of its point"; });
+  report.reject("4.patch", [&] {
+    return "points over no disc of the patch of label " + std::to_string(i) + " may be nearest to it";
+  });
 }
 
 /// 4.clear: no simplex of the component about k, but its own, is above the place of k.
@@ -539,14 +550,14 @@ std::string check_restricted_delaunay(const TangentCharts& charts, const GraphTr
   const Certificate& c = charts.certificate();
   FormulaValues<Interval> values(charts.manifold().map);
   std::size_t boxes = 0;
-  check_dense(charts, triangulation, report);
-  for (Label i = 0; i < c.n; ++i) check_patch(charts, i, report);
+  const std::vector<double> reaches = check_dense(charts, triangulation, report);
+  for (Label i = 0; i < c.n; ++i) check_patch(charts, i, reaches[i], report);
   require_clear_labels(
       c, "4.clear",
       [&](Label k, const std::vector<Label>& component) { return is_clear(charts, triangulation, k, component); },
       report);
   for (Label i = 0; i < c.n; ++i) {
-    if (CoveredDisc(charts, i, values).check(boxes)) continue;
+    if (CoveredDisc(charts, i, reaches[i], values).check(boxes)) continue;
     report.reject("4.cover", [&] {
       return "label " + std::to_string(i) + " and one of no simplex with it are together nearest to a point";
     });

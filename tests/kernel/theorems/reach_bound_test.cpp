@@ -35,7 +35,7 @@ struct Surface {
     vertices.positions = graph_vertices<2>(atlas, run.points).positions;
     const auto triangulation = check_graph_triangulation<2>(vertices, triangles, no_progress());
     EXPECT_TRUE(triangulation.triangulates());
-    density = approximate_double(graph_density<2>(vertices, triangles, triangulation, atlas.slope()));
+    density = approximate_double(graph_density<2>(vertices, triangles, triangulation, atlas.slope()).density);
   }
   [[nodiscard]] ReachBound bound(double greatest_length) const { return bound(greatest_length, density); }
   [[nodiscard]] ReachBound bound(double greatest_length, double with_density) const {

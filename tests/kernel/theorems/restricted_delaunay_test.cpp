@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "kernel/parallel/threads.hpp"
 #include "kernel/run/chart_run.hpp"
@@ -46,28 +47,29 @@ const Sphere& sphere() {
 }
 
 struct Found {
-  Rational density;
+  GraphDensity density;
   RestrictedDelaunay extrinsic;
   RestrictedDelaunay intrinsic;
 };
 
 template <class On = Sphere>
-Found found_with(const Triangles& triangles, std::optional<Rational> density = {}, const On& on = sphere()) {
+Found found_with(const Triangles& triangles, std::optional<double> reach = {}, const On& on = sphere()) {
   const GraphVertices vertices = on.vertices();
   const auto triangulation = check_graph_triangulation<2>(vertices, triangles, no_progress());
   EXPECT_TRUE(triangulation.triangulates());
   const Rational& slope = on.atlas.slope();
-  if (!density) density = graph_density<2>(vertices, triangles, triangulation, slope);
+  GraphDensity density = graph_density<2>(vertices, triangles, triangulation, slope);
+  if (reach) density.reaches.assign(density.reaches.size(), *reach);
   const auto check = [&](GraphMetric metric) {
-    return check_restricted_delaunay<2>(vertices, triangles, triangulation, slope, *density, metric, no_progress());
+    return check_restricted_delaunay<2>(vertices, triangles, triangulation, slope, density, metric, no_progress());
   };
-  return {*density, check(GraphMetric::extrinsic), check(GraphMetric::intrinsic)};
+  return {density, check(GraphMetric::extrinsic), check(GraphMetric::intrinsic)};
 }
 
 TEST(RestrictedDelaunay, of_a_sphere_for_both_distances) {
   const Found found = found_with(sphere().triangles);
   EXPECT_TRUE(found.extrinsic.holds());
-  EXPECT_LT(found.density, Rational(2) * sphere().radius);
+  EXPECT_LT(found.density.density, Rational(2) * sphere().radius);
   EXPECT_GT(found.extrinsic.boxes, sphere().atlas.size());
   EXPECT_TRUE(found.intrinsic.holds());
 }
@@ -141,15 +143,36 @@ TEST(RestrictedDelaunay, density_knows_that_patches_are_flat_in_the_middle) {
   const GraphVertices vertices = sphere().vertices();
   const auto triangulation = check_graph_triangulation<2>(vertices, sphere().triangles, no_progress());
   const auto with = [&](const Rational& slope) {
-    return graph_density<2>(vertices, sphere().triangles, triangulation, slope);
+    return graph_density<2>(vertices, sphere().triangles, triangulation, slope).density;
   };
   // The circumradii, and what is moved sideways; were the simplices as steep as the rims, 1.4 times as much.
   EXPECT_LT(with(Rational(1)), with(Rational(0)) * ratio(5, 4));
   EXPECT_GT(with(Rational(1)), with(Rational(0)));
 }
 
+TEST(RestrictedDelaunay, reaches_are_those_of_simplices_near_by) {
+  const GraphDensity density = found_with(sphere().triangles).density;
+  const auto [least, most] = std::minmax_element(density.reaches.begin(), density.reaches.end());
+  EXPECT_LT(*least, 0.9 * *most);
+  EXPECT_LE(Rational::exactly(*most), density.density * (Rational(1) + Rational::power_of_two(-40)));
+  // Each point of a triangle is as near to one of its vertices as the reach of that vertex.
+  const auto& x = sphere().positions;
+  for (const LabelSimplex<2>& triangle : sphere().triangles) {
+    double edge = 0;
+    double reach = 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      double squared = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        squared += std::pow(x[3 * triangle[k] + axis].lower() - x[3 * triangle[(k + 1) % 3] + axis].lower(), 2);
+      edge = std::max(edge, std::sqrt(squared));
+      reach = std::min(reach, density.reaches[triangle[k]]);
+    }
+    EXPECT_LT(edge / 2, reach);
+  }
+}
+
 TEST(RestrictedDelaunay, asks_for_discs_in_patches) {
-  const Rational patch = sphere().atlas.patch_radius();
+  const double patch = approximate_double(sphere().atlas.patch_radius());
   const Found found = found_with(sphere().triangles, patch);
   EXPECT_EQ(found.extrinsic.failures.size(), sphere().atlas.size());
   EXPECT_EQ(found.intrinsic.failures.size(), sphere().atlas.size());
@@ -159,7 +182,8 @@ TEST(RestrictedDelaunay, does_not_depend_on_threads) {
   const Found all = found_with(sphere().triangles);
   const ThreadLimit limit(1);
   const Found one = found_with(sphere().triangles);
-  EXPECT_EQ(all.density, one.density);
+  EXPECT_EQ(all.density.density, one.density.density);
+  EXPECT_EQ(all.density.reaches, one.density.reaches);
   EXPECT_EQ(all.extrinsic.boxes, one.extrinsic.boxes);
   EXPECT_EQ(all.intrinsic.boxes, one.intrinsic.boxes);
 }
