@@ -11,7 +11,8 @@ docs/performance.md, those of the members in docs/space-forms.md, of zero sets i
 
 --long also measures the runs that take minutes, --members certifies and checks all members; without these their figures stay, marked by † once the programs count
 otherwise than when they were measured. Tables of bench/ratios, bench/claims and bench/tangential_complex are measured
-where these have been built (-DDELCERT_BENCHMARKS=ON, target `benchmarks`), and stay as they are elsewhere.
+where these have been built (-DDELCERT_BENCHMARKS=ON, target `benchmarks`), and stay as they are elsewhere; so does that of the meshes
+of tests/cli/mesh.py, for which the tests and Debian's python3-vtk9 are needed.
 """
 
 import argparse
@@ -101,7 +102,19 @@ BENCHES = {"ratios": ["ratios", "3"],
            "tangential-2": ["tangential_complex", "sphere-2", "1/84"],
            "tangential-3": ["tangential_complex", "sphere-3", "1/10"],
            "tangential-6": ["tangential_complex", "torus-3-in-r6", "1/6"],
-           "tangential-6-finer": ["tangential_complex", "torus-3-in-r6", "3/20"]}
+           "tangential-6-finer": ["tangential_complex", "torus-3-in-r6", "3/20"],
+           "meshes": [], "remeshed": []}
+
+
+def command_of_bench(name, build):
+    """What makes this table."""
+    if name == "meshes":
+        return [Path("/usr/bin/python3"), ROOT / "tests/cli/mesh.py", build / "apps/delcert", build / "proofs/checker/delcert-check",
+                build / "tests/cli/surface-mesh", "--table"]
+    if name == "remeshed":
+        return [ROOT / "bench/remeshed_sphere.py", build / "apps/delcert", build / "proofs/checker/delcert-check"]
+    program, *arguments = BENCHES[name]
+    return [build / "bench" / program, *arguments]
 
 
 def descendants(process):
@@ -287,14 +300,15 @@ def measure_all(arguments, record, file):
             write(file, record)
         print(f"{name}: certify {one['certify']['wall']} s, check {one['check']['wall']} s; {at + 1} of {len(due)} measured, "
               f"this one in {time.monotonic() - begin:.0f} s", flush=True)
-    for name, command in BENCHES.items():
+    for name in BENCHES:
         if arguments.only and not re.search(arguments.only, name):
             continue
-        program = arguments.build / "bench" / command[0]
-        if not program.exists():
-            print(f"{name}: bench/{command[0]} has not been built, its table stays", flush=True)
+        command = command_of_bench(name, arguments.build)
+        missing = [str(word) for word in command if isinstance(word, Path) and not word.exists()]
+        if missing:
+            print(f"{name}: there is no {missing[0]}, its table stays", flush=True)
             continue
-        text = timed([program] + command[1:])[0]
+        text = timed(command)[0]
         record["benches"][name] = json.loads(text)["benchmarks"] if name == "claims" else text
         print(f"{name}: measured", flush=True)
 

@@ -2,9 +2,11 @@
 """mesh.py DELCERT DELCERT_CHECK SURFACE_MESH [--large]: `delcert certify --manifold torus-of-revolution --complex MESH` certifies a mesh of the torus as it
 is, and delcert-check verifies that; the same mesh with one thing wrong is refused, and what is wrong is named. So are meshes that other programs make:
 SURFACE_MESH, by CGAL, and marching tetrahedra. With --large all of that with some 50 000 triangles, with VTK's marching cubes too,
-and with a line for each mesh that says what it took."""
+and with a line for each mesh that says what it took; with --table what these meshes took and what was proved of them, as a table of docs/submanifolds.md
+(bench/costs.py measure --only meshes)."""
 
 import itertools
+import json
 import math
 import subprocess
 import resource
@@ -216,35 +218,64 @@ def read_off(text):
     return [numbers[3 * k:3 * k + 3] for k in range(vertices)], [labels[4 * k + 1:4 * k + 4] for k in range(facets)]
 
 
+def large_meshes(surface_mesh):
+    """Three of some 50 000 triangles, by their names in the table."""
+    made = subprocess.run([surface_mesh, "0.0524"], capture_output=True, text=True, check=True).stdout
+    return {"a regular grid, nine decimals": torus(LARGE_ALONG, LARGE_AROUND), "`make_surface_mesh` of CGAL": read_off(made),
+            "marching cubes of VTK": marching_cubes(91)}
+
+
+def seconds_of(run):
+    """The result, seconds of the clock and of processors."""
+    begin, before = time.monotonic(), resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    result = run()
+    return result, time.monotonic() - begin, resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+
+
+def timed(certify, checker, certificate, mesh):
+    """The report, the levels that the checker verifies, and seconds: to certify, of processors, to check."""
+    done, wall, user = seconds_of(lambda: certify(off(*mesh), "large.off", "--json", "--threads", "2"))
+    assert done.returncode == 0, done.stderr
+    checked, _, check = seconds_of(lambda: subprocess.run([checker, certificate], capture_output=True, text=True))
+    assert checked.returncode == 0, checked.stdout + checked.stderr
+    levels = checked.stdout[checked.stdout.index("verified: levels charts ") + 24:].split(" (")[0]
+    assert levels == "1f 2 5 5i", levels
+    return json.loads(done.stdout), levels, (wall, user, check)
+
+
 def large(certify, checker, certificate, surface_mesh):
     """Meshes of some 50 000 triangles, what they took, and the same with one thing wrong."""
-    made = subprocess.run([surface_mesh, "0.0524"], capture_output=True, text=True, check=True).stdout
     print("mesh; triangles; levels; certify: seconds, of one processor; check: seconds of one processor")
-    meshes = {"a grid": torus(LARGE_ALONG, LARGE_AROUND), "CGAL make_surface_mesh": read_off(made), "VTK marching cubes": marching_cubes(91)}
-    for name, (points, triangles) in meshes.items():
-        times = []
-
-        def timed(run):
-            begin, before = time.monotonic(), resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-            result = run()
-            times.extend((time.monotonic() - begin, resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before))
-            return result
-
-        done = timed(lambda: certify(off(points, triangles), "large.off"))
-        assert done.returncode == 0, done.stderr
-        checked = timed(lambda: subprocess.run([checker, certificate], capture_output=True, text=True))
-        assert checked.returncode == 0, checked.stdout + checked.stderr
-        levels = checked.stdout[checked.stdout.index("verified: levels charts ") + 24:].split(" (")[0]
-        assert levels == "1f 2 5 5i", levels
-        print(f"{name}; {len(triangles)}; {levels}; {times[0]:.1f}, {times[1]:.1f}; {times[3]:.1f}", flush=True)
+    for name, mesh in large_meshes(surface_mesh).items():
+        _, levels, (wall, user, check) = timed(certify, checker, certificate, mesh)
+        print(f"{name}; {len(mesh[1])}; {levels}; {wall:.1f}, {user:.1f}; {check:.1f}", flush=True)
         for change in (folded, raised, handle_cut):
-            if change is folded and name == "a grid":
+            if change is folded and "grid" in name:
                 continue  # no edge of it is like that
-            done = certify(off(*change(points, triangles)), "wrong.off")
+            done = certify(off(*change(*mesh)), "wrong.off")
             print(f"  {change.__name__}: exit {done.returncode}: {done.stderr.strip().splitlines()[0][:200]}", flush=True)
             assert done.returncode in (1, 2), done.stderr
             assert "simplex" in done.stderr or "label" in done.stderr or "star of" in done.stderr, done.stderr
             assert not certificate.exists()
+
+
+def table(certify, checker, certificate, surface_mesh):
+    def up(x, digits):
+        return f"{math.ceil(x * 10**digits) / 10**digits:.{digits}f}"
+
+    def down(x, digits):
+        return f"{math.floor(x * 10**digits) / 10**digits:.{digits}f}"
+
+    print("| mesh | triangles | levels | displacement ≤ | contraction ≤ | margin of 5i | certify, s | of processors | check, s |")
+    print("|---|--:|---|--:|--:|--:|--:|--:|--:|")
+    for name, mesh in large_meshes(surface_mesh).items():
+        report, levels, took = timed(certify, checker, certificate, mesh)
+        five, isotopy = report["levels"]["5"], report["levels"]["5i"]
+        room = (f"{down(isotopy['margin']['in_sampling_radii'], 3)} ε" if "margin" in isotopy
+                else f"none; cosine {down(isotopy['cosine']['value'], 3)}")
+        row = [name, f"{len(mesh[1]):,}".replace(",", " "), levels, f"{up(five['displacement']['in_sampling_radii'], 3)} ε",
+               up(five["contraction"]["value"], 4), room, *(f"{x:.1f}" for x in took)]
+        print("| " + " | ".join(row) + " |", flush=True)
 
 
 def main():
@@ -260,9 +291,10 @@ def main():
             return subprocess.run([delcert, "certify", "--manifold", "torus-of-revolution", "--complex", path, "--output", certificate,
                                    *options], capture_output=True, text=True)
 
-        if "--large" in sys.argv:
-            large(certify, checker, certificate, surface_mesh)
-            return
+        for option, measured in (("--large", large), ("--table", table)):
+            if option in sys.argv:
+                measured(certify, checker, certificate, surface_mesh)
+                return
 
         for name, write in (("mesh.off", off), ("mesh.obj", obj)):
             done = certify(write(*mesh), name)
