@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::size_t simplices_at_a_time = 256;
 constexpr long digits_of_bounds = 12;
+constexpr double least_displacement = 0x1p-60;
 constexpr int most_rounds = 6;
 
 /// A number of few digits above x, with room for readers whose enclosures are wider.
@@ -222,6 +223,8 @@ GraphTriangulation<m> check_graph_triangulation(const GraphVertices& vertices,
   GraphTriangulation<m> result;
   // With what the points are moved by if nothing around them counts, to begin with.
   GraphMeasures<m> found = graph_measures<m>(vertices, simplices, 0, progress);
+  // It is claimed to be above 0, even if M is where the simplices are.
+  found.displacement = std::max(found.displacement, least_displacement);
   for (int round = 0; round < most_rounds && found.displacement > 0; ++round) {
     result.displacement = with_room_above(found.displacement);
     const double displacement = approximate_double(result.displacement);

@@ -401,6 +401,7 @@ class Oracle {
 
   /// Of pairs of simplices it knows what follows from the rules: how far they are apart, how high stars are.
   std::string of_level_5i(const Json& level) const {
+    if (level.contains("cosine")) return of_normals(number(level.at("cosine")));
     const Json& five = j_.at("levels").at("5");
     const double gamma = number(five.at("contraction")), omega = number(five.at("displacement"));
     const double margin = number(level.at("margin"));
@@ -441,6 +442,19 @@ class Oracle {
     }
     return "";
   }
+  /// At points of simplices: gradients of |x|² at angles to their normals, on the side of W at the first vertex.
+  [[nodiscard]] std::string of_normals(double cosine) const {
+    for (const Simplex& simplex : c_.simplices) {
+      const Place a = c_.charts[simplex[0]].vertex, b = c_.charts[simplex[1]].vertex;
+      Place normal =
+          unit(c_.m == 1 ? Place{b[1] - a[1], a[0] - b[0], 0} : cross(b - a, c_.charts[simplex[2]].vertex - a));
+      if (dot(normal, c_.charts[simplex[0]].fibre()) < 0) normal = -1.0 * normal;
+      for (const Moved& point : moved(simplex)) {
+        if (!(dot(normal, unit(point.x)) >= cosine - slack)) return "cosine";
+      }
+    }
+    return "";
+  }
   /// Between points of two simplices, where they are and where they come to; less, if it certainly is this at least.
   [[nodiscard]] double gap(const Simplex& one, const Simplex& other, double enough) const {
     const std::vector<Moved>&here = moved(one), &there = moved(other);
@@ -474,10 +488,7 @@ class Oracle {
   std::string of_level_4(const Json& level) const {
     const double density = number(level.at("density"));
     const bool is_extrinsic = level.at("metric") != "intrinsic";
-    for (const Chart& chart : c_.charts) {
-      if (!(size(chart.home) + density < chart.radius * (1 + slack))) return "patch";
-      if (is_extrinsic && !(std::fabs(chart.above(chart.vertex)) + density < chart.height * (1 + slack))) return "lid";
-    }
+    std::vector<double> reaches(c_.charts.size(), 0);
     std::set<Simplex> edges;
     for (const Simplex& simplex : c_.simplices) {
       for (const std::size_t a : simplex) {
@@ -489,8 +500,15 @@ class Oracle {
       for (std::size_t i = 0; i < c_.charts.size(); ++i) near.emplace_back(length(c_.charts[i].vertex - x), i);
       std::partial_sort(near.begin(), near.begin() + 3, near.end());
       if (near[0].first > density * (1 + slack)) return "density";
+      reaches[near[0].second] = std::max(reaches[near[0].second], near[0].first);
       const bool is_near_tie = near[2].first - near[1].first < 1e-6;
       if (is_extrinsic && !is_near_tie && edges.count({near[0].second, near[1].second}) == 0) return "edges";
+    }
+    for (std::size_t i = 0; i < c_.charts.size(); ++i) {
+      const Chart& chart = c_.charts[i];
+      if (!(size(chart.home) + reaches[i] < chart.radius * (1 + slack))) return "patch";
+      if (is_extrinsic && !(std::fabs(chart.above(chart.vertex)) + reaches[i] < chart.height * (1 + slack)))
+        return "lid";
     }
     // On a sphere simplices are the facets of the convex hull, for both distances.
     if (!manifold_.is_round()) return "";

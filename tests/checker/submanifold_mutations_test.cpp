@@ -29,6 +29,21 @@ TEST_F(MutationsOfSubmanifolds, of_a_sphere_sealed_anew_are_accepted_only_if_not
   mutate("a sphere", certificate(sphere_model(3), all_levels_), 30, 8);
 }
 
+/// Level 5i by normals, in place of a margin.
+Json by_normals(const SubmanifoldModel& model) {
+  Json document = certificate(model, {"1", "2", "5", "5i"});
+  document["levels"]["5i"] = {{"cosine", "63/64"}};
+  return document;
+}
+
+TEST_F(MutationsOfSubmanifolds, of_a_circle_by_normals_are_accepted_only_if_nothing_false_is_found) {
+  mutate("a circle by normals", by_normals(circle_model(40, 1)), 500, 13);
+}
+
+TEST_F(MutationsOfSubmanifolds, of_a_sphere_by_normals_are_accepted_only_if_nothing_false_is_found) {
+  mutate("a sphere by normals", by_normals(sphere_model(3)), 20, 14);
+}
+
 /// The manifold is a polyhedron, of which the simplices are a coarser triangulation.
 TEST_F(MutationsOfSubmanifolds, of_a_mesh_sealed_anew_are_accepted_only_if_nothing_false_is_found) {
   SubmanifoldModel model = on_mesh(sphere_model(3), sphere_model(4));

@@ -156,6 +156,17 @@ TEST(Submanifold, is_embedded_where_its_normals_are_those_of_the_manifold) {
   }
 }
 
+TEST(Submanifold, of_dimension_3_is_embedded_by_normals) {
+  const SubmanifoldModel model = sphere_of_cells_model();
+  ASSERT_EQ(model.points.size(), 840);
+  ASSERT_EQ(model.simplices.size(), 4800);
+  const Json document = certificate(model, {"1f", "2", "5"});
+  expect_verified(by_normals(document, "15/16"));
+  const CheckerRun run = run_checker(sealed(by_normals(document, "63/64")));
+  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(run.rules, std::set<std::string>{"5i.normal"}) << run.output;
+}
+
 TEST(Submanifold, is_embedded_by_normals_where_edges_are_too_short_for_a_margin) {
   // One more vertex, very near to vertex 0: the edges to both sides of the short edge nearly meet.
   SubmanifoldModel model = given(circle_model(40, 1));
@@ -217,6 +228,18 @@ TEST(Submanifold, the_complex_is_the_Delaunay_complex_by_distances_in_space_and_
     expect_verified(certificate(by(metric, doubled(circle_model(60, 1))), all));
   }
   expect_verified(certificate(near_circles("intrinsic", 0.0065), {"1", "2", "4", "5"}));
+}
+
+TEST(Submanifold, a_lid_has_to_be_above_what_may_be_nearest_to_its_label_only) {
+  Json document = certificate(circle_model(80, 1), {"1", "2", "4", "5"});
+  document["levels"]["4"]["density"] = "1/4";  // more than the lids
+  expect_verified(document);
+  document["charts"][3].back() = "1/32";  // less than half an edge
+  const CheckerRun run = run_checker(sealed(document));
+  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(run.rules, std::set<std::string>{"4.patch"}) << run.output;
+  document["levels"]["4"]["metric"] = "intrinsic";
+  expect_verified(document);
 }
 
 TEST(Submanifold, a_place_as_near_to_one_label_as_to_others_ends_undecided_at_a_box) {
@@ -387,7 +410,7 @@ TEST(Submanifold, the_document_has_its_form) {
   malformed("form.ranges", [](Json& j) { j["manifold"]["box"][0][1] = "-2"; });
   malformed("form.ranges", [](Json& j) { j["manifold"]["slope"] = "0"; });
   malformed("form.ranges", [](Json& j) { j["levels"]["5"]["contraction"] = "1"; });
-  malformed("form.ranges", [](Json& j) { j["levels"]["5"]["displacement"] = "-1"; });
+  malformed("form.ranges", [](Json& j) { j["levels"]["5"]["displacement"] = "0"; });
   malformed("form.ranges", [](Json& j) { j["levels"]["5i"]["margin"] = "0"; });
   malformed("form.ranges", [](Json& j) { j = by_normals(j, "0"); });
   malformed("form.ranges", [](Json& j) { j["levels"]["2s"]["reach"] = "0"; });
@@ -672,8 +695,8 @@ std::vector<Forgery> submanifold_forgeries() {
       forged("a torus that goes around twice", "5.clear", certificate(wound, {"1f", "2", "5"}), as_it_is),
       forged("a density smaller than any circumradius", "4.density", certificate(circle, {"1", "2", "4", "5"}),
              claim("4", "density", "1/16")),
-      forged("a density beyond the lid", "4.patch", certificate(circle, {"1", "2", "4", "5"}),
-             claim("4", "density", "1/5")),
+      forged("a lid below what may be nearest to its label", "4.patch",
+             certificate(circle_model(80, 1), {"1", "2", "4", "5"}), [](Json& j) { j["charts"][3].back() = "1/32"; }),
       forged("a density that reaches to the other side", "4.clear", certificate(twelve_points(), {"1", "2", "4", "5"}),
              [](Json& j) {
                j["parameters"]["distortion"] = "1048575/1048576";

@@ -138,7 +138,7 @@ void Certificate::require_submanifold() const {
   require(
       !claimed[level_5] || (contraction.exact.sign() > 0 && less(contraction.exact, Rational(1)) == Verdict::proved),
       "contraction is not in (0, 1)");
-  require(!claimed[level_5] || displacement.exact.sign() >= 0, "displacement is negative");
+  require(!claimed[level_5] || displacement.exact.sign() > 0, "displacement is not positive");
   require(!claimed[level_5i] || isotopic_by_normals || embedding_margin.exact.sign() > 0,
           "the margin of level 5i is not positive");
   require(!isotopic_by_normals || cosine.exact.sign() > 0, "the cosine of level 5i is not positive");

@@ -264,6 +264,34 @@ StarMargins measure(const SubmanifoldModel& model, const std::vector<ModelChart>
   return margins;
 }
 
+/// All signs of (1, 0, 0, 0), of (1, 1, 1, 1)/2, and of the even permutations of (g, 1, 1/g, 0)/2, g the golden ratio.
+Rows vertices_of_600_cell() {
+  const double golden_ratio = (1 + std::sqrt(5.0)) / 2;
+  const Row unequal = {rounded(golden_ratio / 2, 40), 0.5, rounded(0.5 / golden_ratio, 40), 0};
+  std::set<Row> vertices;
+  const auto add = [&](const Row& x) {
+    for (unsigned signs = 0; signs < 16; ++signs) {
+      Row y = x;
+      for (std::size_t k = 0; k < 4; ++k) y[k] = (signs >> k & 1U) != 0 && x[k] != 0 ? -x[k] : x[k];
+      vertices.insert(y);
+    }
+  };
+  add({0.5, 0.5, 0.5, 0.5});
+  std::vector<std::size_t> order = {0, 1, 2, 3};
+  do {
+    int inversions = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      for (std::size_t l = 0; l < k; ++l) inversions += order[l] > order[k] ? 1 : 0;
+    }
+    Row axis(4), x(4);
+    axis[order[0]] = 1;
+    for (std::size_t k = 0; k < 4; ++k) x[order[k]] = unequal[k];
+    add(axis);
+    if (inversions % 2 == 0) add(x);
+  } while (std::next_permutation(order.begin(), order.end()));
+  return {vertices.begin(), vertices.end()};
+}
+
 void sort_simplices(SubmanifoldModel& model) {
   for (auto& simplex : model.simplices) std::sort(simplex.begin(), simplex.end());
   std::sort(model.simplices.begin(), model.simplices.end());
@@ -356,6 +384,59 @@ SubmanifoldModel sphere_model(int divisions) {
   sort_simplices(model);
   const double edge = 1.25 / std::pow(2.0, divisions);  // of the longest edges
   fit(model, edge);
+  return model;
+}
+
+SubmanifoldModel sphere_of_cells_model() {
+  SubmanifoldModel model{.m = 3,
+                         .variables = {"a", "b", "c", "d"},
+                         .equations = {"a^2+b^2+c^2+d^2-1"},
+                         .map = [](const Row& x) { return Row{dot(x, x) - 1}; },
+                         .box = {{-2, 2}, {-2, 2}, {-2, 2}, {-2, 2}}};
+  model.given = true;
+  model.points = vertices_of_600_cell();
+  const auto near = [&](std::size_t i, std::size_t j) { return distance(model.points[i], model.points[j]) < 0.7; };
+  std::map<std::pair<std::size_t, std::size_t>, int> middles;
+  const auto middle = [&](std::size_t i, std::size_t j) {
+    const auto [at, is_new] = middles.try_emplace({i, j}, static_cast<int>(model.points.size()));
+    if (is_new) {
+      Row sum = model.points[i];
+      for (std::size_t k = 0; k < 4; ++k) sum[k] += model.points[j][k];
+      const double length = std::sqrt(dot(sum, sum));
+      for (double& entry : sum) entry = rounded(entry / length, 40);
+      model.points.push_back(sum);
+    }
+    return at->second;
+  };
+  const auto cut = [&](const std::array<std::size_t, 4>& t) {
+    const auto m = [&](std::size_t i, std::size_t j) { return middle(t[i], t[j]); };
+    for (std::size_t i = 0; i < 4; ++i) {
+      std::vector<int> corner = {static_cast<int>(t[i])};
+      for (std::size_t j = 0; j < 4; ++j) {
+        if (j != i) corner.push_back(m(std::min(i, j), std::max(i, j)));
+      }
+      model.simplices.push_back(corner);
+    }
+    // What is left is an octahedron, about the diagonal from the first edge to the last.
+    const std::array<int, 4> ring = {m(0, 2), m(0, 3), m(1, 3), m(1, 2)};
+    for (std::size_t k = 0; k < 4; ++k) model.simplices.push_back({m(0, 1), m(2, 3), ring[k], ring[(k + 1) % 4]});
+  };
+  const std::size_t n = model.points.size();
+  for (std::size_t a = 0; a < n; ++a) {
+    for (std::size_t b = a + 1; b < n; ++b) {
+      for (std::size_t c = b + 1; near(a, b) && c < n; ++c) {
+        for (std::size_t d = c + 1; near(a, c) && near(b, c) && d < n; ++d)
+          if (near(a, d) && near(b, d) && near(c, d)) cut({a, b, c, d});
+      }
+    }
+  }
+  sort_simplices(model);
+  model.sampling_radius = 0.25;
+  model.patch_radius = 0.53125;
+  model.slope = 0.8125;
+  model.height = 0.25;
+  model.contraction = 0.9375;
+  model.displacement = 0.0625;
   return model;
 }
 
@@ -645,6 +726,7 @@ Json certificate(const SubmanifoldModel& model, const std::vector<std::string>& 
       value["simplices"] = model.simplices.size();
       value["euler_characteristic"] = static_cast<int>(model.points.size()) - static_cast<int>(edges.size()) +
                                       (model.m == 2 ? static_cast<int>(model.simplices.size()) : 0);
+      if (model.m == 3) value["euler_characteristic"] = 0;
       value["closed"] = true;
     } else if (level == "2s") {
       value["reach"] = text(rounded(model.patch_radius * 0.99, 30));

@@ -30,6 +30,8 @@ struct SubmanifoldModel {
 
 /// x^2 + y^2 + z^2 = 1 by an icosahedron whose triangles have been divided so often, and rescaled.
 SubmanifoldModel sphere_model(int divisions);
+/// The unit sphere in R^4 by the 600-cell, each of whose tetrahedra is cut into eight. The vertices are given.
+SubmanifoldModel sphere_of_cells_model();
 /// Two copies of a circle or a sphere, about 2 and -2 on the first axis; and the points of the first one alone.
 SubmanifoldModel doubled(SubmanifoldModel model);
 SubmanifoldModel first_component(SubmanifoldModel model);
