@@ -14,6 +14,7 @@
 #include "apps/interruption.hpp"
 #include "apps/other_programs.hpp"
 #include "apps/progress_line.hpp"
+#include "kernel/number/recycled_limbs.hpp"
 #include "properties/attack/attack_report.hpp"
 #include "properties/attack/refutations.hpp"
 #include "properties/attack/replay.hpp"
@@ -199,6 +200,7 @@ void require_log_for(const AttackOptions& options) {
 }
 
 ExitStatus run_attack(const AttackOptions& options) {
+  const RecycledLimbs recycled;
   if (options.latex && !options.replay.empty()) throw InputError("--latex is for campaigns, not for --replay");
   if (!options.replay.empty()) return replay_witness(options);
   if (options.samples == 0 || options.samples > most_samples) throw InputError("--samples takes 1 to 10^10");

@@ -12,6 +12,7 @@
 #include "apps/other_programs.hpp"
 #include "apps/progress_line.hpp"
 #include "apps/search_options.hpp"
+#include "kernel/number/recycled_limbs.hpp"
 #include "proofs/publication/latex_table.hpp"
 #include "properties/attack/attack_report.hpp"
 #include "properties/attack/ratio_guess.hpp"
@@ -105,6 +106,7 @@ std::vector<SearchTarget> targets_of(const SearchOptions& options) {
 }
 
 ExitStatus run_tighten(const TightenOptions& options) {
+  const RecycledLimbs recycled;
   require_evaluations(options.search);
   SearchPlan plan;
   plan.targets = targets_of(options.search);

@@ -1,20 +1,20 @@
-// What it costs to decide lemmas on instances as attacks draw them, thin and special ones among them: by the ladder, by
-// 256-bit intervals only, and, of the conclusions that a program of rationals can decide, in plain rationals only; and
-// what a whole sample of an attack costs, with drawing the instance and enclosing the ratios.
+// What it costs to decide lemmas on instances as attacks draw them, thin and special ones among them: by the ladder and
+// by 256-bit intervals only; what a whole sample of an attack costs, with drawing the instance and enclosing the
+// ratios; and what the same costs, without drawing, in rational numbers only.
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "kernel/simplex/altitude.hpp"
-#include "kernel/simplex/circumsphere.hpp"
-#include "kernel/simplex/singular_values.hpp"
-#include "kernel/simplex/thickness.hpp"
-#include "proofs/formula/simplex_object.hpp"
+#include "bench/attack_in_rationals.hpp"
+#include "kernel/number/recycled_limbs.hpp"
+#include "properties/attack/attempt.hpp"
 #include "properties/attack/claim_library.hpp"
 #include "properties/attack/tally.hpp"
 
@@ -42,6 +42,7 @@ void finish(benchmark::State& state) {
 }
 
 void by_ladder(benchmark::State& state, const Claim& claim, const std::vector<Bindings>& instances) {
+  const RecycledLimbs recycled;
   const LadderStatistics before = ladder_statistics();
   for (auto _ : state) {
     for (const Bindings& bindings : instances) {
@@ -76,65 +77,6 @@ void on_one_rung(benchmark::State& state, const Claim& claim, const std::vector<
   finish(state);
 }
 
-/// Rational numbers as a program without a ladder has them: every operation in fractions.
-class Fraction {
- public:
-  Fraction(int integer) : value_(integer) {}
-  explicit Fraction(Rational value) : value_(std::move(value)) {}
-
-  friend Fraction operator+(const Fraction& a, const Fraction& b) { return Fraction(a.value_ + b.value_); }
-  friend Fraction operator-(const Fraction& a, const Fraction& b) { return Fraction(a.value_ - b.value_); }
-  friend Fraction operator*(const Fraction& a, const Fraction& b) { return Fraction(a.value_ * b.value_); }
-  friend Fraction operator/(const Fraction& a, const Fraction& b) { return Fraction(a.value_ / b.value_); }
-  friend Fraction square(const Fraction& a) { return a * a; }
-  friend Fraction minimum(const Fraction& a, const Fraction& b) { return Fraction(minimum(a.value_, b.value_)); }
-  friend Fraction maximum(const Fraction& a, const Fraction& b) { return Fraction(maximum(a.value_, b.value_)); }
-  friend Verdict less(const Fraction& a, const Fraction& b) { return less(a.value_, b.value_); }
-  friend Verdict less_equal(const Fraction& a, const Fraction& b) { return less_equal(a.value_, b.value_); }
-  friend Verdict is_zero(const Fraction& a) { return is_zero(a.value_); }
-
- private:
-  Rational value_;
-};
-
-/// In fractions, or, for Q = Rational, in integers over a common denominator, as all of the elimination is then.
-template <class Q>
-EdgeGram<Q> gram_in(const SimplexObject& simplex) {
-  std::vector<std::vector<Q>> points;
-  for (const auto& point : simplex.points()) points.emplace_back(point.begin(), point.end());
-  return edge_gram_from_points(points);
-}
-
-/// What a program of rationals only would do, on squares: s_k(P)² ≥ kΥ²Δ².
-template <class Q>
-Verdict singular_value_in_rationals(const SimplexObject& simplex) {
-  const EdgeGram<Q> gram = gram_in<Q>(simplex);
-  const Q k(static_cast<int>(simplex.dimension()));
-  const Partial<Q> thickness = squared_thickness(gram);
-  if (!thickness) return Verdict::undecided;
-  return is_smallest_singular_value_at_least(gram, Q(k * *thickness * squared_longest_edge(gram)));
-}
-
-/// R² ≤ Δ²/(4Υ²).
-template <class Q>
-Verdict crude_radius_in_rationals(const SimplexObject& simplex) {
-  const EdgeGram<Q> gram = gram_in<Q>(simplex);
-  const Partial<Q> thickness = squared_thickness(gram);
-  const Partial<Q> radius = squared_circumradius(gram);
-  if (!thickness || !radius) return Verdict::undecided;
-  return less_equal(Q(Q(4) * *radius * *thickness), squared_longest_edge(gram));
-}
-
-template <class Decide>
-void in_rationals(benchmark::State& state, const std::vector<Bindings>& instances, const Decide& decide) {
-  for (auto _ : state) {
-    for (const Bindings& bindings : instances) {
-      benchmark::DoNotOptimize(decide(object_of<SimplexObject>(std::get<ObjectPointer>(bindings.at("s")))));
-    }
-  }
-  finish(state);
-}
-
 /// The claim with this conclusion only.
 Claim with_conclusion(Claim claim, const std::string& name) {
   std::erase_if(claim.conclusions, [&](const Conclusion& conclusion) { return conclusion.name != name; });
@@ -159,11 +101,52 @@ const Subject& subject(const std::string& name, const Shape& shape, const std::s
   return *result;
 }
 
+/// Throws unless the peer says of these instances what an attack says, so that both are measured at the same work.
+template <class Peer>
+void require_agreement(const Claim& claim, const std::vector<Bindings>& instances) {
+  Peer peer;
+  std::vector<std::uint64_t> held(claim.conclusions.size());
+  std::vector<double> worst(claim.conclusions.size());
+  for (const Bindings& bindings : instances) {
+    peer.decide(object_of<SimplexObject>(std::get<ObjectPointer>(bindings.at("s"))));
+    const Attempt attempted = attempt(claim, bindings);
+    for (std::size_t at = 0; at < attempted.conclusions.size(); ++at) {
+      const ConclusionOutcome& outcome = attempted.conclusions[at];
+      if (is_proved(outcome.verdict)) ++held[at];
+      if (outcome.ratio) worst[at] = std::max(worst[at], outcome.ratio->lower);
+    }
+  }
+  const auto conclusions = peer.conclusions();
+  for (std::size_t at = 0; at < held.size(); ++at) {
+    const auto& tally = conclusions[at];
+    const double ratio = tally.worst_squared ? std::sqrt(approximately(*tally.worst_squared)) : worst[at];
+    if (tally.held != held[at] || std::abs(ratio - worst[at]) > 0x1p-18 * worst[at]) {
+      throw std::logic_error(claim.name + ", " + claim.conclusions[at].name + ": rationals do not agree");
+    }
+  }
+}
+
+/// A block of samples without drawing: `Peer` decides and measures the same.
+template <class Peer>
+void in_rationals(benchmark::State& state, const Subject& subject) {
+  const std::vector<Bindings>& instances = subject.instances;
+  require_agreement<Peer>(subject.claim, instances);
+  for (auto _ : state) {
+    Peer peer;
+    for (const Bindings& bindings : instances) {
+      peer.decide(object_of<SimplexObject>(std::get<ObjectPointer>(bindings.at("s"))));
+    }
+    benchmark::DoNotOptimize(peer);
+  }
+  finish(state);
+}
+
 std::string prefix_of(const std::string& name, const Shape& shape) {
   return name + "/k=" + std::to_string(shape.k) + ",m=" + std::to_string(shape.m) + "/";
 }
 
 void whole_samples(benchmark::State& state, const Claim& claim, const Shape& shape) {
+  const RecycledLimbs recycled;
   for (auto _ : state) benchmark::DoNotOptimize(attack_block(claim, shape, seed, 0, instance_count));
   finish(state);
 }
@@ -179,10 +162,8 @@ void add(const std::string& name, const Shape& shape) {
   });
 }
 
-/// One conclusion on each of three ways, that in rationals twice: in fractions and without.
-template <class Decide, class DecideInIntegers>
-void add_rational(const std::string& name, const std::string& conclusion, const Shape& shape, const Decide& decide,
-                  const DecideInIntegers& decide_in_integers) {
+/// One conclusion by the ladder and by 256 bits.
+void add_conclusion(const std::string& name, const std::string& conclusion, const Shape& shape) {
   const std::string prefix = prefix_of(name + ":" + conclusion, shape);
   benchmark::RegisterBenchmark((prefix + "ladder").c_str(), [=](benchmark::State& state) {
     const Subject& one = subject(name, shape, conclusion);
@@ -192,11 +173,17 @@ void add_rational(const std::string& name, const std::string& conclusion, const 
     const Subject& one = subject(name, shape, conclusion);
     on_one_rung<BigInterval>(state, one.claim, one.instances);
   });
+}
+
+/// All that a sample decides and measures, in fractions and without.
+template <template <class> class Peer>
+void add_rational(const std::string& name, const Shape& shape) {
+  const std::string prefix = prefix_of(name, shape);
   benchmark::RegisterBenchmark((prefix + "rationals").c_str(), [=](benchmark::State& state) {
-    in_rationals(state, subject(name, shape, conclusion).instances, decide);
+    in_rationals<Peer<Fraction>>(state, subject(name, shape));
   });
   benchmark::RegisterBenchmark((prefix + "fraction_free").c_str(), [=](benchmark::State& state) {
-    in_rationals(state, subject(name, shape, conclusion).instances, decide_in_integers);
+    in_rationals<Peer<Rational>>(state, subject(name, shape));
   });
 }
 
@@ -207,11 +194,11 @@ int main(int argc, char** argv) {
   using namespace delcert;
   for (const Shape& shape : {Shape{2, 2}, Shape{3, 3}, Shape{6, 6}}) {
     add("thickness-and-singular-value", shape);
-    add_rational("thickness-and-singular-value", "smallest-singular-value", shape,
-                 singular_value_in_rationals<Fraction>, singular_value_in_rationals<Rational>);
+    add_conclusion("thickness-and-singular-value", "smallest-singular-value", shape);
+    add_rational<SingularValueInRationals>("thickness-and-singular-value", shape);
     add("crude-circumradius-bound", shape);
-    add_rational("crude-circumradius-bound", "circumradius", shape, crude_radius_in_rationals<Fraction>,
-                 crude_radius_in_rationals<Rational>);
+    add_conclusion("crude-circumradius-bound", "circumradius", shape);
+    add_rational<CrudeRadiusInRationals>("crude-circumradius-bound", shape);
   }
   for (const Claim& claim : builtin_claim_list()) {
     const bool is_simplex = claim.instance == "simplex";

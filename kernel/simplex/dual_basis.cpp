@@ -135,6 +135,47 @@ std::vector<std::vector<Rational>> DualBasis::products() const {
   return with_row_of_first(products_of_rows(adjugate_, gram), 1, determinant_);
 }
 
+/// ‖w_i‖² times the determinant, over the unit.
+Integer DualBasis::squared_length(std::size_t i) const {
+  if (i > 0) return adjugate_[i - 1][i - 1];
+  Integer result;
+  for (const auto& row : adjugate_) {
+    for (const Integer& entry : row) mpz_add(raw(result), raw(result), raw(entry));
+  }
+  return result;
+}
+
+Rational DualBasis::squared_thickness() const {
+  const auto k = static_cast<unsigned long>(dimension());
+  if (k == 0) return {1};
+  Integer longest;
+  Integer divisor;
+  for (std::size_t i = 0; i <= k; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (squared_edges_[i][j] > longest) longest = squared_edges_[i][j];
+    }
+    Integer length = squared_length(i);
+    if (length > divisor) divisor = std::move(length);
+  }
+  // The units cancel, but for the 2 in that of the edges.
+  divisor *= longest;
+  mpz_mul_ui(raw(divisor), raw(divisor), 2 * k * k);
+  return {determinant_, divisor};
+}
+
+Rational DualBasis::squared_circumradius() const {
+  Integer sum;
+  Integer row;
+  for (std::size_t i = 0; i < dimension(); ++i) {
+    row = 0;
+    for (std::size_t j = 0; j < dimension(); ++j) {
+      mpz_addmul(raw(row), raw(adjugate_[i][j]), raw(squared_edges_[j + 1][0]));
+    }
+    mpz_addmul(raw(sum), raw(row), raw(squared_edges_[i + 1][0]));
+  }
+  return quotient_of(sum, unit_ * determinant_);
+}
+
 Rational DualBasis::squared_altitude_times_length(std::size_t i) const {
   // The Gram matrix of the edges from a vertex of the facet, the one to p_i last: when the others are eliminated, its
   // last entry is the determinant of all, and the last pivot that of the facet.
@@ -158,16 +199,8 @@ Rational DualBasis::squared_altitude_times_length(std::size_t i) const {
     }
     facet = rows[pivot][pivot];
   }
-  Integer squared_length;
-  if (i > 0) {
-    squared_length = adjugate_[i - 1][i - 1];
-  } else {
-    for (const auto& row : adjugate_) {
-      for (const Integer& entry : row) squared_length += entry;
-    }
-  }
   // The units cancel.
-  return quotient_of(rows.back().back() * squared_length, facet * determinant_);
+  return quotient_of(rows.back().back() * squared_length(i), facet * determinant_);
 }
 
 }  // namespace delcert

@@ -27,10 +27,16 @@ class DualBasis {
   /// of the Gram matrix.
   [[nodiscard]] Rational squared_altitude_times_length(std::size_t i) const;
 
+  /// Υ(σ)², the least altitude being the inverse of the greatest length.
+  [[nodiscard]] Rational squared_thickness() const;
+  /// R(σ)².
+  [[nodiscard]] Rational squared_circumradius() const;
+
  private:
   using Integers = std::vector<std::vector<Integer>>;
   DualBasis() = default;
   [[nodiscard]] Integer product(std::size_t base, std::size_t i, std::size_t j) const;
+  [[nodiscard]] Integer squared_length(std::size_t i) const;
   [[nodiscard]] std::vector<std::vector<Rational>> with_row_of_first(const Integers& products,
                                                                      const Integer& multiplier,
                                                                      const Integer& divisor) const;

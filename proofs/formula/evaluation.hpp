@@ -38,7 +38,17 @@ class Evaluation {
   /// It is found again by its type: a type of its own for each use.
   template <class T, class Make>
   [[nodiscard]] const T& attached(const Object& object, const Make& make) {
-    auto& attachments = scene_.template cache<S>().attachments;
+    return attached_in<T>(scene_.template cache<S>().attachments, object, make);
+  }
+  /// The same of what is exact, and serves all rungs.
+  template <class T, class Make>
+  [[nodiscard]] const T& attached_exactly(const Object& object, const Make& make) {
+    return attached_in<T>(scene_.template cache<Surd>().attachments, object, make);
+  }
+
+ private:
+  template <class T, class Attachments, class Make>
+  [[nodiscard]] static const T& attached_in(Attachments& attachments, const Object& object, const Make& make) {
     for (const auto& known : attachments) {
       if (known.object == &object && known.type == typeid(T)) return *static_cast<const T*>(known.value.get());
     }
@@ -48,7 +58,6 @@ class Evaluation {
     return result;
   }
 
- private:
   struct Local {
     std::string name;
     Argument<S> value;

@@ -76,6 +76,30 @@ Partial<S> singular_value(Evaluation<S>& evaluation, const SimplexObject& simple
 }
 
 template <class S>
+const std::optional<DualBasis>& dual_basis(Evaluation<S>& evaluation, const SimplexObject& simplex) {
+  return evaluation.template attached_exactly<std::optional<DualBasis>>(
+      simplex, [&] { return DualBasis::of(simplex.exact_gram()); });
+}
+
+/// Υ(σ); exactly, where that is asked, by what the dual basis has in integers.
+template <class S>
+Partial<S> thickness_of(Evaluation<S>& evaluation, const SimplexObject& simplex) {
+  if constexpr (std::same_as<S, Surd>) {
+    if (const auto& basis = dual_basis(evaluation, simplex)) return square_root(Surd(basis->squared_thickness()));
+  }
+  return thickness(simplex.gram(evaluation));
+}
+
+/// R(σ), as above.
+template <class S>
+Partial<S> circumradius_of(Evaluation<S>& evaluation, const SimplexObject& simplex) {
+  if constexpr (std::same_as<S, Surd>) {
+    if (const auto& basis = dual_basis(evaluation, simplex)) return square_root(Surd(basis->squared_circumradius()));
+  }
+  return circumradius(simplex.gram(evaluation));
+}
+
+template <class S>
 Partial<S> root_of(const Partial<S>& squared) {
   return squared ? Partial<S>(square_root(*squared)) : squared;
 }
@@ -220,17 +244,11 @@ void add_lengths(Vocabulary& vocabulary) {
   vocabulary.add(number_function(
       "thickness", {types::simplex}, "Υ(σ), a ratio in [0, 1]: the least altitude over kΔ(σ); 1 for a vertex.",
       "\\Upsilon(#1)",
-      []<class S>(Evaluation<S>& e, Arguments<S> a) -> Partial<S> { return thickness(simplex_of(a[0]).gram(e)); }));
+      []<class S>(Evaluation<S>& e, Arguments<S> a) -> Partial<S> { return thickness_of(e, simplex_of(a[0])); }));
   vocabulary.add(number_function(
       "circumradius", {types::simplex},
       "R(σ), a length: of the smallest circumscribing ball; undefined if there is none.", "R(#1)",
-      []<class S>(Evaluation<S>& e, Arguments<S> a) -> Partial<S> { return circumradius(simplex_of(a[0]).gram(e)); }));
-}
-
-template <class S>
-const std::optional<DualBasis>& dual_basis(Evaluation<S>& evaluation, const SimplexObject& simplex) {
-  return evaluation.template attached<std::optional<DualBasis>>(simplex,
-                                                                [&] { return DualBasis::of(simplex.exact_gram()); });
+      []<class S>(Evaluation<S>& e, Arguments<S> a) -> Partial<S> { return circumradius_of(e, simplex_of(a[0])); }));
 }
 
 /// ⟨w_i, p_j − p_0⟩ for i = 0 … k, j = 1 … k, from the coordinates where there are any; empty if degenerate.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "kernel/number/ladder.hpp"
+#include "kernel/simplex/dual_basis.hpp"
 #include "kernel/simplex/independence.hpp"
 #include "kernel/simplex/thickness.hpp"
 #include "properties/instances/exact_point.hpp"
@@ -128,10 +129,18 @@ void put_high_vertex_first(Points& points) {
 
 std::set<Trait> traits_of(const SimplexObject& simplex) {
   const EdgeGram<Rational>& gram = simplex.exact_gram();
-  const Verdict thick = decide([&]<class S>() {
-    return is_thickness_at_least(EdgeGram<S>(matrix_from<S>(gram.gram()), matrix_from<S>(gram.squared_edge_matrix())),
-                                 scalar_from<S>(Rational::power_of_two(-40)));
-  });
+  const Rational thin = Rational::power_of_two(-40);
+  Verdict thick = Verdict::undecided;
+  {
+    const FilterGuard guard;
+    thick = is_thickness_at_least(
+        EdgeGram<Filter>(matrix_from<Filter>(gram.gram()), matrix_from<Filter>(gram.squared_edge_matrix())),
+        scalar_from<Filter>(thin));
+  }
+  if (is_undecided(thick)) {
+    const auto basis = DualBasis::of(gram);
+    thick = verdict_of(basis && basis->squared_thickness() >= thin);
+  }
   std::set<Trait> traits;
   if (is_refuted(thick)) traits.insert(Trait::nearly_degenerate);
   return traits;

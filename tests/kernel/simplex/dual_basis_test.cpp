@@ -1,7 +1,9 @@
 #include "kernel/simplex/dual_basis.hpp"
 
 #include "kernel/simplex/altitude.hpp"
+#include "kernel/simplex/circumsphere.hpp"
 #include "kernel/simplex/independence.hpp"
+#include "kernel/simplex/thickness.hpp"
 #include "tests/kernel/simplex/instances.hpp"
 
 namespace delcert::test {
@@ -34,6 +36,15 @@ RC_GTEST_PROP(DualBasis, HasTheLengthsOfTheElimination, ()) {
   }
 }
 
+RC_GTEST_PROP(DualBasis, HasTheThicknessAndTheCircumradiusOfTheElimination, ()) {
+  const auto gram = simplex_of(*any_simplex(1, 5));
+  const auto basis = DualBasis::of(gram);
+  RC_CLASSIFY(!basis);
+  if (!basis) return;
+  RC_ASSERT(basis->squared_thickness() == *squared_thickness(gram));
+  RC_ASSERT(basis->squared_circumradius() == *squared_circumradius(gram));
+}
+
 /// The products are those of the points that are given, not what they have to be.
 TEST(DualBasis, OfOtherPointsIsNotDual) {
   const Rational third = Rational(1) / Rational(3);
@@ -57,6 +68,8 @@ TEST(DualBasis, OfAVertexIsEmpty) {
   const auto basis = DualBasis::of(simplex_of({{Rational(3)}}));
   ASSERT_TRUE(basis);
   EXPECT_EQ(basis->dimension(), 0U);
+  EXPECT_EQ(basis->squared_thickness(), Rational(1));
+  EXPECT_EQ(basis->squared_circumradius(), Rational(0));
 }
 
 }  // namespace DELCERT_THIS_FILE
