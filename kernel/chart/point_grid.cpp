@@ -146,43 +146,94 @@ void PointGrid<m>::visit_near(const Vector<double, m>& centre, double distance, 
     }
   }
   const double most = most_squared(centre, distance);
-  // The cell at hand, by its number in the unit cell and by how many periods it is away.
-  Index first_wrapped = first;
-  Shift<m> first_period{};
-  if (periodic_) {
-    for (std::size_t axis = 0; axis < m; ++axis) {
-      if (first[axis] >= 0 && first[axis] < cells_[axis]) continue;  // usually: a division takes long
-      std::int64_t turns = first[axis] / cells_[axis];
-      if (turns * cells_[axis] > first[axis]) --turns;
-      first_wrapped[axis] = first[axis] - turns * cells_[axis];
-      first_period[axis] = static_cast<std::int32_t>(turns);
-    }
+  // A cell by its number in the unit cell and by how many periods it is away.
+  struct Wrapped {
+    std::int64_t cell;
+    std::int32_t period;
+  };
+  const auto wrapped_at = [&](std::size_t axis, std::int64_t cell) -> Wrapped {
+    // Usually: a division takes long.
+    if (!periodic_ || (cell >= 0 && cell < cells_[axis])) return {cell, 0};
+    std::int64_t turns = cell / cells_[axis];
+    if (turns * cells_[axis] > cell) --turns;
+    return {cell - turns * cells_[axis], static_cast<std::int32_t>(turns)};
+  };
+  constexpr std::size_t along = m - 1;
+  // Of a long row of cells, only those that may be near: about half of the box is not. Points are at most a rounding
+  // error outside of their cells, which is far below the slack.
+  constexpr std::int64_t long_row = 4;
+  const bool narrows = periodic_ && metric_.is_cartesian() && last[along] - first[along] >= long_row;
+  const double slack = 2 * absolute_slack * size;
+  Vector<double, m> width;
+  for (std::size_t axis = 0; axis < m; ++axis) width[axis] = 1 / cells_per_unit_[axis];
+  const auto gap = [&](std::size_t axis, std::int64_t cell) {
+    const double low = origin_[axis] + static_cast<double>(cell) * width[axis] - centre[axis];
+    return std::max(0.0, std::max(low, -low - width[axis]) - slack);
+  };
+  Index row = first;
+  Index place{};
+  Shift<m> period{};
+  for (std::size_t axis = 0; axis < along; ++axis) {
+    const Wrapped start = wrapped_at(axis, row[axis]);
+    place[axis] = start.cell;
+    period[axis] = start.period;
   }
-  Index cell = first;
-  Index wrapped = first_wrapped;
-  Shift<m> period = first_period;
+  const Index first_place = place;
+  const Shift<m> first_period = period;
   while (true) {
-    for (const Entry& entry : grid_[flat_index(wrapped)]) {
-      Vector<double, m> offset;
-      for (std::size_t axis = 0; axis < m; ++axis) {
-        offset[axis] = entry.reduced[axis] + static_cast<double>(period[axis]) - centre[axis];
+    std::int64_t begin = first[along];
+    std::int64_t end = last[along];
+    if (narrows) {
+      double rest = most * (1 + relative_slack);
+      for (std::size_t axis = 0; axis < along; ++axis) {
+        const double here = gap(axis, row[axis]);
+        rest -= here * here;
       }
-      if constexpr (requires { visit.consider(entry, period, true); }) {
-        visit.consider(entry, period, squared_norm(offset) <= most);
-      } else if (squared_norm(offset) <= most && visit(entry, period)) {
-        return;
+      if (rest < 0) {
+        end = begin - 1;
+      } else {
+        const double half = std::sqrt(rest) + slack;
+        const auto cell_at = [&](double coordinate) {
+          return static_cast<std::int64_t>(std::floor((coordinate - origin_[along]) * cells_per_unit_[along]));
+        };
+        begin = std::max(begin, cell_at(centre[along] - half));
+        end = std::min(end, cell_at(centre[along] + half));
       }
     }
-    std::size_t axis = m;
-    while (axis > 0 && ++cell[axis - 1] > last[axis - 1]) {
-      cell[axis - 1] = first[axis - 1];
-      wrapped[axis - 1] = first_wrapped[axis - 1];
+    if (begin <= end) {
+      const Wrapped start = wrapped_at(along, begin);
+      place[along] = start.cell;
+      period[along] = start.period;
+    }
+    for (std::int64_t cell = begin; cell <= end; ++cell) {
+      const Cell& entries = grid_[flat_index(place)];
+      if constexpr (requires { visit.expect(entries.size()); }) visit.expect(entries.size());
+      for (const Entry& entry : entries) {
+        Vector<double, m> offset;
+        for (std::size_t axis = 0; axis < m; ++axis) {
+          offset[axis] = entry.reduced[axis] + static_cast<double>(period[axis]) - centre[axis];
+        }
+        if constexpr (requires { visit.consider(entry, period, true); }) {
+          visit.consider(entry, period, squared_norm(offset) <= most);
+        } else if (squared_norm(offset) <= most && visit(entry, period)) {
+          return;
+        }
+      }
+      if (++place[along] == cells_[along] && periodic_) {
+        place[along] = 0;
+        ++period[along];
+      }
+    }
+    std::size_t axis = along;
+    while (axis > 0 && ++row[axis - 1] > last[axis - 1]) {
+      row[axis - 1] = first[axis - 1];
+      place[axis - 1] = first_place[axis - 1];
       period[axis - 1] = first_period[axis - 1];
       --axis;
     }
     if (axis == 0) return;
-    if (++wrapped[axis - 1] == cells_[axis - 1] && periodic_) {
-      wrapped[axis - 1] = 0;
+    if (++place[axis - 1] == cells_[axis - 1] && periodic_) {
+      place[axis - 1] = 0;
       ++period[axis - 1];
     }
   }
@@ -197,9 +248,11 @@ struct Nearby {
   std::vector<Lift<m>>& out;
   std::size_t& count;
 
+  void expect(std::size_t more) const {
+    if (out.size() < count + more) out.resize(2 * count + more + 64);
+  }
   template <class Entry>
   void consider(const Entry& entry, const Shift<m>& period, bool is_near) const {
-    if (count == out.size()) out.resize(2 * count + 64);
     Lift<m>& lift = out[count];
     lift.index = entry.index;
     lift.shift = sum_of<m>(entry.shift, period);

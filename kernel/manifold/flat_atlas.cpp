@@ -1,6 +1,7 @@
 #include "kernel/manifold/flat_atlas.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "kernel/simplex/dimensions.hpp"
 
@@ -60,11 +61,36 @@ std::vector<Sighting<m>> FlatAtlas<m>::neighbours(Label i) const {
   return result;
 }
 
+namespace {
+
+/// Sorts them. Nearly all have different labels, and with their places these fit into one number, which is compared in
+/// a fraction of the time.
+template <int m>
+void sort_sightings(std::vector<Sighting<m>>& sightings) {
+  thread_local std::vector<std::uint64_t> keys;
+  thread_local std::vector<Sighting<m>> unsorted;
+  keys.clear();
+  for (std::size_t at = 0; at < sightings.size(); ++at) {
+    keys.push_back(std::uint64_t{sightings[at].index} << 32U | at);
+  }
+  std::sort(keys.begin(), keys.end());
+  unsorted.swap(sightings);
+  sightings.resize(unsorted.size());
+  bool is_sorted = true;
+  for (std::size_t at = 0; at < keys.size(); ++at) {
+    sightings[at] = unsorted[static_cast<std::uint32_t>(keys[at])];
+    is_sorted = is_sorted && (at == 0 || sightings[at - 1].index != sightings[at].index);
+  }
+  if (!is_sorted) std::sort(sightings.begin(), sightings.end());
+}
+
+}  // namespace
+
 template <int m>
 void FlatAtlas<m>::find_near(Label i, double distance, std::vector<Sighting<m>>& out) const {
   out.clear();
   grid_.near(net_.approximate(i), distance, out);
-  std::sort(out.begin(), out.end());
+  sort_sightings<m>(out);
 }
 
 template <int m>

@@ -340,7 +340,7 @@ void CandidateTest<m>::look(Label i) {
     const bool is_wanted = is_placed || !is_pruned();
     if (!is_wanted && !reach_around_) continue;
     const auto position = atlas_.carry(i, sighting, (is_placed ? points_ : atlas_.net()).enclosure(label));
-    if (reach_around_) around_.push_back({frame_.place(position).at, is_placed});
+    if (reach_around_) around_.push_back({frame_.at(position), is_placed});
     if (!is_wanted || !is_near(sighting)) continue;
     const auto& measured = is_pruned() ? position : atlas_.carry(i, sighting, atlas_.net().enclosure(label));
     if (is_refuted(less(filter_.squared_norm(difference(measured, centre)), lengths_.squared_reach))) continue;

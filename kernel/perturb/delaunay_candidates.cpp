@@ -27,10 +27,20 @@ void DelaunayCandidates<m>::prepare(const Rational& sampling_radius, const Candi
   for (const Candidate<m>& candidate : test.candidates()) {
     const SphereForm<double, m>& form = candidate.sphere;
     if (candidate.vertex_count != m + 1 || !(form.weight > 0)) continue;
+    const Vector<double, m>& first = test.places()[candidate.vertices[0]];
+    // A near point that was inside of one sphere often is inside of the next one: it is asked first, and in the unit of
+    // the form, without quotients. If it clearly is, it would be found below.
+    if (far_begin != others_.begin()) {
+      const PointAround<m>& other = others_.front();
+      const double allowed = other.is_placed ? clearance : clearance + drift;
+      const double inside = form.norm - 2 * form.weight * allowed;
+      const auto offset = difference(scaled(2 * form.weight, difference(other.at, first)), form.normal);
+      constexpr double clearly = 1 - 0x1p-16;
+      if (inside > 0x1p-10 * form.norm && pairing(offset, offset) < clearly * inside * inside) continue;
+    }
     Sphere sphere;
     sphere.radius = form.norm / (2 * form.weight);
     if (!(sphere.radius <= largest)) continue;  // nothing is known of it
-    const Vector<double, m>& first = test.places()[candidate.vertices[0]];
     for (std::size_t axis = 0; axis < m; ++axis)
       sphere.centre[axis] = first[axis] + form.normal[axis] / (2 * form.weight);
     // Vertices of the simplex are on the sphere, so none of them is inside by the clearance unless that is tiny.
@@ -49,7 +59,6 @@ void DelaunayCandidates<m>::prepare(const Rational& sampling_radius, const Candi
     const double room = far * (1 - 0x1p-20) - sphere.radius;
     const bool is_near = room > 0 && pairing(sphere.centre, sphere.centre) < room * room;
     const auto end = is_near ? far_begin : others_.end();
-    // A near point that was inside of one sphere often is inside of the next one: it is asked first.
     const auto inside = std::find_if(others_.begin(), end, is_inside);
     if (inside == end) {
       spheres_.push_back(sphere);
@@ -62,7 +71,7 @@ void DelaunayCandidates<m>::prepare(const Rational& sampling_radius, const Candi
 template <int m>
 double DelaunayCandidates<m>::clearance(const Vector<Filter, m>& x) const {
   double result = std::numeric_limits<double>::infinity();
-  const Vector<double, m> at = frame_->place(x).at;
+  const Vector<double, m> at = frame_->at(x);
   for (const Sphere& sphere : spheres_) {
     const auto offset = difference(at, sphere.centre);
     result = std::min(result, std::fabs(std::sqrt(pairing(offset, offset)) - sphere.radius));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <span>
@@ -87,8 +88,14 @@ class PatchView {
     words_ = (size() + 63) / 64;
     adjacency_.assign(size() * words_, 0);
     for (std::size_t a = 0; a < size(); ++a) {
-      for (std::size_t b = a + 1; b < size(); ++b) {
-        if (are_adjacent(a, b)) adjacency_[a * words_ + b / 64] |= std::uint64_t{1} << (b % 64);
+      for (std::size_t word = (a + 1) / 64; word < words_; ++word) {
+        // No processor predicts which are adjacent.
+        std::uint64_t bits = 0;
+        const std::size_t last = std::min(size(), 64 * word + 64);
+        for (std::size_t b = std::max(a + 1, 64 * word); b < last; ++b) {
+          bits |= static_cast<std::uint64_t>(are_adjacent(a, b)) << (b % 64);
+        }
+        adjacency_[a * words_ + word] = bits;
       }
     }
   }

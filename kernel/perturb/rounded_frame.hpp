@@ -37,6 +37,14 @@ class RoundedFrame {
     double error = 0;
   };
   [[nodiscard]] Place place(const Vector<Filter, m>& x) const { return vector(difference(x, origin_)); }
+  /// The same coordinates without the error.
+  [[nodiscard]] Vector<double, m> at(const Vector<Filter, m>& x) const {
+    Vector<Filter, m> offset = difference(x, origin_);
+    if (!is_cartesian_) offset = upper_applied(factor_, offset);
+    Vector<double, m> result;
+    for (std::size_t axis = 0; axis < m; ++axis) result[axis] = (Filter::exactly(scale_) * offset[axis]).lower();
+    return result;
+  }
   /// The same of a vector.
   [[nodiscard]] Place vector(Vector<Filter, m> offset) const {
     if (!is_cartesian_) offset = upper_applied(factor_, offset);
@@ -95,7 +103,9 @@ struct RoundedPlaces {
     return [this, least, most](std::size_t a, std::size_t b) {
       const auto edge = difference(at[b], at[a]);
       const double squared = pairing(edge, edge);
-      return squared < least ? Verdict::proved : squared > most ? Verdict::refuted : Verdict::undecided;
+      const bool is_less = squared < least;
+      const bool is_more = squared > most;
+      return is_less == is_more ? Verdict::undecided : verdict_of(is_less);
     };
   }
 };

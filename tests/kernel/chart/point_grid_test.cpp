@@ -68,6 +68,7 @@ TEST(PointGrid, misses_no_lift_on_tori) {
   check_torus<2>(hexagonal_torus(), 30, distances);
   check_torus<2>(square_torus_in_a_long_basis(), 30, distances);
   check_torus<2>(torus_of<2>({{{ratio(1, 100), Rational(0)}, {Rational(0), Rational(100)}}}), 10, distances);
+  check_torus<3>(cubic_torus<3>(), 20, {ratio(1, 100), ratio(1, 8), ratio(1, 2), Rational(1)});
   check_torus<3>(bcc_torus(), 20, {ratio(1, 8), ratio(1, 2), Rational(1)});
   check_torus<3>(skewed_torus(), 20, {ratio(1, 8), ratio(1, 2), Rational(1)});
   check_torus<4>(cubic_torus<4>(), 10, {ratio(1, 8), Rational(1)});
