@@ -18,13 +18,13 @@ COLUMNS = {"kernel": ["kernel/"], "certificate, report": ["proofs/cert"], "check
 
 # A file belongs to the first family of which a pattern is in its path.
 FAMILIES = {
-    "meshes": [r"polyhedral_mesh", r"mesh_(charts|evaluation|neighbours|sampler)", r"shown_facet", r"facet_tree", r"triangle_mesh", r"manifold/mesh_file", r"mesh_family", r"cli/mesh", r"mesh_samples", r"surface_mesh",
+    "meshes": [r"polyhedral_mesh", r"mesh_(charts|evaluation|neighbours|sampler)", r"shown_facet", r"facet_tree", r"triangle_mesh", r"manifold/mesh_file", r"mesh_family", r"cli/mesh", r"mesh_samples", r"surface_mesh", r"checker/submanifolds/polyhedron",
                r"full_stars"],
     "radii that vary": [r"sizing", r"sampling_radii", r"graded_", r"length_units"],
     "piecewise linear transitions": [r"piecewise_", r"map_piece", r"blended_", r"cone-torus"],
-    "atlases by formulas": [r"gluing/(?!metric_field|affine|periodic|growing|interval_matrix|chart_distortion)", r"atlas_(file|net|claims|family|test|run)", r"glued", r"checker/gluing",
+    "atlases by formulas": [r"gluing/(?!metric_field|affine|periodic|growing|interval_matrix|chart_distortion)", r"atlas_(file|net|claims|family|test|run)", r"glued", r"checker/(atlases/|certificate/gluing)",
                             r"rational_function", r"manifolds/atlases/", r"docs/.*atlases", r"torus_by_charts", r"affine_triangulation"],
-    "zero sets": [r"submanifold(?!s-to-come)", r"kernel/formula/formula_(map|functions)", r"checker/(formula_map|tangent_|graph_|chord_|restricted_)", r"graph_(simplex|triangulation|isotopy)",
+    "zero sets": [r"submanifold(?!s-to-come)", r"kernel/formula/formula_(map|functions)", r"checker/(arithmetic/)?formula_map", r"tests/checker/chord_", r"graph_(simplex|triangulation|isotopy)",
                   r"restricted_delaunay", r"reach_bound",
                   r"examples/own/", r"bring-your-own", r"wrong_manifolds", r"wrong-files", r"oracles/(projection|critical|trefoil|flat_clifford)"],
 }

@@ -111,7 +111,9 @@ class DiscCover {
     patch_ = scalar_from<Interval>(vertices_.charts[i].data().radius);
     for (std::size_t column = 0; column < n_; ++column) own_[column] = check_.coordinate(i, i, column);
     if (!is_in_patch()) return false;
-    wide_ = minimum(Interval(2) * radius_, (patch_ - own_distance()) * Interval::exactly(1 - 0x1p-10));
+    // All of the disc, however little the chart shows beyond it.
+    wide_ =
+        maximum(radius_, minimum(Interval(2) * radius_, (patch_ - own_distance()) * Interval::exactly(1 - 0x1p-10)));
     change_ = {};
     is_change_known_ = metric_ == GraphMetric::extrinsic || find_change();
     // Where curves may be longer than their chords by more than this nothing is certain, but for what bends say.

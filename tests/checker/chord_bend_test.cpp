@@ -244,6 +244,15 @@ TEST_F(ChordBendOfChecker, says_nothing_where_a_curve_might_leave) {
   EXPECT_FALSE(says(point));
 }
 
+TEST(ReachOfBends, is_all_of_the_disc_and_no_more_than_the_chart_shows) {
+  EXPECT_EQ(reach_of_bends(1, 10), 2);
+  EXPECT_EQ(reach_of_bends(1, 1.5), 1.5 * 0.999);
+  for (const double shown : {1.0002, 1.0009, 1.002}) {
+    EXPECT_GE(reach_of_bends(1, shown), 1);
+    EXPECT_LT(reach_of_bends(1, shown), shown);
+  }
+}
+
 TEST_F(ChordBendOfChecker, asks_that_the_function_is_known_and_the_box_is_left_by_none) {
   const Surface& sphere = surfaces[0];
   EXPECT_TRUE(Chords(sphere, 0.1, 0, 1e-14, 2).bend);

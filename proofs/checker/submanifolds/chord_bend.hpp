@@ -27,6 +27,13 @@ inline double least_lead(const Distance& p, const ChordExcess& q) {
   return e * (2 * p.chord + e);
 }
 
+/// How far from p'_i a chart says how M bends: in all of the disc of `radius`, however little the chart shows beyond
+/// it, and in as much of twice that disc as it shows with some room. Precondition of its use: the chart shows `radius`,
+/// less than `shown`.
+inline double reach_of_bends(double radius, double shown) {
+  return std::max(radius, std::min(2 * radius, shown * 0.999));
+}
+
 /// What a chart knows of distances between points of M that it shows.
 struct ChartBend {
   double stretch;             // M is no steeper than L: the root of 1 + L^2, from above

@@ -78,7 +78,7 @@ class CoveredDisc {
         height_(transposed_times(charts.chart(i).normal, charts.point(i) - charts.chart(i).centre)),
         home_(upper_root(
             squared_norm(transposed_times(charts.chart(i).tangent, charts.point(i) - charts.chart(i).centre)))),
-        wide_(std::min(2 * radius_.upper(), (charts.patch(i).radius.filter - exactly_at(home_)).lower() * 0.999)) {
+        wide_(reach_of_bends(radius_.upper(), (charts.patch(i).radius.filter - exactly_at(home_)).lower())) {
     find_rivals();
     if (c_.intrinsic) bound_changes();
   }
